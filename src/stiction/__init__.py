@@ -1,0 +1,1 @@
+"""Static friction of rough, adhesive, possibly soft-coated contacts."""

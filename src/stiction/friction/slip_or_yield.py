@@ -1,0 +1,172 @@
+"""Where the resistance min(slip, yield) of an adhesive elastic asperity has kinks: the edges of its regimes.
+
+With S = sqrt(6 pi/theta) and u = S^(1/3) v, everything below depends on e = eta S^(-2/3), nu, k and K beta alone. At
+y = v^3 slip and yield are equal (docs/theory.md, section 3) where
+    G(y) = [d s^2 + 3n(p-q) s y (y-1) + 3n^2 y^2 (y-1)^2] / y^(8/3)   equals   (e/(pi k))^2,
+d = p^2 + q^2 - pq, s = g |y - 1/2| (corrected) or g sqrt(y^2 - 1/4) (as printed), g = 4/sqrt(3 K beta). G is known, so
+its crossings are bracketed between its own turning points: none can be missed.
+"""
+
+import math
+
+from ..asperity.chowdhury_ghosh_1994 import largest_root
+from ..compiled import formula, kernel
+from .edge_yield import coefficients
+
+# y where loading starts (w = 0), where the slip resistance vanishes, and where unloading ends (dw/du = 0).
+_TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
+LOADING_EDGES, UNLOADING_EDGES = 7, 13
+
+
+@formula
+def _numerator(y, nu, K_beta, printed):
+    """G(y) y^(8/3), and its derivative by y."""
+    n, p, q = coefficients(nu)
+    g = 4.0 / math.sqrt(3.0 * K_beta)
+    if printed:
+        root = math.sqrt(y * y - 0.25)
+        s, ds = g * root, g * y / root
+    else:
+        s, ds = g * abs(y - 0.5), math.copysign(g, y - 0.5)
+    d, b, c = p * p + q * q - p * q, 3.0 * n * (p - q), 3.0 * n * n
+    z = y * (y - 1.0)
+    dz = 2.0 * y - 1.0
+    return d * s * s + b * s * z + c * z * z, 2.0 * d * s * ds + b * (ds * z + s * dz) + 2.0 * c * z * dz
+
+
+@formula
+def _steepness(y, nu, K_beta, printed):
+    """d ln G / d ln y."""
+    value, slope = _numerator(y, nu, K_beta, printed)
+    return y * slope / value - 8.0 / 3.0
+
+
+@formula
+def _turning_point(low, high, nu, K_beta, printed):
+    """A zero of the steepness between two places where its sign differs: bisection."""
+    falling = _steepness(low, nu, K_beta, printed) < 0.0
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        if (_steepness(middle, nu, K_beta, printed) < 0.0) == falling:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@formula
+def _dip(nu, K_beta, printed):
+    """Where G turns down and up again above the touching point, or that point twice where it only rises.
+
+    The steepness falls from the touching point to one lowest value and rises to 4/3 from there.
+    """
+    lowest, least, ratio = _TOUCH, 1e9, 1.4
+    y = _TOUCH
+    while y < 8.0 / (1.0 - 2.0 * nu):
+        y *= ratio
+        steepness = _steepness(y, nu, K_beta, printed)
+        if steepness < least:
+            lowest, least = y, steepness
+    if 0.0 <= least < 0.1:  # near enough to zero for the true lowest value, between the samples, to be below
+        low, high = lowest / ratio, lowest * ratio
+        for _ in range(60):
+            third = (high - low) / 3.0
+            if _steepness(low + third, nu, K_beta, printed) < _steepness(high - third, nu, K_beta, printed):
+                high -= third
+            else:
+                low += third
+        lowest = 0.5 * (low + high)
+        least = _steepness(lowest, nu, K_beta, printed)
+    if least >= 0.0:
+        return _TOUCH, _TOUCH
+    down = _turning_point(_TOUCH, lowest, nu, K_beta, printed)
+    return down, _turning_point(lowest, 16.0 / (1.0 - 2.0 * nu), nu, K_beta, printed)
+
+
+@formula
+def _crossing(low, high, level, nu, K_beta, printed):
+    """The v in (low, high), where G is monotonic, with G(v^3) = level; `high` if there is none. Newton, bracketed."""
+    if not high > low:
+        return high
+    above = _numerator(low**3, nu, K_beta, printed)[0] > level * low**8
+    if above == (_numerator(high**3, nu, K_beta, printed)[0] > level * high**8):
+        return high
+    v = 0.5 * (low + high)
+    for _ in range(100):
+        v3 = v * v * v
+        value, slope = _numerator(v3, nu, K_beta, printed)
+        power = level * v3 * v3 * v
+        excess = value - power * v
+        if (excess > 0.0) == above:
+            low = v
+        else:
+            high = v
+        last = v
+        v -= excess / (3.0 * slope * v * v - 8.0 * power)
+        if not low < v < high:
+            v = 0.5 * (low + high)
+        if abs(v - last) <= 4e-15 * v:
+            break
+    return v
+
+
+@formula
+def _unloading_kinks(out, level, nu, K_beta):
+    """Fill out[0:6] with the kinks below the touching point: the slip resistance vanishes at y = 1/2, and G turns once on
+    either side of that."""
+    lost, none, touch = _LOST ** (1.0 / 3.0), _NO_SLIP ** (1.0 / 3.0), _TOUCH ** (1.0 / 3.0)
+    left = _turning_point(_LOST, _NO_SLIP - 1e-9, nu, K_beta, False) ** (1.0 / 3.0)
+    right = _turning_point(_NO_SLIP + 1e-9, _TOUCH, nu, K_beta, False) ** (1.0 / 3.0)
+    out[0] = none
+    out[1] = touch
+    out[2] = _crossing(lost, left, level, nu, K_beta, False)
+    out[3] = _crossing(left, none, level, nu, K_beta, False)
+    out[4] = _crossing(none, right, level, nu, K_beta, False)
+    out[5] = _crossing(right, touch, level, nu, K_beta, False)
+
+
+@formula
+def _sort(values):
+    for at in range(1, values.size):
+        value, place = values[at], at
+        while place > 0 and values[place - 1] > value:
+            values[place] = values[place - 1]
+            place -= 1
+        values[place] = value
+
+
+@kernel
+def fill_edges(S, eta, K_beta, nu, k, printed, unloading, edges, branch):
+    """Edges (n, 7 or 13) in u of the elastic regime of n laws, and the branch point (n,) of its yield resistance.
+
+    S, eta, K_beta, nu, k: arrays (n,). printed: the slip resistance of eq (10) of the 2015 paper to the letter.
+    unloading: from the smallest stable contact on, with UNLOADING_EDGES edges, not from the touching point.
+    """
+    start = (_LOST if unloading else _TOUCH) ** (1.0 / 3.0)
+    touch = _TOUCH ** (1.0 / 3.0)
+    down = up = touch
+    for i in range(S.size):
+        n, p, q = coefficients(nu[i])
+        e = eta[i] / S[i] ** (2.0 / 3.0)
+        level = (e / (math.pi * k[i])) ** 2
+        end = largest_root(-e, 1.0)  # the mean pressure reaches the hardness: u^3 - eta u - S = 0 (eq 2)
+        # The yield condition has a real root from here on, and a positive one up to there.
+        positive = 1.0 / (math.sqrt(3.0) * n * math.pi * k[i])
+        real = 2.0 * math.sqrt(p * p + q * q - p * q) / (p + q) * positive
+        first = largest_root(real * e, 1.0)
+        last = largest_root(-positive * e, 1.0) if positive < 1.0 else end
+        if i == 0 or nu[i] != nu[i - 1] or K_beta[i] != K_beta[i - 1]:
+            down, up = _dip(nu[i], K_beta[i], printed)
+            down, up = down ** (1.0 / 3.0), up ** (1.0 / 3.0)
+        out = edges[i]
+        out[0], out[1], out[2], out[3] = start, first, last, end
+        out[4] = _crossing(touch, min(down, end), level, nu[i], K_beta[i], printed)
+        out[5] = _crossing(down, min(up, end), level, nu[i], K_beta[i], printed)
+        out[6] = _crossing(up, end, level, nu[i], K_beta[i], printed)
+        if unloading:
+            _unloading_kinks(out[7:], level, nu[i], K_beta[i])
+        scale = S[i] ** (1.0 / 3.0)
+        for at in range(out.size):
+            out[at] = min(max(out[at], start), end) * scale
+        _sort(out)
+        branch[i] = first * scale
