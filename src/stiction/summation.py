@@ -135,8 +135,9 @@ def _expand(values, place, before, now, used, out):
         out[4, j] += e
 
 
-def _moments_template(w_low, w_high, parameters, edges, branch, rules, counts, out):
-    """Add to out[i, quantity, j] the moments of one regime with T_j on displacements [w_low, w_high]."""
+def _moments_template(w_low, w_high, parameters, edges, branch, rules, counts, out, missed):
+    """Add to out[i, quantity, j] the moments of one regime with T_j on displacements [w_low, w_high]; mark in missed[i]
+    that a piece of the law lies wholly beyond."""
     room = (edges.shape[1] - 1) * counts[1]
     values, place = np.empty((5, room)), np.empty(room)
     before, now = np.empty(room), np.empty(room)
@@ -149,6 +150,7 @@ def _moments_template(w_low, w_high, parameters, edges, branch, rules, counts, o
                 continue
             w_left, w_right = along(left, *row)[0], along(right, *row)[0]
             if not (w_right > w_low and w_left < w_high):
+                missed[i] = True
                 continue
             low = left if w_left >= w_low else max(left, coordinate(w_low, *row))
             high = right if w_right <= w_high else min(right, coordinate(w_high, *row))
@@ -260,18 +262,20 @@ def _by_moments(regimes, h, heights, sums, doubtful):
     for start in range(0, sums.shape[1], _BLOCK):
         block = slice(start, min(start + _BLOCK, sums.shape[1]))
         moments = np.zeros((len(sums), block.stop - start, len(QUANTITIES), len(expansion)))
+        missed = np.zeros(moments.shape[:2], dtype=np.bool_)
         for at, regime in enumerate(regimes):
             parameters, edges, branch = _arrays(regime, block)
             compiled = _moments_kernel(regime.along, regime.coordinate, parameters.shape[1])
-            compiled(w_low, w_high, parameters, edges, branch, _RULES, _COUNTS, moments[at % len(sums)])
-        _assemble(moments, expansion, largest, sums[:, block], doubtful[:, block])
+            group = at % len(sums)
+            compiled(w_low, w_high, parameters, edges, branch, _RULES, _COUNTS, moments[group], missed[group])
+        _assemble(moments, expansion, largest, missed, sums[:, block], doubtful[:, block])
 
 
 @kernel
-def _assemble(moments, expansion, largest, sums, doubtful):
-    """sums = moments @ expansion, and where a sum of positive terms is small against the bound sum_j |M_j| max_j |C_j|.
+def _assemble(moments, expansion, largest, missed, sums, doubtful):
+    """sums = moments @ expansion; doubtful where a sum of positive terms is small against its bound sum_j |M_j| max_j |C_j|.
 
-    The load, which changes sign, is as good as the area beside it. A loop of our own, because a threaded matrix product
+    It is doubtful too where it is zero because pieces were missed. The load, which changes sign, is as good as the area beside it. A loop of our own, because a threaded matrix product
     and threads of callers would fight for the processors.
     """
     for group in range(moments.shape[0]):
@@ -292,7 +296,7 @@ def _assemble(moments, expansion, largest, sums, doubtful):
                 for j in range(expansion.shape[0]):
                     size += abs(moment[q, j])
                 for at in range(largest.size):
-                    lost = abs(total[q, at]) < _CANCELLED * size * largest[at]
+                    lost = abs(total[q, at]) < _CANCELLED * size * largest[at] or (size == 0.0 and missed[group, i])
                     doubtful[group, i, at] = lost or (q > 0 and doubtful[group, i, at])
 
 

@@ -23,11 +23,13 @@ def film_regimes(
     edges, branch = film.kinks()
     first_plastic = asperities.onset_of_plasticity(film, edges)
     u_bound, w_bound = np.sqrt(film_aspect), film_aspect**2 / 2.0  # x = u^4, and x = 2 w when plastic
+    # Where the film is a half-space to all, the stretches beyond are empty: left out.
+    half_space = (True,) if np.all(np.isinf(film_aspect)) else (True, False)
     regimes = []
     for after, (elastic_share, plastic_share) in enumerate(zip(elastic_shares, plastic_shares, strict=True)):
         u_range = (through[0], np.inf) if after else (0.0, through[0])
         w_range = (through[1], np.inf) if after else (0.0, through[1])
-        for in_half_space in (True, False):
+        for in_half_space in half_space:
             labels = {"body": "film", "in_half_space": in_half_space}
             bound = (0.0, u_bound) if in_half_space else (u_bound, np.inf)
             stretch = clip(edges, np.maximum(u_range[0], bound[0]), np.minimum(u_range[1], bound[1]))

@@ -1,0 +1,35 @@
+"""The one error that a user's input can cause."""
+
+import re
+
+__all__ = ["InputError"]
+
+_LONGEST = 80  # a value longer than this says nothing more in a message
+
+
+def _short(value) -> str:
+    """The value on one line: quoted if text, "not given" for None, cut if long."""
+    if value is None:
+        return "not given"
+    if hasattr(value, "item") and getattr(value, "size", 1) == 1:
+        value = value.item()  # 0.6 rather than np.float64(0.6)
+    text = re.sub(r"\s+", " ", repr(value))
+    return text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
+
+
+class InputError(ValueError):
+    """Something given by the user is not usable; `str()` of it is one line.
+
+    field: dotted name of what was given ("contact.coating.thickness"); value: what was given, None if
+    nothing; allowed: text saying what would have been accepted, with its unit.
+    """
+
+    def __init__(self, field: str, value, allowed: str):
+        self.field = field
+        self.value = value
+        self.allowed = allowed
+        super().__init__(field, value, allowed)  # the three arguments, so that the error can be pickled
+
+    def __str__(self) -> str:
+        field, allowed = (re.sub(r"\s+", " ", text) for text in (self.field, self.allowed))
+        return f"{field}: {_short(self.value)}; allowed: {allowed}"

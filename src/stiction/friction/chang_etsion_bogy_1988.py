@@ -1,0 +1,61 @@
+"""Tangential force at which a Hertz contact first yields, on its axis or at its trailing edge: Chang, Etsion & Bogy 1988.
+
+Hamilton's stresses under P and Q = mu P, von Mises, Y = 0.354 H; as restated by Eriten et al. 2010. w_ratio = omega/omega_c.
+"""
+
+import math
+
+import numpy as np
+
+from ..compiled import formula, kernel
+
+_YIELD_TO_HARDNESS = 0.354  # Y/H, of the 1988 paper
+
+
+@formula
+def axis_coefficient(nu):
+    """c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), tangential shear stress on the axis at the depth z a of first yield;
+    z = 0.48 is that depth for nu = 0.3, which the authors keep for all."""
+    z = 0.48
+    return -1.0 + 1.5 * z * math.atan(1.0 / z) - z * z / (2.0 * (1.0 + z * z))
+
+
+@formula
+def on_axis(w_ratio, nu, K_H):
+    """Q/P at which the axis yields: (f p0)^2 + 3 (c1 q0)^2 = Y^2, whose 0.2045 is 0.354/sqrt(3)."""
+    return _YIELD_TO_HARDNESS / math.sqrt(3.0) / (K_H * abs(axis_coefficient(nu))) * math.sqrt(max(1.0 / w_ratio - 1.0, 0.0))
+
+
+@formula
+def at_edge(w_ratio, nu, K_H):
+    """Q/P at which the trailing edge yields: c3 mu^2 + c4 mu + c5 = 0, whose 0.56 is 4.5 (0.354)^2."""
+    c3 = 9.0 * math.pi * math.pi / 16.0 * (2.0 - nu / 2.0 + 7.0 / 8.0 * nu * nu)
+    c4 = 9.0 * math.pi / 4.0 * (1.0 - 2.0 * nu) * (1.0 - nu / 2.0)
+    c5 = 1.5 * (1.0 - 2.0 * nu) * (1.0 - 2.0 * nu) - 4.5 * _YIELD_TO_HARDNESS * _YIELD_TO_HARDNESS / (K_H * K_H * w_ratio)
+    return (math.sqrt(max(c4 * c4 - 4.0 * c3 * c5, 0.0)) - c4) / (2.0 * c3)
+
+
+@formula
+def friction_coefficient(w_ratio, nu, K_H):
+    """Q/P of one asperity at the onset of yield under both forces; zero where P alone yields (w_ratio >= 1)."""
+    return min(on_axis(w_ratio, nu, K_H), at_edge(w_ratio, nu, K_H)) if w_ratio < 1.0 else 0.0
+
+
+@kernel
+def _fill_first_on_axis(nu, K_H, out):
+    for i in range(nu.size):
+        low, high = 0.5, 1.0
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            if on_axis(middle, nu[i], K_H[i]) > at_edge(middle, nu[i], K_H[i]):
+                low = middle
+            else:
+                high = middle
+        out[i] = high
+
+
+def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
+    """omega/omega_c (n,) from which the axis yields before the edge: 0.9506 for nu = 0.3. Bisection; there is one."""
+    out = np.empty_like(nu)
+    _fill_first_on_axis(nu, K_H, out)
+    return out

@@ -1,0 +1,48 @@
+"""The dimensionless groups that decide a contact, as flat arrays: what laws are written in."""
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Groups:
+    """Groups of n contacts; arrays (n,). The meaning and bounds of each are in `quantities`; film groups are None if bare.
+
+    film_aspect, t/sqrt(R sigma), is infinite where R is not known: the film is then a half-space to every asperity.
+    """
+
+    theta: np.ndarray
+    lam: np.ndarray
+    nu: np.ndarray
+    hardness_to_yield: np.ndarray
+    K_beta: np.ndarray
+    n_E: np.ndarray | None = None
+    n_H: np.ndarray | None = None
+    tau: np.ndarray | None = None
+    n_g: np.ndarray | None = None
+    film_aspect: np.ndarray | None = None
+    film_nu: np.ndarray | None = None
+    film_K_beta: np.ndarray | None = None
+
+    @property
+    def coated(self) -> bool:
+        return self.tau is not None
+
+    @property
+    def film_theta(self) -> np.ndarray:
+        """theta n_E / n_g: the film's own elastic adhesion index (section 2 of the 2015 paper; n_g is this project's)."""
+        return self.theta * self.n_E / self.n_g
+
+    @property
+    def film_lam(self) -> np.ndarray:
+        """lambda n_H^4 / (n_E^2 n_g^2): the film's own plastic adhesion index."""
+        return self.lam * (self.n_H * self.n_H / (self.n_E * self.n_g)) ** 2
+
+    def __len__(self) -> int:
+        return len(self.theta)
+
+    def __getitem__(self, rows: slice | np.ndarray) -> "Groups":
+        """The groups of some of the contacts."""
+        columns = {field.name: getattr(self, field.name) for field in fields(self)}
+        return Groups(**{name: None if column is None else column[rows] for name, column in columns.items()})

@@ -1,0 +1,164 @@
+"""The one table of quantities: units, bounds, symbols and meanings of everything that goes in or comes out.
+
+Validators, docstrings, command-line help, result attributes and axis labels read it; nothing else states a
+unit or a bound. The symbols are those of docs/theory.md.
+"""
+
+from dataclasses import dataclass
+from math import inf, isinf
+
+__all__ = ["QUANTITIES", "Quantity"]
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One row of the table.
+
+    name: the key; symbol: plain text; latex: without dollar signs; unit: SI, "" if none; meaning: a phrase;
+    lower, upper: bounds in the unit, with lower_included, upper_included (infinite values are never allowed);
+    normalised_by: what the dimensionless form is divided by, "" if it has none; example: an accepted input.
+    """
+
+    name: str
+    symbol: str
+    latex: str
+    unit: str
+    meaning: str
+    lower: float = -inf
+    upper: float = inf
+    lower_included: bool = False
+    upper_included: bool = False
+    normalised_by: str = ""
+    example: str = ""
+
+    @property
+    def allowed(self) -> str:
+        """The allowed range with its unit, in words: "> 0 Pa", ">= 0 and < 0.5", "any finite number of m"."""
+        unit = f" {self.unit}" if self.unit else ""
+        ends = []
+        if not isinf(self.lower):
+            ends.append(f"{'>=' if self.lower_included else '>'} {self.lower:g}{unit}")
+        if not isinf(self.upper):
+            ends.append(f"{'<=' if self.upper_included else '<'} {self.upper:g}{unit}")
+        return " and ".join(ends) or ("any finite number" + (f" in {self.unit}" if self.unit else ""))
+
+    @property
+    def wanted(self) -> str:
+        """The allowed range with an example where a unit has to be written: '> 0 m, e.g. "200 nm"'."""
+        return f'{self.allowed}, e.g. "{self.example}"' if self.unit and self.example else self.allowed
+
+    @property
+    def label(self) -> str:
+        """The meaning with its unit, as on an axis: "asperity tip radius [m]"."""
+        return f"{self.meaning} [{self.unit}]" if self.unit else self.meaning
+
+
+# Bounds of the table below: lower, upper, whether each is included.
+_ANY = (-inf, inf, False, False)
+_POSITIVE = (0.0, inf, False, False)
+_NOT_NEGATIVE = (0.0, inf, True, False)
+_FROM_ONE = (1.0, inf, True, False)
+_SHARE = (0.0, 1.0, True, True)
+# nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
+# Below 0 nothing was checked.
+_POISSON = (0.0, 0.5, True, False)
+
+_LOAD = "K R^(1/2) sigma^(3/2) per asperity"
+_AREA = "pi R sigma per asperity"
+_COUNT = "number of asperities"
+
+# fmt: off
+_INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
+    # materials
+    ("youngs_modulus", "E", "E", "Pa", _POSITIVE, "210 GPa", "Young's modulus"),
+    ("poissons_ratio", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio"),
+    ("hardness", "H", "H", "Pa", _POSITIVE, "7.3 GPa",
+     "hardness, the mean pressure of a fully plastic contact"),
+    ("yield_stress", "Y", "Y", "Pa", _POSITIVE, "2.5 GPa", "yield stress in tension"),
+    ("surface_energy", "gamma_s", r"\gamma_s", "J/m^2", _POSITIVE, "1.25 J/m^2",
+     "surface energy of one surface"),
+    # contact
+    ("asperity_height_deviation", "sigma", r"\sigma", "m", _POSITIVE, "48 nm",
+     "standard deviation of the asperity heights"),
+    ("asperity_radius", "R", "R", "m", _POSITIVE, "50 um", "asperity tip radius"),
+    ("asperity_density", "N", "N", "1/m^2", _POSITIVE, "1.7e10 1/m^2", "asperities per nominal area"),
+    ("nominal_area", "A_n", r"A_\mathrm{n}", "m^2", _POSITIVE, "1 mm^2", "nominal contact area"),
+    ("work_of_adhesion", "gamma", r"\gamma", "J/m^2", _POSITIVE, "50 mJ/m^2", "work of adhesion"),
+    ("interfacial_energy", "gamma_12", r"\gamma_{12}", "J/m^2", _NOT_NEGATIVE, "0.5 J/m^2",
+     "energy of the closed interface"),
+    ("thickness", "t", "t", "m", _POSITIVE, "200 nm",
+     "film thickness, of both films together if there are two"),
+    ("hardness_to_yield", "k", "k", "", _FROM_ONE, "2.8", "hardness over yield stress, H/Y"),
+    ("equilibrium_distance", "epsilon", r"\varepsilon", "m", _POSITIVE, "0.3 nm",
+     "equilibrium distance of two surfaces"),
+    # dimensionless groups
+    ("theta", "theta", r"\theta", "", _POSITIVE, "40",
+     "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2))"),
+    ("lam", "lambda", r"\lambda", "", _POSITIVE, "10",
+     "plastic adhesion index pi^2 R H^4 sigma / (18 K^2 gamma^2)"),
+    ("nu", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio of the softer body"),
+    ("K_beta", "K beta", r"K\beta", "", _POSITIVE, "6.476", "normal stiffness times tangential compliance"),
+    ("n_E", "n_E", "n_E", "", _POSITIVE, "1.5", "film modulus over substrate modulus"),
+    ("n_H", "n_H", "n_H", "", _POSITIVE, "0.5", "film hardness over substrate hardness"),
+    ("tau", "tau", r"\tau", "", _NOT_NEGATIVE, "2", "film thickness over sigma, t / sigma"),
+    ("n_g", "n_g", "n_g", "", _POSITIVE, "1", "work of adhesion of the film over that of the substrate"),
+    ("film_aspect", "t/sqrt(R sigma)", r"t/\sqrt{R\sigma}", "", _NOT_NEGATIVE, "0.13",
+     "film thickness over sqrt(R sigma)"),
+    ("film_nu", "nu_c", r"\nu_\mathrm{c}", "", _POISSON, "0.3", "Poisson's ratio in the film's contact"),
+    ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _POSITIVE, "6.476",
+     "K beta of the film's contact"),
+]
+
+_OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form is divided by, meaning
+    # of a material or a contact
+    ("shear_modulus", "G", "G", "Pa", _POSITIVE, "", "shear modulus E / (2 (1 + nu))"),
+    ("contact_modulus", "E*", r"E^*", "Pa", _POSITIVE, "", "contact modulus, 1/E* = sum of (1 - nu^2)/E"),
+    ("normal_stiffness", "K", "K", "Pa", _POSITIVE, "", "K = (4/3) E*"),
+    ("tangential_compliance", "beta", r"\beta", "1/Pa", _POSITIVE, "", "beta = sum of (2 - nu)/G"),
+    ("plasticity_index", "psi", r"\psi", "", _POSITIVE, "", "plasticity index (E*/H) (sigma/R)^(1/2)"),
+    ("tabor_parameter", "mu_T", r"\mu_\mathrm{T}", "", _POSITIVE, "",
+     "Tabor parameter (R gamma^2 / (E*^2 epsilon^3))^(1/3)"),
+    # of a solution
+    ("mean_separation", "d", "d", "m", _ANY, "sigma",
+     "mean separation, from the mean of the asperity heights"),
+    ("load", "P", "P", "N", _ANY, _LOAD, "net normal load, adhesion included"),
+    ("load_elastic", "P_el", r"P_\mathrm{el}", "N", _ANY, _LOAD, "net load on elastic asperities"),
+    ("load_plastic", "P_pl", r"P_\mathrm{pl}", "N", _ANY, _LOAD, "net load on plastic asperities"),
+    ("load_film", "P_f", r"P_\mathrm{f}", "N", _ANY, _LOAD, "net load carried by the film"),
+    ("load_substrate", "P_s", r"P_\mathrm{s}", "N", _ANY, _LOAD, "net load carried by the substrate"),
+    ("contact_area", "A", "A", "m^2", _NOT_NEGATIVE, _AREA, "real contact area"),
+    ("contact_area_elastic", "A_el", r"A_\mathrm{el}", "m^2", _NOT_NEGATIVE, _AREA,
+     "real contact area of elastic asperities"),
+    ("contact_area_plastic", "A_pl", r"A_\mathrm{pl}", "m^2", _NOT_NEGATIVE, _AREA,
+     "real contact area of plastic asperities"),
+    ("friction_force", "T", "T", "N", _NOT_NEGATIVE, _LOAD, "tangential force that shears the contact"),
+    ("friction_slip_limited", "T_slip", r"T_\mathrm{slip}", "N", _NOT_NEGATIVE, _LOAD,
+     "tangential force of asperities that slip before they yield"),
+    ("friction_yield_limited", "T_yield", r"T_\mathrm{yield}", "N", _NOT_NEGATIVE, _LOAD,
+     "tangential force of asperities that yield before they slip"),
+    ("friction_film", "T_f", r"T_\mathrm{f}", "N", _NOT_NEGATIVE, _LOAD, "tangential force of the film"),
+    ("friction_substrate", "T_s", r"T_\mathrm{s}", "N", _NOT_NEGATIVE, _LOAD,
+     "tangential force of the substrate"),
+    ("friction_coefficient", "mu", r"\mu", "", _NOT_NEGATIVE, "",
+     "static friction coefficient T/P, undefined where P <= 0"),
+    ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, _COUNT, "number of touching asperities"),
+    ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,
+     "largest tension that is carried"),
+    ("pull_off_separation", "d_off", r"d_\mathrm{off}", "m", _ANY, "sigma",
+     "mean separation at the largest tension"),
+    ("load_share_beyond_film", "s_P", r"s_P", "", _SHARE, "",
+     "share of the load on asperities wider than the film is thick (a > t), where it is no half-space"),
+    ("friction_share_beyond_film", "s_T", r"s_T", "", _SHARE, "",
+     "share of the friction on asperities wider than the film is thick (a > t), where it is no half-space"),
+]
+# fmt: on
+
+_RESULT_EXAMPLES = {"mean_separation": "48 nm", "load": "1 N"}  # results that are also what is solved for
+
+QUANTITIES: dict[str, Quantity] = {
+    name: Quantity(name, symbol, latex, unit, meaning, *bounds, example=example)
+    for name, symbol, latex, unit, bounds, example, meaning in _INPUTS
+} | {
+    name: Quantity(name, symbol, latex, unit, meaning, *bounds, divisor, _RESULT_EXAMPLES.get(name, ""))
+    for name, symbol, latex, unit, bounds, divisor, meaning in _OUTPUTS
+}

@@ -1,0 +1,273 @@
+"""Contact to dimensionless groups. Reference numbers: theory 1 and 4 worked out by hand (with awk)."""
+
+import numpy as np
+import pytest
+
+from stiction.contact import Coating, Contact, Indices, Roughness, work_of_adhesion
+from stiction.errors import InputError
+from stiction.materials import Material, material
+from stiction.units import axis
+
+ROUGHNESS = Roughness(
+    asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2"
+)
+STEEL = "hardened_steel_52100"
+
+
+def contact(first="silver", second="silver", **changes):
+    given = {"roughness": ROUGHNESS, "work_of_adhesion": "2.5 J/m^2", "nominal_area": "1 mm^2"}
+    return Contact(**given | {"first": first, "second": second} | changes)
+
+
+def test_silver_on_silver():
+    soft = material("silver", hardness="0.25 GPa")
+    pair = contact(soft, soft)
+    groups = pair.indices()
+    assert 4 / 3 * pair.contact_modulus == pytest.approx(6.333758159e10, rel=1e-9)
+    assert groups.theta == pytest.approx(37.67890924, rel=1e-9)  # known as "about 38"
+    assert groups.lam == pytest.approx(0.2050196774, rel=1e-9)  # known as "about 0.2"
+    assert groups.nu == 0.37 and groups.hardness_to_yield == 2.8 and not groups.has_film
+    assert pair.plasticity_index == pytest.approx(5.887329568, rel=1e-9)
+    assert pair.tabor_parameter() == pytest.approx(17.24567745, rel=1e-9)
+    assert pair.tabor_parameter("0.6 nm") == pytest.approx(pair.tabor_parameter() / 2, rel=1e-12)
+
+
+def test_unlike_bodies():
+    pair = contact("silver", "iron")
+    groups = pair.indices()
+    assert pair.contact_modulus == pytest.approx(6.686110327e10, rel=1e-9)
+    assert groups.K_beta == pytest.approx(6.742726921, rel=1e-9)
+    assert groups.nu == 0.37  # of the softer one, silver, on either side
+    assert contact("iron", "silver").indices() == groups
+
+
+@pytest.mark.parametrize(
+    ("nu", "K_beta"), [(0.2, 6.0), (0.25, 6.2222222222), (0.3, 6.4761904762), (0.4, 7.1111111111)]
+)
+def test_K_beta_depends_on_poissons_ratio_alone(nu, K_beta):
+    body = Material(youngs_modulus="210 GPa", poissons_ratio=nu, hardness="7 GPa")
+    assert contact(body, body).indices().K_beta == pytest.approx(K_beta, rel=1e-10)
+    rigid = Material(youngs_modulus=210e9 * 1e14, poissons_ratio=nu, hardness="70 GPa")
+    assert contact(body, rigid).indices().K_beta == pytest.approx(K_beta, rel=1e-10)
+    assert Indices(theta=1, lam=1, nu=nu).resolved().K_beta == pytest.approx(K_beta, rel=1e-10)
+
+
+def test_hardness_to_yield():
+    hard = Material(youngs_modulus="210 GPa", poissons_ratio=0.3, hardness="7 GPa", yield_stress="2 GPa")
+    harder = Material(youngs_modulus="210 GPa", poissons_ratio=0.3, hardness="8 GPa", yield_stress="2 GPa")
+    assert contact(hard, harder).indices().hardness_to_yield == 3.5
+    assert contact(harder, hard).indices().hardness_to_yield == 3.5
+    assert contact(hard, "silver").indices().hardness_to_yield == 2.8
+    assert contact(hard, harder, hardness_to_yield=3).indices().hardness_to_yield == 3
+    wrong = Material(youngs_modulus="210 GPa", poissons_ratio=0.3, hardness="1 GPa", yield_stress="2 GPa")
+    with pytest.raises(InputError, match=r"^hardness_to_yield: 0.5; allowed: >= 1"):
+        contact(wrong, harder).indices()
+
+
+def test_film_on_equal_bodies_has_the_papers_ratios():
+    substrate = Material(youngs_modulus="200 GPa", poissons_ratio=0.3, hardness="5 GPa")
+    film = Material(youngs_modulus="100 GPa", poissons_ratio=0.3, hardness="4 GPa")
+    coated = contact(substrate, substrate, coating=Coating(material=film, thickness="240 nm"))
+    groups = coated.indices()
+    assert groups.n_E == pytest.approx(0.5, rel=1e-15)  # E_c/E_s
+    assert (groups.n_H, groups.n_g, groups.film_nu) == (0.8, 1.0, 0.3)
+    assert groups.tau == pytest.approx(5, rel=1e-15)
+    assert groups.film_K_beta == pytest.approx(groups.K_beta, rel=1e-15)
+    film_alone = contact(film, film).indices()  # theta_c and lambda_c are those of film against film
+    assert groups.film().theta == pytest.approx(film_alone.theta, rel=1e-14)
+    assert groups.film().lam == pytest.approx(film_alone.lam, rel=1e-14)
+    assert groups.substrate() == contact(substrate, substrate).indices()
+
+
+def test_film_on_one_body():
+    film = {"preset": "silver", "hardness": "0.4 GPa"}
+    groups = [
+        contact(STEEL, STEEL, coating={"material": film, "thickness": "200 nm", "bodies": body}).indices()
+        for body in ("first", "second")
+    ]
+    assert groups[0] == groups[1]
+    assert groups[0].n_E == pytest.approx(0.5832626597, rel=1e-9)
+    assert groups[0].n_H == pytest.approx(0.05479452055, rel=1e-9)
+    assert groups[0].tau == pytest.approx(4.166666667, rel=1e-9)
+    assert groups[0].film_aspect == pytest.approx(0.1290994449, rel=1e-9)
+    assert groups[0].film_nu == 0.37
+    assert groups[0].film_K_beta == pytest.approx(6.776029067, rel=1e-9)
+
+
+def test_film_has_its_own_work_of_adhesion():
+    coating = {"material": "gold", "thickness": "200 nm", "work_of_adhesion": "1 J/m^2"}
+    groups = contact(coating=coating).indices()
+    assert groups.n_g == pytest.approx(0.4, rel=1e-15)
+    gold = contact("gold", "gold", work_of_adhesion=1.0).indices()
+    assert groups.film().theta == pytest.approx(gold.theta, rel=1e-14)
+    assert groups.film().lam == pytest.approx(gold.lam, rel=1e-14)
+    assert groups.film().K_beta == pytest.approx(gold.K_beta, rel=1e-14)
+
+
+def test_hard_film_against_a_soft_body_yields_as_the_soft_body():
+    coating = {"material": "titanium_nitride", "thickness": "200 nm", "bodies": "first"}
+    groups = contact(STEEL, "silver", coating=coating).indices()
+    assert groups.n_H == 1.0 and groups.film_nu == 0.37
+
+
+def test_scales():
+    scales = contact(STEEL, STEEL).scales()
+    assert scales.load == pytest.approx(0.01144019696, rel=1e-9)
+    assert scales.contact_area == pytest.approx(7.539822369e-12, rel=1e-9)
+    assert scales.separation == 48e-9 and scales.asperities == pytest.approx(17000, rel=1e-15)
+
+
+def test_groups_do_not_change_with_the_units_of_length_and_force():
+    """Metres rescaled by a, newtons by b: every group keeps its value."""
+    a, b = 7.0, 0.3
+
+    def rescaled(length, force):
+        pressure = force / length**2
+        body = Material(youngs_modulus=200e9 * pressure, poissons_ratio=0.3, hardness=5e9 * pressure)
+        film = Material(youngs_modulus=80e9 * pressure, poissons_ratio=0.4, hardness=1e9 * pressure)
+        rough = Roughness(
+            asperity_height_deviation=5e-8 * length,
+            asperity_radius=5e-5 * length,
+            asperity_density=1e10 / length**2,
+        )
+        return Contact(
+            first=body,
+            second=body,
+            roughness=rough,
+            nominal_area=1e-6 * length**2,
+            work_of_adhesion=force / length,
+            coating=Coating(material=film, thickness=2e-7 * length),
+        ).indices()
+
+    one, other = rescaled(1.0, 1.0), rescaled(a, b)
+    for name in type(one).model_fields:
+        assert getattr(one, name) == pytest.approx(getattr(other, name), rel=1e-12), name
+
+
+def test_arrays_broadcast_by_the_name_of_their_dimension():
+    thickness = axis("thickness", ["100 nm", "200 nm"])
+    sigma = axis("asperity_height_deviation", ["40 nm", "50 nm", "100 nm"])
+    rough = Roughness(asperity_height_deviation=sigma, asperity_radius="50 um", asperity_density=1.7e10)
+    swept = contact(STEEL, STEEL, roughness=rough, coating={"material": "silver", "thickness": thickness})
+    groups = swept.indices()
+    assert groups.tau.sizes == {"thickness": 2, "asperity_height_deviation": 3}
+    assert groups.theta.dims == ("asperity_height_deviation",) and isinstance(groups.n_E, float)
+    assert groups.film().theta.dims == ("asperity_height_deviation",)
+    one = contact(
+        STEEL,
+        STEEL,
+        coating={"material": "silver", "thickness": "200 nm"},
+        roughness=Roughness(
+            asperity_height_deviation="50 nm", asperity_radius="50 um", asperity_density=1.7e10
+        ),
+    ).indices()
+    at = {"thickness": 1, "asperity_height_deviation": 1}
+    assert float(groups.tau.isel(at)) == pytest.approx(one.tau, rel=1e-15)
+    assert float(groups.theta.isel(asperity_height_deviation=1)) == pytest.approx(one.theta, rel=1e-15)
+    assert groups.tau.attrs == {} and groups.tau.coords["thickness"].attrs["units"] == "m"
+
+
+def test_the_softer_body_may_change_along_a_sweep():
+    hardness = axis("hardness", ["0.1 GPa", "0.25 GPa", "5 GPa"])
+    groups = contact(material("iron", hardness=hardness), material("silver", hardness="0.25 GPa")).indices()
+    assert np.array_equal(groups.nu, [0.28, 0.28, 0.37])
+    ratio = groups.lam / groups.lam.isel(hardness=1)
+    assert np.allclose(ratio, [0.4**4, 1, 1], rtol=1e-14)
+
+
+def test_arrays_that_disagree_about_a_dimension_are_refused():
+    with pytest.raises(InputError, match=r"^lam: .*'theta'.*; allowed: the values of theta along 'theta'"):
+        Indices(theta=axis("theta", [1, 2]), lam=axis("lam", [1, 3], "theta"))
+    with pytest.raises(InputError, match=r"^second\.hardness: "):
+        contact(
+            material("iron", hardness=axis("hardness", [1e9, 2e9])),
+            material("iron", hardness=axis("hardness", [1e9, 2e9, 3e9])),
+        )
+
+
+def test_work_of_adhesion_from_surface_energies():
+    assert work_of_adhesion("silver", "silver", interfacial=0) == 2.5  # twice 1.25
+    assert work_of_adhesion("silver", "iron", interfacial="1 J/m^2") == pytest.approx(2.65)
+    with pytest.raises(InputError, match=r"^second\.surface_energy: not given"):
+        work_of_adhesion("silver", STEEL, interfacial=0)
+    with pytest.raises(InputError, match=r"^work_of_adhesion: -.*> 0 J/m\^2"):
+        work_of_adhesion("silver", "iron", interfacial=9)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"first": "silvr"}, "first: 'silvr'; allowed: a preset: silver"),
+        ({"first": 5}, "first: 5; allowed: a material: the name of a preset, or its numbers"),
+        ({"first": {"preset": "silver", "hardness": -1}}, "first.hardness: -1.0; allowed: > 0 Pa"),
+        ({"first": {"youngs_modulus": 1, "poissons_ratio": 0.3}}, "first.hardness: not given; allowed: "),
+        ({"work_of_adhesion": 0}, "work_of_adhesion: 0.0; allowed: > 0 J/m^2"),
+        ({"nominal_area": "1 mm"}, "nominal_area: '1 mm'; allowed: > 0 m^2"),
+        ({"roughness": {"asperity_radius": 1}}, "roughness.asperity_height_deviation: not given; allowed: "),
+        (
+            {"coating": {"material": "silver", "thickness": "200"}},
+            "coating.thickness: '200'; allowed: a number with",
+        ),
+        (
+            {"coating": {"material": "silver", "thickness": 1e-7, "bodies": "third"}},
+            "coating.bodies: 'third'; ",
+        ),
+        (
+            {"coating": {"material": {"preset": "silver", "hardnes": 1}, "thickness": 1e-7}},
+            "coating.material.hardnes: 1; allowed: hardness (all: ",
+        ),
+        ({"hardness_to_yield": 0.9}, "hardness_to_yield: 0.9; allowed: >= 1"),
+    ],
+)
+def test_bad_contact_is_one_line_with_the_dotted_field(changes, message):
+    with pytest.raises(InputError) as error:
+        contact(**changes)
+    assert str(error.value).startswith(message) and "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"theta": -1}, "theta: -1.0; allowed: > 0"),
+        ({"theta": float("nan")}, "theta: nan; allowed: finite, > 0"),
+        ({"lamda": 1}, "lamda: 1; allowed: lam (all: "),
+        ({"nu": 0.5}, "nu: 0.5; allowed: >= 0 and < 0.5"),
+        ({"n_E": 1.5, "n_H": 0.5}, "tau: not given; allowed: a film needs n_E, n_H and tau together"),
+        (
+            {"film_nu": 0.3},
+            "n_E: not given; allowed: a film needs n_E, n_H and tau together (film_nu is given)",
+        ),
+        ({"n_g": 2}, "n_E: not given; allowed: a film needs n_E, n_H and tau together (n_g is given)"),
+    ],
+)
+def test_bad_indices_are_one_line(given, message):
+    with pytest.raises(InputError) as error:
+        Indices(**{"theta": 40, "lam": 10} | given)
+    assert str(error.value).startswith(message)
+
+
+def test_numbers_out_of_all_proportion_are_refused_not_overflowed():
+    body = Material(youngs_modulus=1e200, poissons_ratio=0.3, hardness=1e100)
+    with pytest.raises(InputError):
+        contact(body, body).indices()
+
+
+def test_indices_fill_in_what_is_left_out():
+    bare = Indices(theta=40, lam=10, n_g=1.0)
+    assert not bare.has_film and bare.resolved().film_nu is None
+    with pytest.raises(InputError, match="there is no film"):
+        bare.film()
+    coated = Indices(theta=40, lam=10, n_E=1.5, n_H=0.5, tau=2)
+    whole = coated.resolved()
+    assert whole.film_nu == 0.3 and whole.film_K_beta == whole.K_beta
+    assert whole.resolved() == whole
+    assert coated.film().theta == 60 and coated.film().lam == pytest.approx(10 * 0.0625 / 2.25, rel=1e-15)
+    other = Indices(theta=40, lam=10, n_E=1.5, n_H=0.5, tau=2, film_nu=0.4)
+    assert other.resolved().film_K_beta == pytest.approx(7.1111111111, rel=1e-10)
+
+
+def test_records_cannot_be_changed():
+    with pytest.raises(InputError, match=r"^lam: -1.0"):
+        Indices(theta=1, lam=-1)
+    with pytest.raises(Exception, match="frozen"):
+        Indices(theta=1, lam=1).theta = 2
