@@ -1,1 +1,59 @@
-"""Static friction of rough, adhesive, possibly soft-coated contacts."""
+"""Static friction of rough, adhesive, possibly soft-coated contacts: every number with its source.
+
+The public names are imported when they are first used, so that `import stiction` costs nothing.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .case import read_case as read_case
+    from .contact import Coating as Coating
+    from .contact import Contact as Contact
+    from .contact import Indices as Indices
+    from .contact import Roughness as Roughness
+    from .contact import work_of_adhesion as work_of_adhesion
+    from .errors import InputError as InputError
+    from .evaluate import Evaluation as Evaluation
+    from .evaluate import evaluate as evaluate
+    from .heights import height_distribution as height_distribution
+    from .materials import Material as Material
+    from .materials import material as material
+    from .overview import cite as cite
+    from .overview import models as models
+    from .solve import solve as solve
+    from .units import axis as axis
+
+_PLACES = {
+    "Coating": "contact",
+    "Contact": "contact",
+    "Evaluation": "evaluate",
+    "Indices": "contact",
+    "InputError": "errors",
+    "Material": "materials",
+    "Roughness": "contact",
+    "axis": "units",
+    "cite": "overview",
+    "evaluate": "evaluate",
+    "height_distribution": "heights",
+    "material": "materials",
+    "models": "overview",
+    "read_case": "case",
+    "solve": "solve",
+    "work_of_adhesion": "contact",
+}
+__all__ = list(_PLACES)
+__version__ = "0.1.0"
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _PLACES:
+        raise AttributeError(f"module 'stiction' has no attribute {name!r}")
+    value = getattr(import_module(f".{_PLACES[name]}", __name__), name)
+    # Set here and not only returned: importing the module `solve` has just bound its own name over the function's.
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -226,7 +226,7 @@ def scattered(
 
 # Fewer separations than this are cheaper one by one; a wider range would need too long an expansion.
 _GRID_FROM = 12
-_GRID_SPAN = 16.0
+_GRID_SPAN = 24.0
 _CHEBYSHEV = 160
 # A sum that is smaller than this times the sum of its terms' sizes has lost too many digits.
 _CANCELLED = 1e-5

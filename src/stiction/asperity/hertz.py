@@ -21,3 +21,21 @@ def along(u):
 @formula
 def coordinate(w):
     return math.sqrt(max(w, 0.0))
+
+
+def first_yield(nu: float) -> tuple[float, float]:
+    """Where a loaded contact first yields (von Mises), without friction: on its axis, below the surface.
+
+    nu: Poisson's ratio, 0 <= nu < 0.5. Returns the largest pressure over the yield stress, p0/Y, at first yield, and the
+    depth of that place over the contact radius. Source: stresses on the axis as in Johnson, Contact Mechanics (1985), eq. 3.45,
+    over p0 at the depth z a: sigma_r = -(1 + nu)(1 - z arctan(1/z)) + 1/(2 (1 + z^2)), sigma_z = -1/(1 + z^2).
+    """
+    from scipy.optimize import brentq
+
+    def slope(z):
+        """d(sigma_r - sigma_z)/dz: falls from (1 + nu) pi/2 at the surface to below zero at z = 1."""
+        return (1.0 + nu) * (math.atan2(1.0, z) - z / (1.0 + z * z)) - 3.0 * z / (1.0 + z * z) ** 2
+
+    z = brentq(slope, 0.0, 1.0, xtol=1e-14)
+    largest = 1.5 / (1.0 + z * z) - (1.0 + nu) * (1.0 - z * math.atan2(1.0, z))
+    return 1.0 / largest, z

@@ -9,7 +9,8 @@ import numpy as np
 
 from ..compiled import formula, kernel
 
-_YIELD_TO_HARDNESS = 0.354  # Y/H, of the 1988 paper
+# Both come from Y/H = 0.354 and are kept as rounded in print: 0.354/sqrt(3) and 4.5 (0.354)^2 would be 0.20438 and 0.56392.
+_ON_AXIS, _AT_EDGE = 0.2045, 0.56
 
 
 @formula
@@ -22,16 +23,16 @@ def axis_coefficient(nu):
 
 @formula
 def on_axis(w_ratio, nu, K_H):
-    """Q/P at which the axis yields: (f p0)^2 + 3 (c1 q0)^2 = Y^2, whose 0.2045 is 0.354/sqrt(3)."""
-    return _YIELD_TO_HARDNESS / math.sqrt(3.0) / (K_H * abs(axis_coefficient(nu))) * math.sqrt(max(1.0 / w_ratio - 1.0, 0.0))
+    """Q/P at which the axis yields: (f p0)^2 + 3 (c1 q0)^2 = Y^2."""
+    return _ON_AXIS / (K_H * abs(axis_coefficient(nu))) * math.sqrt(max(1.0 / w_ratio - 1.0, 0.0))
 
 
 @formula
 def at_edge(w_ratio, nu, K_H):
-    """Q/P at which the trailing edge yields: c3 mu^2 + c4 mu + c5 = 0, whose 0.56 is 4.5 (0.354)^2."""
+    """Q/P at which the trailing edge yields: c3 mu^2 + c4 mu + c5 = 0."""
     c3 = 9.0 * math.pi * math.pi / 16.0 * (2.0 - nu / 2.0 + 7.0 / 8.0 * nu * nu)
     c4 = 9.0 * math.pi / 4.0 * (1.0 - 2.0 * nu) * (1.0 - nu / 2.0)
-    c5 = 1.5 * (1.0 - 2.0 * nu) * (1.0 - 2.0 * nu) - 4.5 * _YIELD_TO_HARDNESS * _YIELD_TO_HARDNESS / (K_H * K_H * w_ratio)
+    c5 = 1.5 * (1.0 - 2.0 * nu) * (1.0 - 2.0 * nu) - _AT_EDGE / (K_H * K_H * w_ratio)
     return (math.sqrt(max(c4 * c4 - 4.0 * c3 * c5, 0.0)) - c4) / (2.0 * c3)
 
 
