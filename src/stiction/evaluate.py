@@ -12,10 +12,9 @@ from .heights import gaussian
 from .models.soft_coating_2015 import RECORD
 from .quantities import QUANTITIES
 from .registry import settle
-from .summation import on_grid, scattered
+from .summation import scattered, totals_on_grid
 
 _CHUNK = 4096  # points, or laws on a grid, at a time: bounds the memory
-_ENOUGH_SEPARATIONS = 12  # from here on a common grid of separations pays
 
 
 class Evaluation(NamedTuple):
@@ -66,7 +65,7 @@ def evaluate(
     separation, laws = columns[0], dict(zip(given, columns[1:], strict=True))
     law_shape = np.broadcast_shapes(*(column.shape for column in laws.values()))
     own_axes = all(one == 1 or other == 1 for one, other in zip(separation.shape, law_shape, strict=True))
-    if own_axes and separation.size >= _ENOUGH_SEPARATIONS:
+    if own_axes and separation.size > 1:
         return _on_grid(separation, laws, law_shape, shape, options)
     return _scattered(separation, laws, shape, options)
 
@@ -110,17 +109,13 @@ def _chunks(columns: list[np.ndarray]) -> Iterator[tuple[slice, list[np.ndarray]
         start = stop
 
 
-def _totals(sums: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Load, area and resistance from sums (..., 5) in the order of summation.QUANTITIES."""
-    return sums[..., 1], sums[..., 2], sums[..., 3] + sums[..., 4]
-
-
 def _scattered(separation, laws, shape, options) -> Evaluation:
     out = Evaluation(*(np.empty(shape) for _ in Evaluation._fields))
     flat = [array.reshape(-1) for array in out]
     for where, (h, *pieces) in _chunks([separation, *laws.values()]):
         regimes = RECORD.regimes(_groups(dict(zip(laws, pieces, strict=True))), **options)
-        for column, total in zip(flat, _totals(scattered(regimes, h, gaussian()).sum(axis=0)), strict=True):
+        _, load, area, slip, tear = scattered(regimes, h, gaussian()).sum(axis=0).T
+        for column, total in zip(flat, (load, area, slip + tear), strict=True):
             column[where] = total
     return out
 
@@ -130,9 +125,9 @@ def _on_grid(separation, laws, law_shape, shape, options) -> Evaluation:
     tables = [np.empty((int(np.prod(law_shape)), h.size)) for _ in Evaluation._fields]
     for where, pieces in _chunks(list(laws.values())):
         regimes = RECORD.regimes(_groups(dict(zip(laws, pieces, strict=True))), **options)
-        sums = on_grid(regimes, h, gaussian(), merge=True)[0]
-        for table, total in zip(tables, _totals(np.moveaxis(sums, 1, -1)), strict=True):
-            table[where] = total
+        totals = totals_on_grid(regimes, h, gaussian())
+        for column, table in enumerate(tables):
+            table[where] = totals[:, column]
     # A table is (laws, separations), each flattened; every axis of the result belongs to one of the two.
     of_laws = [axis for axis, length in enumerate(separation.shape) if length == 1]
     order = of_laws + [axis for axis in range(len(shape)) if axis not in of_laws]

@@ -22,7 +22,7 @@ _LN2_LOW = 1.90821492927058770002e-10
 _INV_SQRT_2PI = 0.3989422804014327
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Heights:
     """A standardised height distribution.
 

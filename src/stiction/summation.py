@@ -5,15 +5,14 @@ For mean separation h (over sigma) and heights with density phi, a regime contri
 for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance. Gauss-Legendre on every piece
 between kinks, where everything is smooth; the engine knows nothing of any model.
 
-Two ways. `scattered`: each law has its own h; every node meets the density. `on_grid`: all laws share many h. There
-phi(h + w) is expanded in Chebyshev polynomials of w, so that a law is reduced, once, to a few dozen moments
-    M_j = Integral f(u) T_j(w(u)) w'(u) du,       sums(h) = sum_j M_j C_j(h),
-and all separations are one matrix product. Where the product loses digits by cancellation, `scattered` steps in.
+Two ways. `scattered`: each law has its own h. `on_grid`: all laws share many h. Sums are smooth in h, and so alike that a
+few separations tell all others: every law is summed at those (its nodes are placed only once), and one matrix, which knows
+the heights but no law, carries the sums over to all separations. Where that loses digits, `scattered` steps in.
 """
 
 import math
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numba.np.unsafe.ndarray import to_fixed_tuple
@@ -28,6 +27,7 @@ QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
 # P, A and T over 6e5 random laws (docs/numerics.md).
 _SHORT = 1.0
 _COUNTS = np.array([24, 48])
+_LONGEST = int(_COUNTS[-1])
 
 
 def _make_rules(counts: np.ndarray) -> np.ndarray:
@@ -111,50 +111,25 @@ def _scattered_template(h, law, heights, knots, parameters, edges, branch, rules
         out[i, 4] = tear
 
 
-@kernel
-def _expand(values, place, before, now, used, out):
-    """Add sum_m values[q, m] T_j(place[m]) to out[q, j], by the three-term recurrence of the T_j."""
-    for m in range(used):
-        before[m] = place[m]  # T_(-1) = T_1
-        now[m] = 1.0
-    for j in range(out.shape[1]):
-        a = b = c = d = e = 0.0
-        for m in range(used):
-            polynomial = now[m]
-            a += values[0, m] * polynomial
-            b += values[1, m] * polynomial
-            c += values[2, m] * polynomial
-            d += values[3, m] * polynomial
-            e += values[4, m] * polynomial
-            now[m] = 2.0 * place[m] * polynomial - before[m]
-            before[m] = polynomial
-        out[0, j] += a
-        out[1, j] += b
-        out[2, j] += c
-        out[3, j] += d
-        out[4, j] += e
+def _place_template(w_low, w_high, parameters, edges, branch, rules, counts, place, values, used, missed):
+    """Append to the table of each law i the nodes of one regime between the displacements w_low and w_high.
 
-
-def _moments_template(w_low, w_high, parameters, edges, branch, rules, counts, out, missed):
-    """Add to out[i, quantity, j] the moments of one regime with T_j on displacements [w_low, w_high]; mark in missed[i]
-    that a piece of the law lies wholly beyond."""
-    room = (edges.shape[1] - 1) * counts[1]
-    values, place = np.empty((5, room)), np.empty(room)
-    before, now = np.empty(room), np.empty(room)
+    place[i]: displacements; values[i, row]: weights times the five quantities, and times the resistance; used[i]: how many
+    nodes there are. missed[i]: a piece of the law lies wholly outside.
+    """
+    # One array at fixed distances: the compiler then sees that the rows do not overlap, and vectorises.
+    scratch = np.empty(7 * _LONGEST)
     for i in range(edges.shape[0]):
         row = to_fixed_tuple(parameters[i], PARAMETERS)
-        used = 0
         for piece in range(edges.shape[1] - 1):
             left, right = edges[i, piece], edges[i, piece + 1]
             if not right > left:
                 continue
             w_left, w_right = along(left, *row)[0], along(right, *row)[0]
-            if not (w_right > w_low and w_left < w_high):
-                missed[i] = True
-                continue
             low = left if w_left >= w_low else max(left, coordinate(w_low, *row))
             high = right if w_right <= w_high else min(right, coordinate(w_high, *row))
-            if not high > low:
+            if not (w_right > w_low and w_left < w_high and high > low):
+                missed[i] = True
                 continue
             rule = 0 if min(w_right, w_high) - max(w_left, w_low) <= _SHORT else 1
             linear, square = _map_piece(low, high, branch[i])
@@ -162,15 +137,42 @@ def _moments_template(w_low, w_high, parameters, edges, branch, rules, counts, o
                 t = rules[rule, 0, node]
                 state = along(low + t * (linear + square * t), *row)
                 weight = rules[rule, 1, node] * (linear + 2.0 * square * t) * state[1]
-                at = used + node
-                place[at] = (2.0 * state[0] - (w_low + w_high)) / (w_high - w_low)
-                values[0, at] = weight
-                values[1, at] = weight * state[2]
-                values[2, at] = weight * state[3]
-                values[3, at] = weight * state[4]
-                values[4, at] = weight * state[5]
-            used += counts[rule]
-        _expand(values, place, before, now, used, out[i])
+                scratch[node] = state[0]
+                scratch[_LONGEST + node] = weight
+                scratch[2 * _LONGEST + node] = weight * state[2]
+                scratch[3 * _LONGEST + node] = weight * state[3]
+                scratch[4 * _LONGEST + node] = weight * state[4]
+                scratch[5 * _LONGEST + node] = weight * state[5]
+                scratch[6 * _LONGEST + node] = weight * (state[4] + state[5])
+            first, last = used[i], used[i] + counts[rule]
+            place[i, first:last] = scratch[: counts[rule]]
+            for q in range(6):
+                values[i, q, first:last] = scratch[(q + 1) * _LONGEST : (q + 1) * _LONGEST + counts[rule]]
+            used[i] = last
+
+
+def _sum_rows_template(h, reach, heights, place, values, used, rows, out, size):
+    """Sums out[i, column, l] of the three rows of values at the separations h[l], leaving out displacements beyond reach[l].
+
+    size[i, column]: the same with every density 1 and every term positive, which bounds the errors.
+    """
+    for i in range(used.size):
+        x, a, b, c = place[i], values[i, rows[0]], values[i, rows[1]], values[i, rows[2]]
+        for at in range(h.size):
+            last = used[i]
+            while last > 0 and x[last - 8] > reach[at]:  # by eights: pieces have multiples of that, in ascending order
+                last -= 8
+            first_sum = second_sum = third_sum = 0.0
+            for node in range(last):
+                dense = density(h[at] + x[node], heights)
+                first_sum += dense * a[node]
+                second_sum += dense * b[node]
+                third_sum += dense * c[node]
+            out[i, 0, at] = first_sum
+            out[i, 1, at] = second_sum
+            out[i, 2, at] = third_sum
+        for column in range(3):
+            size[i, column] = np.sum(np.abs(values[i, rows[column], : used[i]]))
 
 
 @cache
@@ -191,8 +193,13 @@ def _density_kernel(density):
 
 
 @cache
-def _moments_kernel(along, coordinate, parameters: int):
-    return kernel(bind(_moments_template, along=along, coordinate=coordinate, PARAMETERS=parameters))
+def _place_kernel(along, coordinate, parameters: int):
+    return kernel(bind(_place_template, along=along, coordinate=coordinate, PARAMETERS=parameters))
+
+
+@cache
+def _sum_rows_kernel(density):
+    return kernel(bind(_sum_rows_template, density=density))
 
 
 def _arrays(regime: Regime, laws: slice = slice(None)) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -200,7 +207,8 @@ def _arrays(regime: Regime, laws: slice = slice(None)) -> tuple[np.ndarray, np.n
     edges = np.ascontiguousarray(regime.edges[laws])
     columns = [np.broadcast_to(column, len(regime.edges))[laws] for column in regime.parameters]
     branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch[laws])
-    return np.stack(columns, axis=1), edges, branch
+    # Not np.stack, which wants a column: a law may have no parameter at all (Hertz).
+    return np.ascontiguousarray(np.reshape(columns, (len(columns), len(edges))).T), edges, branch
 
 
 def _one_regime(regime: Regime, h: np.ndarray, law: np.ndarray, heights: Heights) -> np.ndarray:
@@ -224,97 +232,131 @@ def scattered(
     return np.stack([_one_regime(regime, h, law, heights) for regime in regimes])
 
 
-# Fewer separations than this are cheaper one by one; a wider range would need too long an expansion.
-_GRID_FROM = 12
-_GRID_SPAN = 24.0
-_CHEBYSHEV = 160
-# A sum that is smaller than this times the sum of its terms' sizes has lost too many digits.
-_CANCELLED = 1e-5
-_BLOCK = 256  # laws at a time: their moments and sums stay in the processor's cache
+# Less than this many pairs of a law and a separation are cheaper one by one than the matrix.
+_MANY = 4000
+_SKELETONS = (16, 20, 24, 28, 32, 40, 48, 64)
+_RESIDUAL = 5e-15
+# A sum smaller than this times its size (see _sum_rows_template) may have lost too many digits.
+_CANCELLED = 2e-5
+_BLOCK = 256  # laws at a time: their nodes stay in the processor's cache
 
 
-def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, merge: bool = False) -> np.ndarray:
+def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights) -> np.ndarray:
     """Sums of every regime for n laws at H mean separations that they share.
 
-    h: array (H,), over sigma. Returns an array (regimes, n, 5, H) of what `scattered` gives; with merge, the regimes are
-    added up and the first axis has length 1.
+    h: array (H,), over sigma. Returns an array (regimes, n, 5, H) of what `scattered` gives.
     """
+    halves = (0, 1, 2), (3, 4, 5)
+    return np.stack([np.concatenate([_on_grid([regime], h, heights, half) for half in halves], axis=1) for regime in regimes])[
+        :, :, :5
+    ]
+
+
+def totals_on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights) -> np.ndarray:
+    """Load, area and resistance (n, 3, H) of n laws at H mean separations that they share: all regimes together."""
+    return _on_grid(regimes, h, heights, (1, 2, 5))
+
+
+def _on_grid(regimes, h, heights, rows):
+    """Sums (n, 3, H) of three of the rows: the five QUANTITIES and the resistance, which is the last two together."""
     h = np.ascontiguousarray(h, dtype=float)
-    laws, groups = len(regimes[0].edges), 1 if merge else len(regimes)
-    sums = np.empty((groups, laws, len(QUANTITIES), h.size))
-    doubtful = np.ones((groups, laws, h.size), dtype=np.bool_)
-    if heights.entire and h.size >= _GRID_FROM and np.ptp(h) <= _GRID_SPAN:
-        _by_moments(regimes, h, heights, sums, doubtful)
-    for at in range(groups):
-        law, place = np.nonzero(doubtful[at])
-        if law.size:
-            group = regimes if merge else [regimes[at]]
-            sums[at, law, :, place] = scattered(group, h[place], heights, law).sum(axis=0)
+    laws = len(regimes[0].edges)
+    sums = np.empty((laws, 3, h.size))
+    doubtful = np.ones((laws, h.size), dtype=np.bool_)
+    if heights.entire and laws * h.size >= _MANY:
+        _by_skeleton(regimes, h, heights, rows, sums, doubtful)
+    law, place = np.nonzero(doubtful)
+    if law.size:
+        exact = scattered(regimes, h[place], heights, law).sum(axis=0)
+        exact = np.column_stack([exact, exact[:, 3] + exact[:, 4]])
+        sums[law, :, place] = exact[:, rows]
     return sums
 
 
-def _by_moments(regimes, h, heights, sums, doubtful):
-    """Fill sums (groups, n, 5, H), and mark in doubtful (groups, n, H) those that lost digits to cancellation."""
+def _by_skeleton(regimes, h, heights, rows, sums, doubtful):
+    """Fill sums (n, 3, H), and clear in doubtful (n, H) what is good."""
     w_low = max(min(regime.lowest for regime in regimes), heights.window(-np.inf, np.inf, heights.shape)[0] - h.max())
     w_high = heights.window(h.min() + w_low, np.inf, heights.shape)[1] - h.min()
-    expansion = _expansion(w_low, w_high, h, heights)
-    largest = np.abs(expansion).max(axis=0)
-    for start in range(0, sums.shape[1], _BLOCK):
-        block = slice(start, min(start + _BLOCK, sums.shape[1]))
-        moments = np.zeros((len(sums), block.stop - start, len(QUANTITIES), len(expansion)))
-        missed = np.zeros(moments.shape[:2], dtype=np.bool_)
-        for at, regime in enumerate(regimes):
+    skeleton, carry, largest = _skeleton(h.tobytes(), w_low, w_high, heights)
+    if not skeleton.size:
+        return
+    reach = np.array([heights.window(few + w_low, np.inf, heights.shape)[1] for few in skeleton]) - skeleton
+    # The load, which changes sign, is as good as the area beside it; all else is positive.
+    positive = np.array([column for column, row in enumerate(rows) if row != 1])
+    room = sum((regime.edges.shape[1] - 1) * _LONGEST for regime in regimes)
+    place, values = np.empty((_BLOCK, room)), np.empty((_BLOCK, 6, room))
+    few, size = np.empty((_BLOCK, 3, skeleton.size)), np.empty((_BLOCK, 3))
+    for start in range(0, len(sums), _BLOCK):
+        block = slice(start, min(start + _BLOCK, len(sums)))
+        laws = block.stop - start
+        used, missed = np.zeros(laws, dtype=np.int64), np.zeros(laws, dtype=np.bool_)
+        for regime in regimes:
             parameters, edges, branch = _arrays(regime, block)
-            compiled = _moments_kernel(regime.along, regime.coordinate, parameters.shape[1])
-            group = at % len(sums)
-            compiled(w_low, w_high, parameters, edges, branch, _RULES, _COUNTS, moments[group], missed[group])
-        _assemble(moments, expansion, largest, missed, sums[:, block], doubtful[:, block])
+            put = _place_kernel(regime.along, regime.coordinate, parameters.shape[1])
+            put(w_low, w_high, parameters, edges, branch, _RULES, _COUNTS, place, values, used, missed)
+        add = _sum_rows_kernel(heights.density)
+        add(skeleton, reach, heights.shape, place, values, used, np.array(rows), few, size)
+        _carry_over(few, carry, largest, size, missed, positive, sums[block], doubtful[block])
 
 
 @kernel
-def _assemble(moments, expansion, largest, missed, sums, doubtful):
-    """sums = moments @ expansion; doubtful where a sum of positive terms is small against its bound sum_j |M_j| max_j |C_j|.
+def _multiply(few, carry, total):
+    """total = few @ carry, one row. A loop of our own: a threaded product and threads of callers would fight for the
+    processors. Four terms at a time halve the traffic of `total`; every skeleton has a multiple of four."""
+    total[:] = 0.0
+    for at in range(0, few.size, 4):
+        a, b, c, d = few[at], few[at + 1], few[at + 2], few[at + 3]
+        for to in range(total.size):
+            total[to] += a * carry[at, to] + b * carry[at + 1, to] + c * carry[at + 2, to] + d * carry[at + 3, to]
 
-    It is doubtful too where it is zero because pieces were missed. The load, which changes sign, is as good as the area beside it. A loop of our own, because a threaded matrix product
-    and threads of callers would fight for the processors.
+
+@kernel
+def _mark_cancelled(total, limit, largest, doubtful):
+    for to in range(total.size):
+        doubtful[to] = doubtful[to] | (total[to] < limit * largest[to])
+
+
+@kernel
+def _carry_over(few, carry, largest, size, missed, positive, sums, doubtful):
+    """sums[i] = few[i] @ carry, and what is doubtful: too small against its size, or zero although a piece was missed."""
+    for i in range(sums.shape[0]):
+        for q in range(sums.shape[1]):
+            _multiply(few[i, q], carry, sums[i, q])
+        doubtful[i, :] = False
+        for q in positive:
+            if missed[i] and size[i, q] == 0.0:
+                doubtful[i, :] = True
+            _mark_cancelled(sums[i, q], _CANCELLED * size[i, q], largest, doubtful[i])
+
+
+@lru_cache(maxsize=16)
+def _skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Few separations (L,), the matrix (L, H) that carries sums at those over to h, and the largest density (H,) at each h.
+
+    For a law that is a single spike at the displacement w, sums are the density at h + w. The matrix is the one that is best
+    for all spikes w_low to w_high (least squares), and so for every law. Empty where _RESIDUAL is not reached.
     """
-    for group in range(moments.shape[0]):
-        for i in range(moments.shape[1]):
-            moment, total = moments[group, i], sums[group, i]
-            total[:, :] = 0.0
-            for j in range(expansion.shape[0]):
-                a, b, c, d, e = moment[0, j], moment[1, j], moment[2, j], moment[3, j], moment[4, j]
-                for at in range(expansion.shape[1]):
-                    term = expansion[j, at]
-                    total[0, at] += a * term
-                    total[1, at] += b * term
-                    total[2, at] += c * term
-                    total[3, at] += d * term
-                    total[4, at] += e * term
-            for q in (0, 2, 3, 4):
-                size = 0.0
-                for j in range(expansion.shape[0]):
-                    size += abs(moment[q, j])
-                for at in range(largest.size):
-                    lost = abs(total[q, at]) < _CANCELLED * size * largest[at] or (size == 0.0 and missed[group, i])
-                    doubtful[group, i, at] = lost or (q > 0 and doubtful[group, i, at])
+    h = np.frombuffer(h_bytes)
+    spikes = w_low + (w_high - w_low) * (1.0 - np.cos(np.linspace(0.0, math.pi, 300))) / 2.0
+    wanted, largest = _spike_sums(h, spikes, heights)
+    middle, half = (h.max() + h.min()) / 2.0, np.ptp(h) / 2.0
+    for count in _SKELETONS:
+        angle = (np.arange(count) + 0.5) * math.pi / count
+        few = middle + half * np.cos(angle) / np.cos(angle[0])  # Chebyshev's points, stretched to both ends
+        known, scale = _spike_sums(few, spikes, heights)
+        left, values, right = np.linalg.svd(known, full_matrices=False)
+        kept = values > 1e-15 * values[0]
+        carry = (wanted @ right[kept].T / values[kept]) @ left[:, kept].T
+        if np.abs(carry @ known - wanted).max() <= _RESIDUAL:
+            return few, np.ascontiguousarray((carry / scale).T * largest), largest
+    return np.empty(0), np.empty((0, h.size)), largest
 
 
-@cache
-def _cosines() -> np.ndarray:
-    """cos(j angle_i) of the Chebyshev points angle_i = (2i + 1) pi / 2N, with whole turns taken off before rounding."""
-    j, i = np.arange(_CHEBYSHEV)[:, None], np.arange(_CHEBYSHEV)
-    return np.cos((j * (2 * i + 1)) % (4 * _CHEBYSHEV) * (math.pi / (2 * _CHEBYSHEV)))
-
-
-def _expansion(w_low: float, w_high: float, h: np.ndarray, heights: Heights) -> np.ndarray:
-    """Chebyshev coefficients (J, H) of the density at h + w, w in [w_low, w_high]; J is where they reach rounding."""
-    cosines = _cosines()
-    w = (w_low + w_high) / 2.0 + (w_high - w_low) / 2.0 * cosines[1]
-    z = (h + w[:, None]).ravel()
-    density = np.empty_like(z)
-    _density_kernel(heights.density)(z, heights.shape, density)
-    coefficients = (2.0 / _CHEBYSHEV) * (cosines @ density.reshape(_CHEBYSHEV, h.size))
-    coefficients[0] /= 2.0
-    share = (np.abs(coefficients) / np.abs(coefficients).max(axis=0)).max(axis=1)
-    return np.ascontiguousarray(coefficients[: np.flatnonzero(share > 1e-14)[-1] + 1])
+def _spike_sums(h, spikes, heights: Heights) -> tuple[np.ndarray, np.ndarray]:
+    """Density at h + w (H, spikes) over its largest value at each h, and that value (H,)."""
+    z = np.add.outer(h, spikes)
+    density = np.empty(z.size)
+    _density_kernel(heights.density)(z.ravel(), heights.shape, density)
+    table = density.reshape(z.shape)
+    largest = table.max(axis=1)
+    return table / largest[:, None], largest

@@ -1,0 +1,223 @@
+"""Pictures: a dataset in, a matplotlib Figure out. Nothing is computed here, and no global state is touched."""
+
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, NullLocator
+
+from .output import unit_of
+from .quantities import QUANTITIES
+from .units import show
+
+if TYPE_CHECKING:
+    import xarray
+
+    from .claims import ClaimMap
+    from .figures import PanelCurves
+
+# Okabe and Ito's colours, told apart by colour-blind readers too.
+_BLUE, _ORANGE, _GREEN, _RED, _SKY, _GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777"
+_VARYING = (_BLUE, _RED, _GREEN, _ORANGE, _SKY)
+
+# The lines of the panels of a curve: label and look. A part that a model does not have is left out. Parts that lie on one
+# another or on the total stay visible: the total is a broad band beneath, and the bodies have markers.
+_PARTS = {
+    "": ("total", {"color": "black", "linewidth": 5.0, "alpha": 0.3}),
+    "_elastic": ("elastic asperities", {"color": _BLUE, "linestyle": "--"}),
+    "_plastic": ("plastic asperities", {"color": _RED, "linestyle": "-"}),
+    "_slip_limited": ("slip before they yield", {"color": _BLUE, "linestyle": "--"}),
+    "_yield_limited": ("yield before they slip", {"color": _RED, "linestyle": "-"}),
+    "_film": ("film", {"color": _ORANGE, "marker": "o", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
+    "_substrate": ("substrate", {"color": _GREEN, "marker": "s", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
+}
+_LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
+_MANY_DECADES = 1e3
+
+
+def label(variable: "xarray.DataArray") -> str:
+    """Meaning, symbol and unit for an axis: "net normal load $P$ [N]". What follows a comma in the meaning is left out."""
+    name = str(variable.name)
+    meaning = variable.attrs.get("long_name", name).partition(",")[0]
+    symbol = f" ${QUANTITIES[name].latex}$" if name in QUANTITIES else ""
+    unit = _unit(variable)
+    return f"{meaning}{symbol}" + (f" [{unit}]" if unit else "")
+
+
+def _unit(variable: "xarray.DataArray") -> str:
+    """Its unit with the exponents and letters set: "K R^(1/2) sigma^(3/2) per asperity" has a formula before " per "."""
+    unit = unit_of(variable).replace("m^2", "m²")
+    formula, per, rest = unit.partition(" per ")
+    if "sigma" not in formula:
+        return unit
+    formula = re.sub(r"\^\((.*?)\)", r"^{\1}", formula)
+    formula = re.sub(r"\b(sigma|pi)\b", r"\\\1", formula)
+    return f"${formula}${per}{rest}"
+
+
+def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
+    """One curve: friction coefficient, contact area and friction against load, and load against separation.
+
+    data: result of `solve` with one dimension. Friction is left out where the model has none.
+    """
+    frictional = "friction_coefficient" in data
+    # Fixed margins: matplotlib's automatic layouts draw everything twice, and this picture is made on every run.
+    figure = Figure(figsize=(11, 8.2) if frictional else (11, 4.6))
+    figure.suptitle(_heading(data, title), fontsize=11)
+    axes = iter(figure.subplots(2 if frictional else 1, 2).flat)
+    edge = 1.0 if frictional else 0.6  # one row has less height for the same text
+    figure.subplots_adjust(0.075, 0.07 / edge, 0.985, 1.0 - 0.085 / edge, wspace=0.2, hspace=0.22)
+    if frictional:
+        _friction_panel(next(axes), data)
+    _parts_panel(next(axes), data, "contact_area", "load")
+    _parts_panel(next(axes), data, "load", "mean_separation")
+    if frictional:
+        _parts_panel(next(axes), data, "friction_force", "load")
+    return figure
+
+
+def _heading(data: "xarray.Dataset", title: str) -> str:
+    used = data.attrs
+    words = [used["model"], *(f"{used[name]} {name}" for name in ("reading", "branch") if name in used)]
+    if used.get("film", "none") != "none":
+        words.append(f"film: {used['film']}")
+    return "\n".join(filter(None, [title, f"{', '.join(words)} (grade {used['grade']})"]))
+
+
+def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
+    load, mu = data["load"].values, data["friction_coefficient"].values
+    drawn = (load > 0.0) & (mu > 0.0)
+    axes.plot(load[drawn], mu[drawn], color="black")
+    axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
+    if drawn.any():
+        axes.set_xscale("log")
+        axes.set_ylim(bottom=0.0)
+    else:
+        _say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
+    _finish(axes)
+
+
+def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
+    """A quantity and its parts against another one, on a logarithmic axis; dotted where it is negative."""
+    stem = "friction" if what == "friction_force" else what
+    names = [what] + [stem + part for part in _PARTS if part and stem + part in data]
+    x = data[against].values
+    floor = _LEAST * max(np.nanmax(np.abs(data[name].values), initial=0.0) for name in names)
+    tension, named = False, set()
+    for name in names:
+        text, look = _PARTS[name.removeprefix(what if name == what else stem)]
+        y = data[name].values
+        for sign, style in ((1.0, look), (-1.0, look | {"linestyle": ":"})):
+            drawn = (sign * y > floor) & ((x > 0.0) | (against != "load"))
+            if drawn.any():
+                tension |= sign < 0.0
+                axes.plot(x, np.where(drawn, sign * y, np.nan), label=None if name in named else text, **style)
+                named.add(name)
+    axes.set(xlabel=label(data[against]), ylabel=label(data[what]))
+    if axes.lines:
+        axes.set_yscale("log")
+    if tension:
+        axes.plot([], [], ":", color=_GREY, label="dotted: tension, its size")
+    if against == "load":
+        if np.any(x > 0.0):
+            axes.set_xscale("log")
+    else:
+        _prefixed(axes, data[against])
+        axes.invert_xaxis()  # pressing harder goes to the right, as in the other panels
+    _finish(axes)
+    if axes.lines:
+        axes.legend(fontsize=8, framealpha=0.9)
+
+
+def _finish(axes: Axes) -> None:
+    """Grid, and small ticks only where a logarithmic axis has few large ones."""
+    axes.grid(True, alpha=0.3)
+    for axis in (axes.xaxis, axes.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        if axis.get_scale() == "log" and high > _MANY_DECADES * low:
+            axis.set_minor_locator(NullLocator())
+
+
+def _prefixed(axes: Axes, variable: "xarray.DataArray") -> None:
+    """Ticks of the x axis in a unit with a fitting prefix; the data stay in SI."""
+    size = float(np.max(np.abs(variable.values), initial=0.0))
+    if variable.attrs.get("units", "1") == "1" or size == 0.0:
+        return
+    text, _, unit = show(10.0 ** np.floor(np.log10(size)), str(variable.name)).partition(" ")
+    factor = float(text) / 10.0 ** np.floor(np.log10(size))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:g}"))
+    axes.set_xlabel(label(variable).replace(f"[{variable.attrs['units']}]", f"[{unit}]"))
+
+
+def _say(axes: Axes, text: str) -> None:
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=_GREY)
+
+
+def panel_figure(curves: "PanelCurves") -> Figure:
+    """One of the paper's figures: friction coefficient against load for films, beside the uncoated surface."""
+    figure = Figure(figsize=(7, 5.4), layout="constrained")
+    axes = figure.subplots()
+    along = curves.panel.along
+    _friction_line(axes, curves.bare, "uncoated", "black", 2.0)
+    for value, colour in zip(curves.panel.values, _VARYING, strict=False):
+        one = curves.coated.sel({along: value})
+        _friction_line(axes, one, f"${QUANTITIES[along].latex}$ = {value:g}", colour, 1.5)
+    axes.set_title(curves.caption, fontsize=9.5)
+    mu = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
+    axes.set(xscale="log", yscale="log", xlabel=label(curves.bare["load"]), ylabel=mu)
+    _finish(axes)
+    axes.legend()
+    return figure
+
+
+def _friction_line(axes: Axes, data: "xarray.Dataset", name: str, colour: str, width: float) -> None:
+    load, mu = data["load"].values, data["friction_coefficient"].values
+    drawn = (load > 0.0) & (mu > 0.0)
+    axes.plot(np.where(drawn, load, np.nan), np.where(drawn, mu, np.nan), color=colour, linewidth=width, label=name)
+
+
+def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
+    """The map of the claims: a column for each, a row for each reading; here: theta and lam that are marked."""
+    import matplotlib
+
+    from .claims import CLAIMS, READINGS
+
+    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 6.6), layout="constrained")
+    grid = figure.subplots(len(READINGS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
+    colours = matplotlib.colormaps["cividis"].with_extremes(bad="#d0d0d0")
+    norm = BoundaryNorm(np.linspace(0.0, 1.0, 11), colours.N)
+    for row, reading in enumerate(READINGS):
+        for column, claim in enumerate(CLAIMS):
+            axes = grid[row, column]
+            axes.set_facecolor("#d0d0d0")
+            share = np.ma.masked_invalid(claims.share[column, row].T)
+            axes.pcolormesh(claims.theta, claims.lam, share, cmap=colours, norm=norm, shading="nearest")
+            axes.set(xscale="log", yscale="log")
+            axes.axvline(10.0, color="white", linewidth=0.8, linestyle="--")
+            axes.axhline(0.125, color="white", linewidth=0.8, linestyle="--")
+            axes.plot(here["theta"], here["lam"], marker="*", color=_RED, markeredgecolor="white", markersize=12)
+            if row == 0:
+                axes.set_title(f"({claim.key}) {_wrapped(claim.says)}", fontsize=9)
+            if column == 0:
+                axes.set_ylabel(f"{reading} reading\nplastic adhesion index $\\lambda$")
+            if row == len(READINGS) - 1:
+                axes.set_xlabel(r"elastic adhesion index $\theta$")
+    bar = figure.colorbar(ScalarMappable(norm, colours), ax=grid, shrink=0.8, pad=0.01)
+    bar.set_label("share of the films for which it holds (grey: not comparable)")
+    figure.suptitle(
+        "Where the claims of the 2015 paper hold; dashed: below $\\theta$ = 10 or $\\lambda$ = 0.125 adhesion matters; "
+        f"star: $\\theta$ = {here['theta']:g}, $\\lambda$ = {here['lam']:g}",
+        fontsize=10,
+    )
+    return figure
+
+
+def _wrapped(text: str, width: int = 36) -> str:
+    import textwrap
+
+    return "\n".join(textwrap.wrap(text, width))

@@ -1,0 +1,195 @@
+"""What the command line prints: rich tables and text, made from results and records."""
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from .output import groups_of
+from .quantities import QUANTITIES
+from .registry import GRADES, records
+from .units import show
+
+if TYPE_CHECKING:
+    import xarray
+
+    from .case import Case
+
+_ROWS = 12
+_WIDE = 1e4  # a column that spans more than this has a prefix in each cell, not one in its head
+# Result -> head of its column.
+_COLUMNS = {
+    "mean_separation": "separation",
+    "load": "load",
+    "contact_area": "contact area",
+    "friction_force": "friction force",
+    "friction_coefficient": "mu",
+    "touching_asperities": "touching",
+}
+
+
+def curve_table(data: "xarray.Dataset") -> Table:
+    """About twelve points along a curve of one dimension, each column in units with a fitting prefix."""
+    count = data["load"].size
+    chosen = np.unique(np.linspace(0, count - 1, min(count, _ROWS)).round().astype(int))
+    names = [name for name in _COLUMNS if name in data]
+    columns = [_column(data[name], name, chosen) for name in names]
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    units = any(unit for unit, _ in columns)
+    for name, (unit, _) in zip(names, columns, strict=True):
+        head = f"{_COLUMNS[name]}\n" + (f"[{unit}]" if unit else "") if units else _COLUMNS[name]
+        table.add_column(Text(head), justify="right", no_wrap=True)
+    for cells in zip(*(cells for _, cells in columns), strict=True):
+        table.add_row(*cells)
+    return table
+
+
+def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
+    """Unit for the head, and the cells."""
+    values = np.broadcast_to(variable.values, max(variable.size, chosen.max() + 1))[chosen]
+    unit = variable.attrs.get("units", "1")
+    sizes = np.abs(values[np.isfinite(values) & (values != 0.0)])
+    if unit == "1" or not sizes.size:
+        return ("" if unit == "1" else _squared(unit)), [_short(value) for value in values]
+    if name != "mean_separation" and sizes.max() > _WIDE * sizes.min():
+        return "", [_squared(show(float(f"{value:.4g}"), name)) if np.isfinite(value) else "-" for value in values]
+    power = 10.0 ** np.floor(np.log10(np.median(sizes)))
+    number, _, prefixed = show(power, name).partition(" ")
+    return _squared(prefixed), [_short(value * float(number) / power) for value in values]
+
+
+def _short(value: float) -> str:
+    return f"{float(f'{value:.4g}'):g}" if np.isfinite(value) else "-"
+
+
+def _squared(text: str) -> str:
+    return text.replace("m^2", "m²")
+
+
+def _rows(pairs: Iterable[tuple[str, str]]) -> Table:
+    table = Table.grid(padding=(0, 2, 0, 0))
+    table.add_column(style="bold", no_wrap=True)
+    table.add_column()
+    for head, text in pairs:
+        if text:
+            table.add_row(head, Text(text))
+    return table
+
+
+def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
+    """What was solved: contact, groups, model with its options and grade, and the pull-off force."""
+    used = data.attrs
+    options = [f"{name.replace('_', ' ')} {used[name]}" for name in records()[used["model"]].options]
+    film = [] if used["film"] == "none" else [f"film law {used['film']}"]
+    return _rows(
+        [
+            ("case", case.title),
+            *_contact(case.subject),
+            ("groups", _groups(groups_of(case.subject))),
+            ("model", ", ".join([used["model"], *film, *options, f"{used['heights']} heights"])),
+            ("grade", f"{used['grade']}: {GRADES[used['grade']]}"),
+            ("pull-off force", _pull_off(data)),
+        ]
+    )
+
+
+def _contact(subject: Any) -> list[tuple[str, str]]:
+    """Rows that describe a contact of real materials; none for dimensionless groups."""
+    if not hasattr(subject, "indices"):
+        return []
+    rows = [("bodies", f"{_material(subject.first)} against {_material(subject.second)}")]
+    if subject.coating is not None:
+        coating = subject.coating
+        rows.append(("film", f"{_material(coating.material)}, {_numbers(coating)}, on {coating.bodies}"))
+    return [*rows, ("roughness", _numbers(subject.roughness)), ("contact", _numbers(subject))]
+
+
+def _material(material: Any) -> str:
+    return f"{material.name} ({_numbers(material)})"
+
+
+def _numbers(part: Any) -> str:
+    """The numbers of a part of a contact with their symbols and units: "E = 210 GPa, nu = 0.3"."""
+    given = ((QUANTITIES[name], getattr(part, name)) for name in type(part).model_fields if name in QUANTITIES)
+    return ", ".join(f"{row.symbol} = {_squared(show(value, row.name))}" for row, value in given if value is not None)
+
+
+def _groups(groups: Mapping[str, float]) -> str:
+    return ", ".join(f"{QUANTITIES[name].symbol} = {value:.4g}" for name, value in groups.items())
+
+
+def _pull_off(data: "xarray.Dataset") -> str:
+    force = data["pull_off_force"]
+    if not float(force) > 0.0:
+        return "none: there is no tension at any separation"
+    if force.attrs.get("units", "1") == "1":
+        return f"{float(force):.4g} at h = {float(data['pull_off_separation']):.4g}"
+    return show(float(f"{float(force):.4g}"), "pull_off_force")
+
+
+def run_notes(data: "xarray.Dataset") -> list[str]:
+    """What a user should know of this result, one line each: how it is normalised, what mu means, what the laws are like."""
+    used = data.attrs
+    notes = []
+    normalised = [name for name in ("load", "contact_area") if "normalised_by" in data[name].attrs]
+    if normalised:
+        parts = [f"{_COLUMNS[name]} over {data[name].attrs['normalised_by']}" for name in normalised]
+        notes.append(f"normalised: {', '.join(parts)}, separation over sigma, touching asperities as a share of all")
+    if "friction_coefficient" not in data:
+        notes.append(f"friction: {used['friction_law']}")
+    elif bool((data["load"] <= 0.0).any()):
+        notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
+    for key in (used["model"], used["film"]):
+        if key in records() and records()[key].notes:
+            notes.append(f"{key}: {records()[key].notes}")
+    return notes
+
+
+def outside_validity(data: "xarray.Dataset") -> Text | None:
+    """What is used beyond the claims of its authors, highlighted; None if nothing is."""
+    lines = [line for line in data.attrs["outside_validity"].split("; ") if line]
+    if not lines:
+        return None
+    return Text("\n".join(["outside the range of validity", *(f"  {line}" for line in lines)]), style="bold yellow")
+
+
+def models_table(rows: Iterable[Mapping[str, Any]]) -> Table:
+    """The registry, a row for each model and film law."""
+    table = Table(header_style="bold", show_lines=True)
+    table.add_column("key", no_wrap=True)
+    for head in ("kind", "grade", "source", "validity"):
+        table.add_column(head, overflow="fold")
+    for row in rows:
+        texts = ("\n".join(row[name]) or "-" for name in ("source", "validity"))
+        table.add_row(*(Text(text) for text in (row["key"], row["kind"], row["grade"], *texts)))
+    return table
+
+
+def grades() -> Table:
+    """What the grades mean."""
+    return _rows((f"grade {grade}", meaning) for grade, meaning in GRADES.items())
+
+
+def claims_table(rows: Iterable[Mapping[str, Any]], theta: float, lam: float) -> Table:
+    """The claims map in words: for each claim and reading the share of the plane where it holds, and where."""
+    table = Table(header_style="bold", title=f"claims of the 2015 paper over the plane of indices; here: {theta:g}, {lam:g}")
+    for head in ("claim", "reading"):
+        table.add_column(head, no_wrap=True)
+    for head in ("holds", "for some", "fails", "no load"):
+        table.add_column(head, justify="right")
+    for head in ("holds where", "fails where", "here"):
+        table.add_column(head)
+    for row in rows:
+        shares = (row[name] for name in ("holds_for_all", "holds_for_some", "holds_for_none", "not_comparable"))
+        here = "-" if row["share_here"] is None else f"{row['share_here']:.0%}"
+        cells = (row["claim"], row["reading"], *(f"{share:.0%}" for share in shares), row["where_all"], row["where_none"], here)
+        table.add_row(*map(Text, cells), end_section=row["reading"] == "published")
+    return table
+
+
+def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
+    """What each claim says and how it was made precise."""
+    unique = {row["claim"]: f"{row['says']}\n  holds if {row['definition']}" for row in rows}
+    return _rows((f"({key})", text) for key, text in unique.items())
