@@ -1,7 +1,7 @@
 """The command line. What is slow to import is imported inside the commands, so that `stiction --help` answers at once."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -201,7 +201,8 @@ def figures(
     from .tables import claims_meaning, claims_table
 
     console = _console()
-    console.print(claims_table(rows, theta, lam), "", claims_meaning(rows), "")
+    console.print(claims_meaning(rows), "", "Shares of the plane theta 1 to 1e4, lambda 1e-3 to 1e4, logarithmic:")
+    console.print(claims_table(rows, f"theta {theta:g}\nlambda {lam:g}"))
     console.print("theta and lambda of the figures are not printed in the paper: those used were chosen.", highlight=False)
     console.print(f"written to {out}", highlight=False, markup=False, soft_wrap=True)
 
@@ -217,7 +218,8 @@ def _write_figures(out: Path, panels: "list[PanelCurves]", claims: "ClaimMap", h
     def draw(make: Any, path: Path) -> None:
         write_picture(make(), path)
 
-    files = {f"{curves.panel.name}.png": partial(draw, partial(panel_figure, curves)) for curves in panels}
+    files: dict[str, Callable[[Path], None]] = {}
+    files |= {f"{curves.panel.name}.png": partial(draw, partial(panel_figure, curves)) for curves in panels}
     files["claims.png"] = partial(draw, partial(claims_figure, claims, here))
     files["curves.csv"] = lambda path: write_rows(path, *curve_rows(panels))
     files["claims.csv"] = lambda path: write_rows(path, *claim_rows(claims))

@@ -35,12 +35,13 @@ _FINGERPRINT = _source_fingerprint()
 
 def _jit(function: Callable, options: dict[str, Any]) -> Callable:
     """numba.njit with the on-disk cache in our folder; numba reads the folder's name when the function is decorated."""
-    before = numba.config.CACHE_DIR
-    numba.config.CACHE_DIR = str(cache_folder())
+    settings: Any = numba.config
+    before = settings.CACHE_DIR
+    settings.CACHE_DIR = str(cache_folder())
     try:
         return numba.njit(cache=True, **options)(function)
     finally:
-        numba.config.CACHE_DIR = before
+        settings.CACHE_DIR = before
 
 
 def kernel(function: Callable) -> Callable:

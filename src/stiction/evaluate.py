@@ -1,7 +1,7 @@
 """The fast form of the 2015 paper's model: NumPy arrays in, NumPy arrays out, no labels."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -101,8 +101,9 @@ def _groups(laws: dict[str, np.ndarray]) -> Groups:
 
 def _chunks(columns: list[np.ndarray]) -> Iterator[tuple[slice, list[np.ndarray]]]:
     """Broadcast columns as flat pieces of C order, copied piece by piece."""
-    flags, start = ["external_loop", "buffered", "zerosize_ok"], 0
-    for piece in np.nditer(columns, flags=flags, order="C", buffersize=_CHUNK):
+    start = 0
+    pieces_of: Any = np.nditer(columns, flags=["external_loop", "buffered", "zerosize_ok"], order="C", buffersize=_CHUNK)
+    for piece in pieces_of:
         pieces = [np.array(part) for part in (piece if isinstance(piece, tuple) else (piece,))]
         stop = start + pieces[0].size
         yield slice(start, stop), pieces

@@ -1,13 +1,15 @@
 """The dimensionless groups that decide a contact, as flat arrays: what laws are written in."""
 
 from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 
 
 @dataclass(frozen=True)
 class Groups:
-    """Groups of n contacts; arrays (n,). The meaning and bounds of each are in `quantities`; film groups are None if bare.
+    """Groups of n contacts; arrays (n,). The meaning and bounds of each are in `quantities`; film groups are
+    arrays too, or all None if bare.
 
     film_aspect, t/sqrt(R sigma), is infinite where R is not known: the film is then a half-space to every asperity.
     """
@@ -17,13 +19,13 @@ class Groups:
     nu: np.ndarray
     hardness_to_yield: np.ndarray
     K_beta: np.ndarray
-    n_E: np.ndarray | None = None
-    n_H: np.ndarray | None = None
-    tau: np.ndarray | None = None
-    n_g: np.ndarray | None = None
-    film_aspect: np.ndarray | None = None
-    film_nu: np.ndarray | None = None
-    film_K_beta: np.ndarray | None = None
+    n_E: Any = None
+    n_H: Any = None
+    tau: Any = None
+    n_g: Any = None
+    film_aspect: Any = None
+    film_nu: Any = None
+    film_K_beta: Any = None
 
     @property
     def coated(self) -> bool:
@@ -44,5 +46,5 @@ class Groups:
 
     def __getitem__(self, rows: slice | np.ndarray) -> "Groups":
         """The groups of some of the contacts."""
-        columns = {field.name: getattr(self, field.name) for field in fields(self)}
+        columns: dict[str, Any] = {field.name: getattr(self, field.name) for field in fields(self)}
         return Groups(**{name: None if column is None else column[rows] for name, column in columns.items()})

@@ -25,11 +25,12 @@ _DOTS_PER_INCH = 150
 def groups_of(subject: "Contact | Indices") -> dict[str, float]:
     """The dimensionless groups of a contact without arrays: name -> number; with plasticity index and Tabor parameter
     where the materials are known."""
-    known = hasattr(subject, "indices")
-    indices = (subject.indices() if known else subject).resolved()
+    from .contact import Contact
+
+    indices = (subject.indices() if isinstance(subject, Contact) else subject).resolved()
     names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
     groups = {name: getattr(indices, name) for name in names}
-    if known:
+    if isinstance(subject, Contact):
         groups |= {"plasticity_index": subject.plasticity_index, "tabor_parameter": subject.tabor_parameter()}
     return {name: float(value) for name, value in groups.items() if value is not None}
 

@@ -2,14 +2,14 @@
 
 import re
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, NullLocator
+from matplotlib.ticker import FuncFormatter, LogFormatter, NullLocator
 
 from .output import unit_of
 from .quantities import QUANTITIES
@@ -23,11 +23,16 @@ if TYPE_CHECKING:
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
 _BLUE, _ORANGE, _GREEN, _RED, _SKY, _GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777"
-_VARYING = (_BLUE, _RED, _GREEN, _ORANGE, _SKY)
+# Broad below, narrow and broken above: lines that lie on one another stay visible.
+_VARYING: tuple[dict[str, Any], ...] = (
+    {"color": _SKY, "linewidth": 4.0},
+    {"color": _RED, "linewidth": 2.2},
+    {"color": _BLUE, "linewidth": 1.6, "linestyle": "--"},
+)
 
 # The lines of the panels of a curve: label and look. A part that a model does not have is left out. Parts that lie on one
 # another or on the total stay visible: the total is a broad band beneath, and the bodies have markers.
-_PARTS = {
+_PARTS: dict[str, tuple[str, dict[str, Any]]] = {
     "": ("total", {"color": "black", "linewidth": 5.0, "alpha": 0.3}),
     "_elastic": ("elastic asperities", {"color": _BLUE, "linestyle": "--"}),
     "_plastic": ("plastic asperities", {"color": _RED, "linestyle": "-"}),
@@ -38,15 +43,20 @@ _PARTS = {
 }
 _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
 _MANY_DECADES = 1e3
+_WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
 
-def label(variable: "xarray.DataArray") -> str:
-    """Meaning, symbol and unit for an axis: "net normal load $P$ [N]". What follows a comma in the meaning is left out."""
+def label(variable: "xarray.DataArray", longest: int = 200) -> str:
+    """Meaning, symbol and unit for an axis: "net normal load $P$ [N]". What follows a comma in the meaning is left out.
+
+    longest: number of characters above which the unit goes to a second line.
+    """
     name = str(variable.name)
     meaning = variable.attrs.get("long_name", name).partition(",")[0]
     symbol = f" ${QUANTITIES[name].latex}$" if name in QUANTITIES else ""
     unit = _unit(variable)
-    return f"{meaning}{symbol}" + (f" [{unit}]" if unit else "")
+    space = "\n" if len(f"{meaning} {unit_of(variable)}") > longest else " "
+    return f"{meaning}{symbol}" + (f"{space}[{unit}]" if unit else "")
 
 
 def _unit(variable: "xarray.DataArray") -> str:
@@ -71,7 +81,7 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     figure.suptitle(_heading(data, title), fontsize=11)
     axes = iter(figure.subplots(2 if frictional else 1, 2).flat)
     edge = 1.0 if frictional else 0.6  # one row has less height for the same text
-    figure.subplots_adjust(0.075, 0.07 / edge, 0.985, 1.0 - 0.085 / edge, wspace=0.2, hspace=0.22)
+    figure.subplots_adjust(0.085, 0.07 / edge, 0.985, 1.0 - 0.085 / edge, wspace=0.24, hspace=0.22)
     if frictional:
         _friction_panel(next(axes), data)
     _parts_panel(next(axes), data, "contact_area", "load")
@@ -96,7 +106,10 @@ def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
     if drawn.any():
         axes.set_xscale("log")
-        axes.set_ylim(bottom=0.0)
+        if mu[drawn].max() > _WIDE * mu[drawn].min():
+            axes.set_yscale("log")
+        else:
+            axes.set_ylim(bottom=0.0)
     else:
         _say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
     _finish(axes)
@@ -112,13 +125,13 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
     for name in names:
         text, look = _PARTS[name.removeprefix(what if name == what else stem)]
         y = data[name].values
-        for sign, style in ((1.0, look), (-1.0, look | {"linestyle": ":"})):
+        for sign, style in ((1.0, look), (-1.0, look | {"linestyle": ":", "linewidth": 1.8})):
             drawn = (sign * y > floor) & ((x > 0.0) | (against != "load"))
             if drawn.any():
                 tension |= sign < 0.0
                 axes.plot(x, np.where(drawn, sign * y, np.nan), label=None if name in named else text, **style)
                 named.add(name)
-    axes.set(xlabel=label(data[against]), ylabel=label(data[what]))
+    axes.set(xlabel=label(data[against]), ylabel=label(data[what], longest=42))
     if axes.lines:
         axes.set_yscale("log")
     if tension:
@@ -141,6 +154,16 @@ def _finish(axes: Axes) -> None:
         low, high = sorted(axis.get_view_interval())
         if axis.get_scale() == "log" and high > _MANY_DECADES * low:
             axis.set_minor_locator(NullLocator())
+        elif axis.get_scale() == "log":
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(_PlainMinor(minor_thresholds=(1.2, 0.5)))
+
+
+class _PlainMinor(LogFormatter):
+    """Labels of small ticks as 0.6 rather than 6e-01; none where matplotlib finds that there are enough."""
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        return f"{x:g}" if super().__call__(x, pos) else ""
 
 
 def _prefixed(axes: Axes, variable: "xarray.DataArray") -> None:
@@ -163,11 +186,11 @@ def panel_figure(curves: "PanelCurves") -> Figure:
     figure = Figure(figsize=(7, 5.4), layout="constrained")
     axes = figure.subplots()
     along = curves.panel.along
-    _friction_line(axes, curves.bare, "uncoated", "black", 2.0)
-    for value, colour in zip(curves.panel.values, _VARYING, strict=False):
+    _friction_line(axes, curves.bare, label="uncoated", color="black", linewidth=2.0)
+    for value, look in zip(curves.panel.values, _VARYING, strict=False):
         one = curves.coated.sel({along: value})
-        _friction_line(axes, one, f"${QUANTITIES[along].latex}$ = {value:g}", colour, 1.5)
-    axes.set_title(curves.caption, fontsize=9.5)
+        _friction_line(axes, one, label=f"${QUANTITIES[along].latex}$ = {value:g}", **look)
+    axes.set_title(_with_letters(curves.caption), fontsize=9.5)
     mu = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
     axes.set(xscale="log", yscale="log", xlabel=label(curves.bare["load"]), ylabel=mu)
     _finish(axes)
@@ -175,10 +198,16 @@ def panel_figure(curves: "PanelCurves") -> Figure:
     return figure
 
 
-def _friction_line(axes: Axes, data: "xarray.Dataset", name: str, colour: str, width: float) -> None:
+def _with_letters(text: str) -> str:
+    """The text with the symbols of the groups set as formulas."""
+    letters = {QUANTITIES[name].symbol: QUANTITIES[name].latex for name in ("theta", "lam", "n_E", "n_H", "tau")}
+    return re.sub(rf"\b({'|'.join(letters)})\b", lambda found: f"${letters[found[0]]}$", text)
+
+
+def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
     load, mu = data["load"].values, data["friction_coefficient"].values
     drawn = (load > 0.0) & (mu > 0.0)
-    axes.plot(np.where(drawn, load, np.nan), np.where(drawn, mu, np.nan), color=colour, linewidth=width, label=name)
+    axes.plot(np.where(drawn, load, np.nan), np.where(drawn, mu, np.nan), **look)
 
 
 def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
@@ -189,17 +218,17 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
 
     figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 6.6), layout="constrained")
     grid = figure.subplots(len(READINGS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
-    colours = matplotlib.colormaps["cividis"].with_extremes(bad="#d0d0d0")
+    colours = matplotlib.colormaps["viridis"]
     norm = BoundaryNorm(np.linspace(0.0, 1.0, 11), colours.N)
     for row, reading in enumerate(READINGS):
         for column, claim in enumerate(CLAIMS):
             axes = grid[row, column]
-            axes.set_facecolor("#d0d0d0")
             share = np.ma.masked_invalid(claims.share[column, row].T)
             axes.pcolormesh(claims.theta, claims.lam, share, cmap=colours, norm=norm, shading="nearest")
             axes.set(xscale="log", yscale="log")
-            axes.axvline(10.0, color="white", linewidth=0.8, linestyle="--")
-            axes.axhline(0.125, color="white", linewidth=0.8, linestyle="--")
+            for colour, style in (("white", "-"), ("black", "--")):  # seen on dark and on light colours
+                axes.axvline(10.0, color=colour, linewidth=0.9, linestyle=style)
+                axes.axhline(0.125, color=colour, linewidth=0.9, linestyle=style)
             axes.plot(here["theta"], here["lam"], marker="*", color=_RED, markeredgecolor="white", markersize=12)
             if row == 0:
                 axes.set_title(f"({claim.key}) {_wrapped(claim.says)}", fontsize=9)
@@ -208,7 +237,7 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
             if row == len(READINGS) - 1:
                 axes.set_xlabel(r"elastic adhesion index $\theta$")
     bar = figure.colorbar(ScalarMappable(norm, colours), ax=grid, shrink=0.8, pad=0.01)
-    bar.set_label("share of the films for which it holds (grey: not comparable)")
+    bar.set_label("share of its cases for which it holds (white: not comparable)")
     figure.suptitle(
         "Where the claims of the 2015 paper hold; dashed: below $\\theta$ = 10 or $\\lambda$ = 0.125 adhesion matters; "
         f"star: $\\theta$ = {here['theta']:g}, $\\lambda$ = {here['lam']:g}",

@@ -30,8 +30,8 @@ class Problem:
     options: Mapping[str, str]
     groups: Groups
     heights: Heights
-    dims: Mapping[str, int]
-    coords: Mapping[str, Any]
+    dims: dict[str, int]
+    coords: dict[str, Any]
 
     @property
     def shape(self) -> tuple[int, ...]:

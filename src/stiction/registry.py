@@ -57,9 +57,11 @@ class Record:
 
     key: author_year, or a name. kind: "rough surface" or "film". grade: see GRADES. needs: names of the groups it depends
     on. regimes: for a rough surface, regimes(groups, **options) -> list of Regime; for a film,
-    regimes(substrate, film, groups) -> list of Regime. options: option name -> allowed values, the first is the default.
-    friction: False where the source has no tangential law. load_falls: the source's load falls with growing separation
-    wherever it is compressive. verified: what the numbers were checked against. notes: what a user should know.
+    regimes(substrate, film, groups) -> list of Regime. own_options: option name -> allowed values, the first is the default.
+    default_film: the film law of a coated surface, if the model knows films. interchangeable: False for a film that belongs
+    to one reading only. friction: False where the source has no tangential law. load_falls: the source's load falls with
+    growing separation wherever it is compressive. verified: what the numbers were checked against. notes: what a user
+    should know.
     """
 
     key: str
@@ -72,11 +74,26 @@ class Record:
     needs: tuple[str, ...] = ()
     validity: tuple[Validity, ...] = ()
     limits: tuple[Limit, ...] = ()
-    options: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    coating: bool = False
+    own_options: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    default_film: str = ""
+    interchangeable: bool = True
     friction: bool = True
     load_falls: bool = True
     notes: str = ""
+
+    @property
+    def coating(self) -> bool:
+        """Whether the model knows films."""
+        return bool(self.default_film)
+
+    @property
+    def options(self) -> dict[str, tuple[str, ...]]:
+        """Option name -> allowed values, the first is the default; every interchangeable film is a coating_law."""
+        if not self.default_film:
+            return dict(self.own_options)
+        others = [one.key for one in records().values() if one.kind == "film" and one.interchangeable]
+        others.remove(self.default_film)
+        return {**self.own_options, "coating_law": (self.default_film, *others)}
 
 
 @cache

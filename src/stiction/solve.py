@@ -10,7 +10,7 @@ from .asperity.regime import Regime
 from .contact import Contact, Indices
 from .errors import InputError
 from .heights import Heights
-from .inversion import Unreachable, pull_off, separations_at
+from .inversion import Inversion, Unreachable, pull_off, separations_at
 from .problem import Problem, make_problem, spread
 from .quantities import QUANTITIES
 from .registry import Record
@@ -59,9 +59,12 @@ def solve(
     dims = _all_dims(problem, [point, *units.values()])
     shape = tuple(dims.values())
     wanted = spread(point, dims) / spread(units[_unit_of(given)], dims)
-    extra = {}
+    extra, convergence = {}, {}
     if given == "load":
-        wanted, extra = _invert(contact, problem, np.broadcast_to(wanted, shape), spread(units["N"], dims))
+        found = _invert(contact, problem, np.broadcast_to(wanted, shape), spread(units["N"], dims))
+        wanted = found.h.reshape(shape)
+        extra = {"load_residual": (found.residual.reshape(shape), "load found less load asked for, over the latter")}
+        convergence = {"convergence": f"all separations converged in at most {found.evaluations} evaluations"}
     coords = problem.coords | _coords([point, *units.values()])
     data = _labelled(contact, {"mean_separation": wanted} | _sum(problem, wanted, shape), units, dims, coords)
     tension, where = pull_off(problem.on_branch("unloading"))
@@ -73,7 +76,7 @@ def solve(
         data = data.drop_vars(given).assign_coords({given: (given, point.values, data[given].attrs)})
     for name, (values, meaning) in extra.items():
         data[name] = (tuple(dims), values, {"long_name": meaning})
-    return data.assign_attrs(_summary(contact, problem, data))
+    return data.assign_attrs(_summary(contact, problem, data) | convergence)
 
 
 def _unit_of(name: str) -> str:
@@ -127,19 +130,17 @@ def _all_dims(problem: Problem, others: Iterable[Any]) -> dict[str, int]:
     return dims
 
 
-def _invert(contact, problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> tuple[np.ndarray, dict[str, tuple]]:
-    """Separations over sigma where the normalised loads `wanted` (full shape) are carried, and how well."""
+def _invert(contact, problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> Inversion:
+    """Separations (laws, points) over sigma where the normalised loads `wanted` (full shape) are carried."""
     targets = wanted.reshape(len(problem.groups), -1)
     try:
-        found = separations_at(problem, targets)
+        return separations_at(problem, targets)
     except Unreachable as error:
         where = (error.law, error.at)
         scale = np.broadcast_to(unit, wanted.shape).reshape(targets.shape)[where]
         text = (lambda number: show(number * scale, "load")) if isinstance(contact, Contact) else "{:.6g}".format
         value, low, high = (text(number) for number in (targets[where], error.low, error.high))
         raise InputError("load", value, f"{low} to {high} for this contact under this model") from None
-    meaning = "load found less load asked for, over the latter"
-    return found.h.reshape(wanted.shape), {"load_residual": (found.residual.reshape(wanted.shape), meaning)}
 
 
 def _sum(problem: Problem, h: np.ndarray, shape: tuple[int, ...]) -> dict[str, np.ndarray]:

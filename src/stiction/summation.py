@@ -26,6 +26,7 @@ QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
 # Nodes on a piece that is short or long against sigma: errors against 160 nodes are below 1e-11 of the sum of sizes for
 # P, A and T over 6e5 random laws (docs/numerics.md).
 _SHORT = 1.0
+# Multiples of eight, which the loops over nodes spell out: the compiler then leaves out its loop over a remainder.
 _COUNTS = np.array([24, 48])
 _LONGEST = int(_COUNTS[-1])
 
@@ -93,7 +94,7 @@ def _scattered_template(h, law, heights, knots, parameters, edges, branch, rules
                 rule = 0 if z_cut - z_low <= _SHORT else 1
                 at_knot = 0 < cut and knots[cut - 1] == z_low
                 linear, square = _map_piece(low, high, low if at_knot else branch[law[i]])
-                for node in range(counts[rule]):
+                for node in range(8 * (counts[rule] // 8)):
                     t = rules[rule, 0, node]
                     state = along(low + t * (linear + square * t), *row)
                     weight = rules[rule, 1, node] * (linear + 2.0 * square * t) * state[1]
@@ -133,7 +134,7 @@ def _place_template(w_low, w_high, parameters, edges, branch, rules, counts, pla
                 continue
             rule = 0 if min(w_right, w_high) - max(w_left, w_low) <= _SHORT else 1
             linear, square = _map_piece(low, high, branch[i])
-            for node in range(counts[rule]):
+            for node in range(8 * (counts[rule] // 8)):
                 t = rules[rule, 0, node]
                 state = along(low + t * (linear + square * t), *row)
                 weight = rules[rule, 1, node] * (linear + 2.0 * square * t) * state[1]
@@ -159,11 +160,11 @@ def _sum_rows_template(h, reach, heights, place, values, used, rows, out, size):
     for i in range(used.size):
         x, a, b, c = place[i], values[i, rows[0]], values[i, rows[1]], values[i, rows[2]]
         for at in range(h.size):
-            last = used[i]
-            while last > 0 and x[last - 8] > reach[at]:  # by eights: pieces have multiples of that, in ascending order
-                last -= 8
+            eights = used[i] // 8
+            while eights > 0 and x[8 * eights - 8] > reach[at]:  # the nodes of a piece ascend
+                eights -= 1
             first_sum = second_sum = third_sum = 0.0
-            for node in range(last):
+            for node in range(8 * eights):
                 dense = density(h[at] + x[node], heights)
                 first_sum += dense * a[node]
                 second_sum += dense * b[node]

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from rich.box import SIMPLE_HEAD
 from rich.table import Table
 from rich.text import Text
 
@@ -97,7 +98,9 @@ def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
 
 def _contact(subject: Any) -> list[tuple[str, str]]:
     """Rows that describe a contact of real materials; none for dimensionless groups."""
-    if not hasattr(subject, "indices"):
+    from .contact import Contact
+
+    if not isinstance(subject, Contact):
         return []
     rows = [("bodies", f"{_material(subject.first)} against {_material(subject.second)}")]
     if subject.coating is not None:
@@ -158,12 +161,12 @@ def outside_validity(data: "xarray.Dataset") -> Text | None:
 def models_table(rows: Iterable[Mapping[str, Any]]) -> Table:
     """The registry, a row for each model and film law."""
     table = Table(header_style="bold", show_lines=True)
-    table.add_column("key", no_wrap=True)
-    for head in ("kind", "grade", "source", "validity"):
-        table.add_column(head, overflow="fold")
+    table.add_column("key\nkind, grade", no_wrap=True)
+    table.add_column("source", ratio=1, overflow="fold")
+    table.add_column("validity", ratio=1, overflow="fold")
     for row in rows:
-        texts = ("\n".join(row[name]) or "-" for name in ("source", "validity"))
-        table.add_row(*(Text(text) for text in (row["key"], row["kind"], row["grade"], *texts)))
+        head = Text.assemble((row["key"], "bold"), f"\n{row['kind']}, grade {row['grade']}")
+        table.add_row(head, *(Text("\n".join(row[name]) or "-") for name in ("source", "validity")))
     return table
 
 
@@ -172,24 +175,32 @@ def grades() -> Table:
     return _rows((f"grade {grade}", meaning) for grade, meaning in GRADES.items())
 
 
-def claims_table(rows: Iterable[Mapping[str, Any]], theta: float, lam: float) -> Table:
-    """The claims map in words: for each claim and reading the share of the plane where it holds, and where."""
-    table = Table(header_style="bold", title=f"claims of the 2015 paper over the plane of indices; here: {theta:g}, {lam:g}")
+def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
+    """The claims map in words: for each claim and reading the share of the plane where it holds, and where. here: the indices
+    at which the last column tells the share of films for which it holds."""
+    table = Table(header_style="bold", box=SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
     for head in ("claim", "reading"):
         table.add_column(head, no_wrap=True)
-    for head in ("holds", "for some", "fails", "no load"):
-        table.add_column(head, justify="right")
-    for head in ("holds where", "fails where", "here"):
-        table.add_column(head)
+    table.add_column("holds for all films")
+    table.add_column("for some", justify="right")
+    table.add_column("for none")
+    table.add_column("not com-\nparable", justify="right")
+    table.add_column(here, justify="right")
     for row in rows:
-        shares = (row[name] for name in ("holds_for_all", "holds_for_some", "holds_for_none", "not_comparable"))
-        here = "-" if row["share_here"] is None else f"{row['share_here']:.0%}"
-        cells = (row["claim"], row["reading"], *(f"{share:.0%}" for share in shares), row["where_all"], row["where_none"], here)
-        table.add_row(*map(Text, cells), end_section=row["reading"] == "published")
+        cells = (
+            f"({row['claim']})",
+            row["reading"],
+            f"{row['holds_for_all']:.0%}: {row['where_all']}",
+            f"{row['holds_for_some']:.0%}",
+            f"{row['holds_for_none']:.0%}: {row['where_none']}",
+            f"{row['not_comparable']:.0%}",
+            "-" if row["share_here"] is None else f"{row['share_here']:.0%}",
+        )
+        table.add_row(*map(Text, cells))
     return table
 
 
 def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
     """What each claim says and how it was made precise."""
-    unique = {row["claim"]: f"{row['says']}\n  holds if {row['definition']}" for row in rows}
+    unique = {row["claim"]: f"{row['says']}\nholds if {row['definition']}" for row in rows}
     return _rows((f"({key})", text) for key, text in unique.items())

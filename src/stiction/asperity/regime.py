@@ -15,7 +15,7 @@ class Regime:
     Both are formulas (stiction.compiled.formula) of scalars. Displacements are over sigma; loads, areas and resistances
     in the model's own units.
 
-    parameters: tuple of arrays (n,), in the order that `along` takes them.
+    parameters: arrays (n,) or numbers, in the order that `along` takes them.
     edges: array (n, m + 1). The regime reaches from the first to the last edge in its coordinate; the edges between are
         kinks, at which the engine splits. A pair of edges that does not increase is an empty piece.
     branch: array (n,), a coordinate below which the resistance has no square root any more, or None. Pieces that start
@@ -28,7 +28,7 @@ class Regime:
 
     along: Callable
     coordinate: Callable
-    parameters: tuple[np.ndarray, ...]
+    parameters: tuple[np.ndarray | float, ...]
     edges: np.ndarray
     state: str
     body: str = "bare"

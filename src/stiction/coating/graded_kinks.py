@@ -2,7 +2,7 @@
 
 Each kind of kink is a zero of a smooth function of u: they are sampled together, sign changes are refined inside their
 bracket, and near misses of zero between samples are looked into. Where the load would fall although it is compressive, the
-asperity keeps it until it is reached again (S5.18): that plateau has two ends more.
+asperity keeps it until it is reached again (S5.19): that plateau has two ends more.
 """
 
 import math
@@ -19,14 +19,16 @@ from .graded_law import contact, depth_coordinate, fading
 PARAMETERS = 14  # of the law, before the plateaus
 PLATEAUS = 3
 CAPACITY = 40  # edges
-CELLS = 96  # of the scan, equal in ln u
-INNER = 10  # samples of the load's slope on a piece
+NEAR, FAR = 36, 108  # cells of the scan, equal in ln(u - start) and in ln u
+INNER = 16  # samples of the load's slope on a piece
 # Kinks at more than this displacement are left alone: no asperity gets there.
 _DEEPEST = 10.0  # u; x = 10^4
+_NEAREST, _APART = 1e-7, 0.04  # the first sample, and where the spacing changes, after the start over the start
+_NEARER = 0.3
 _END = 1e8  # u, in place of infinity
 _FADED = 40.0  # exponent at which the film's share in the hardness is rounding
 
-_PLACES = (1.0 - np.cos(np.pi * (np.arange(INNER) + 0.5) / INNER)) / 2.0
+_PLACES = np.clip((1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, INNER))) / 2.0, 1e-9, 1.0 - 1e-9)  # kinks are at the ends
 
 
 @formula
@@ -54,7 +56,7 @@ def signals(u, law):
 
 @formula
 def load_before_plateaus(u, law):
-    """Load, its derivative by u, and elastic mean pressure over hardness."""
+    """Load, its derivative by ln u over hardness times x, and elastic mean pressure over hardness."""
     pull, eta, n_E, n_H, per_aspect, nu, linear, square = law[:8]
     S = math.sqrt(6.0 * pull)
     w, slope, Q, growth, _ = contact(u, S, n_E, per_aspect, nu)
@@ -68,32 +70,40 @@ def load_before_plateaus(u, law):
     d_ratio = (d_elastic - ratio * d_flowing) / flowing
     f, df = plastic_share(ratio)
     full, d_full = 2.0 * (hardness * w - pull), 2.0 * (d_hardness * w + hardness * slope)
-    capped, d_capped = (elastic, d_elastic) if ratio <= 1.0 else (flowing, d_flowing)
+    capped = min(elastic, flowing)
+    d_capped = d_elastic if ratio <= 1.0 else d_flowing
     load = capped + f * (full - capped)
-    return load, d_capped + df * d_ratio * (full - capped) + f * (d_full - d_capped), ratio
+    slope = d_capped + df * d_ratio * (full - capped) + f * (d_full - d_capped)
+    return load, slope * u / flowing, ratio
+
+
+# Numbers of the functions of u whose zeros are sought: the five signals, then two of the load.
+_REAL, _SQUEEZED, _BALANCE, _SLOPE, _ABOVE = 2, 3, 4, 5, 6
 
 
 @kernel
-def _signal(which, u, law):
-    return signals(u, law)[which]
+def _value(which, u, law, level):
+    """A signal, or the slope of the load, or the load less `level`."""
+    if which < _SLOPE:
+        return signals(u, law)[which]
+    load, slope, _ = load_before_plateaus(u, law)
+    return slope if which == _SLOPE else load - level
 
 
 @kernel
-def _load(u, law):
-    return load_before_plateaus(u, law)
+def _zero(which, low, at_low, high, at_high, law, level):
+    """A zero in a bracket: false position (Anderson & Bjorck 1973), halving now and then.
 
-
-@kernel
-def _zero(which, low, at_low, high, at_high, law):
-    """The zero of one signal in a bracket: false position (Anderson & Bjorck 1973), halving where that is slow."""
-    last = low
-    for turn in range(80):
+    The last step is below 1e-9, which is enough for a kink; where the resistance jumps, it takes all digits."""
+    fine = 4e-15 if which == _REAL else 1e-9
+    u = last = low
+    for turn in range(90):
         u = high - at_high * (high - low) / (at_high - at_low)
-        if turn % 4 == 3 or not low < u < high:
+        if turn % 8 == 7 or turn > 30 or not low < u < high:
             u = 0.5 * (low + high)
-        value = _signal(which, u, law)
-        if value == 0.0 or abs(u - last) <= 3e-15 * u:
-            return u
+        value = _value(which, u, law, level)
+        if value == 0.0 or abs(u - last) <= (fine if turn < 30 else 2e-16) * u:
+            break
         if (value > 0.0) == (at_high > 0.0):
             shrink = 1.0 - value / at_high
             at_low *= shrink if shrink > 0.0 else 0.5
@@ -107,19 +117,35 @@ def _zero(which, low, at_low, high, at_high, law):
 
 
 @kernel
-def _nearest_to_zero(which, low, high, sign, law):
-    """The least of sign * signal in (low, high), by thirds, and its place; stops as soon as it is negative."""
-    u = value = 0.0
-    for _ in range(50):
-        third = (high - low) / 3.0
-        left, right = sign * _signal(which, low + third, law), sign * _signal(which, high - third, law)
-        if left < right:
-            u, value, high = low + third, left, high - third
-        else:
-            u, value, low = high - third, right, low + third
-        if value < 0.0:
+def _beyond_zero(which, left, at_left, u, at, right, at_right, law):
+    """Whether a signal that comes near to zero at u, with the same sign on both sides, crosses it: the place and value of
+    opposite sign, or the least value found. Parabolas through three places."""
+    for _ in range(25):
+        p, q = (u - left) * (at - at_right), (u - right) * (at - at_left)
+        if p == q:
             break
-    return u, value
+        vertex = u - 0.5 * ((u - left) * p - (u - right) * q) / (p - q)
+        if not left < vertex < right or abs(vertex - u) < 1e-3 * (right - left):
+            vertex = u + 0.1 * ((right - u) if right - u > u - left else (left - u))
+        value = _value(which, vertex, law, 0.0)
+        if (value > 0.0) != (at > 0.0):
+            return vertex, value
+        if abs(value) < abs(at):
+            saved = 1.0 - value / at
+            if vertex > u:
+                left, at_left = u, at
+            else:
+                right, at_right = u, at
+            u, at = vertex, value
+            if saved < 0.01:  # it turns here
+                break
+        elif vertex > u:
+            right, at_right = vertex, value
+        else:
+            left, at_left = vertex, value
+        if right - left < 1e-7 * u:
+            break
+    return u, at
 
 
 @formula
@@ -131,81 +157,118 @@ def _add(out, count, u):
     return count
 
 
+@formula
+def _comes_near(before, here, there):
+    """Whether a parabola through three samples of one sign has an extremum that is well nearer to zero than the middle one."""
+    rise, bend = there - before, there - 2.0 * here + before
+    turns = (here - before) * (there - here) < 0.0 and bend * here > 0.0 and before * here > 0.0
+    return turns and rise * rise > 8.0 * _NEARER * bend * here
+
+
 @kernel
 def _add_zeros(which, places, values, law, out, count):
     """Append the zeros of one signal that was sampled at `places`."""
-    last = places.size - 1
-    for j in range(last):
+    before = values[0]
+    for j in range(places.size - 1):
         here, there = values[j], values[j + 1]
         if (here > 0.0) != (there > 0.0):
-            count = _add(out, count, _zero(which, places[j], here, places[j + 1], there, law))
-        elif 0 < j and (here > 0.0) == (values[j - 1] > 0.0) and abs(here) <= min(abs(there), abs(values[j - 1])):
-            bend = there - 2.0 * here + values[j - 1]
-            vertex = here - (there - values[j - 1]) ** 2 / (8.0 * bend) if bend != 0.0 else here
-            if vertex / here < 0.5:  # the parabola through the three comes near to zero
-                sign = math.copysign(1.0, here)
-                u, value = _nearest_to_zero(which, places[j - 1], places[j + 1], sign, law)
-                if value < 0.0:
-                    value *= sign
-                    count = _add(out, count, _zero(which, places[j - 1], values[j - 1], u, value, law))
-                    count = _add(out, count, _zero(which, u, value, places[j + 1], there, law))
+            count = _add(out, count, _zero(which, places[j], here, places[j + 1], there, law, 0.0))
+        elif _comes_near(before, here, there) or (which == _REAL and 0.0 < here < min(_NEARER, before, there)):
+            u, value = _beyond_zero(which, places[j - 1], before, places[j], here, places[j + 1], there, law)
+            if (value > 0.0) != (here > 0.0):
+                count = _add(out, count, _zero(which, places[j - 1], before, u, value, law, 0.0))
+                count = _add(out, count, _zero(which, u, value, places[j + 1], there, law, 0.0))
+            elif which == _REAL:  # there is a branch point beside the line of real u
+                count = _add(out, count, u)
+        before = here
     return count
 
 
+@formula
+def _sample_loads(law, edges, count, places, loads, slopes):
+    """Load and slope inside of every piece between the edges[:count]."""
+    for piece in range(count - 1):
+        low, high = edges[piece], edges[piece + 1]
+        inner = places[piece * INNER :]
+        for k in range(INNER):
+            inner[k] = low + (high - low) * _PLACES[k]
+    for k in range(INNER * (count - 1)):
+        load, slope, _ = load_before_plateaus(places[k], law)
+        loads[k] = load
+        slopes[k] = slope
+
+
 @kernel
-def _summit(low, high, law):
-    """Where the load stops rising between low, where it rises, and high, where it falls: bisection."""
-    for _ in range(48):
-        middle = 0.5 * (low + high)
-        if _load(middle, law)[1] > 0.0:
-            low = middle
+def _summit(low, kink, high, at_high, law):
+    """Where the load stops rising, between low, where it rises, and high, where it falls; kink: an edge between, or low."""
+    below, above = kink * (1.0 - 1e-13), kink * (1.0 + 1e-13)
+    at_low = _value(_SLOPE, low, law, 0.0)
+    if low < kink:
+        before, after = _value(_SLOPE, below, law, 0.0), _value(_SLOPE, above, law, 0.0)
+        if before < 0.0:
+            high, at_high = below, before
+        elif after < 0.0:
+            return kink
         else:
-            high = middle
-    return 0.5 * (low + high)
+            low, at_low = above, after
+    return low if at_low <= 0.0 else _zero(_SLOPE, low, at_low, high, at_high, law, 0.0)
 
 
 @kernel
-def _regained(low, high, level, law):
-    """Where the load comes up to `level` again between low, where it is lower, and high: bisection."""
-    for _ in range(48):
-        middle = 0.5 * (low + high)
-        if _load(middle, law)[0] < level:
-            low = middle
-        else:
-            high = middle
-    return high
+def _descent(low, high, law):
+    """A place between low and high where the load falls, and its slope there; high if none is found."""
+    for m in range(1, 64):
+        u = low + (high - low) * m / 64.0
+        slope = _value(_SLOPE, u, law, 0.0)
+        if slope < 0.0:
+            return u, slope
+    return high, 0.0
 
 
 @kernel
-def _add_plateaus(law, out, count, levels, loads, slopes):
-    """Append the ends of the plateaus of the load to the sorted edges out[:count]; levels: (start, level) of each."""
-    first = 0  # the load can fall only once the asperity flows
-    while first < count - 1 and not _signal(0, 0.5 * (out[first] + out[first + 1]), law) > 0.0:
+def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
+    """Append the ends of the plateaus of the load to the sorted edges[:count]; levels: (start, level) of each."""
+    first = 0  # the load can fall only where the asperity flows
+    while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
         first += 1
-    pieces = count - 1 - first
-    for piece in range(pieces):
-        low, high = out[first + piece], out[first + piece + 1]
-        for k in range(INNER):
-            state = load_before_plateaus(low + (high - low) * _PLACES[k], law)
-            loads[piece * INNER + k], slopes[piece * INNER + k] = state[0], state[1]
+    out = edges[first:count]
+    _sample_loads(law, out, out.size, places, loads, slopes)
     known, at, held, level = count, 0, False, 0.0
-    previous = out[first]
-    for piece in range(pieces):
-        low, high = out[first + piece], out[first + piece + 1]
-        if not high > low:
+    previous = out[0]
+    for k in range(INNER * (out.size - 1)):
+        kink, u, falling = out[k // INNER], places[k], slopes[k]
+        if not u > kink:
             continue
-        for k in range(INNER):
-            u, load, slope = low + (high - low) * _PLACES[k], loads[piece * INNER + k], slopes[piece * INNER + k]
-            if held and load > level:
-                previous = _regained(previous, u, level, law)
-                known, held = _add(out, known, previous), False
-            if not held and slope < 0.0 and at < PLATEAUS:
-                start = _summit(previous, u, law)
-                level = _load(start, law)[0]
-                known, held = _add(out, known, start), True
+        turn = u
+        if not held and falling > 0.0 and k % INNER > 1 and _comes_near(slopes[k - 2], slopes[k - 1], falling):
+            turn, falling = _beyond_zero(
+                _SLOPE, places[k - 2], slopes[k - 2], places[k - 1], slopes[k - 1], u, falling, law
+            )
+            previous = places[k - 1] if turn > places[k - 1] else places[k - 2]
+        if not held and falling > 0.0 and k % INNER > 0 and loads[k] < loads[k - 1]:
+            turn, falling = _descent(max(previous, places[k - 1]), u, law)
+        elif held and falling < 0.0 and k % INNER > 0 and slopes[k - 1] > 0.0 and loads[k] < level:
+            summit = _summit(places[k - 1], places[k - 1], u, falling, law)
+            above = _value(_ABOVE, summit, law, level)
+            if above > 0.0 and at < PLATEAUS:  # a peak between two samples
+                lacking = min(_value(_ABOVE, previous, law, level), 0.0)
+                previous = _zero(_ABOVE, previous, lacking, summit, above, law, level)
+                known, held = _add(edges, known, previous), False
+        # Once to see where the load comes back, once more if it falls again before the sample.
+        for _ in range(2):
+            if not held and falling < 0.0 and at < PLATEAUS:
+                start = _summit(previous, max(kink, previous), turn, falling, law)
+                level = _value(_ABOVE, start, law, 0.0)
+                known, held = _add(edges, known, start), True
                 levels[2 * at], levels[2 * at + 1] = start, level
                 at += 1
-            previous = u
+                previous = max(turn, start)
+            if held and loads[k] > level:
+                lacking = min(_value(_ABOVE, previous, law, level), 0.0)
+                previous = _zero(_ABOVE, previous, lacking, u, loads[k] - level, law, level)
+                known, held = _add(edges, known, previous), False
+            turn, falling = u, slopes[k]
+        previous = u
     return known
 
 
@@ -219,7 +282,8 @@ def _fixed_edges(law, tau, out):
     out[0], out[1] = start, top
     through = depth_coordinate(tau, S, n_E, per_aspect, nu) if tau < top**4 else top
     out[2] = max(through, start)
-    count = 3
+    out[3] = 1.0  # where w is about 1: long pieces are hard to integrate
+    count = 4
     if n_E != 1.0:
         count = _add(out, count, 1.0 / math.sqrt(per_aspect))
     if n_H != 1.0 and max(linear, square) > 0.0:
@@ -231,53 +295,66 @@ def _fixed_edges(law, tau, out):
 
 @kernel
 def _scan(start, top, law, places, values):
-    """Sample the signals at CELLS + 1 places, equal in ln u."""
-    step = math.log(top / start) / (places.size - 1)
-    for j in range(places.size):
-        u = top * exponential(-step * (places.size - 1 - j))
-        state = signals(u, law)
-        places[j] = u
+    """Sample the signals from `start` to `top`. A thin film has all its features close to the start."""
+    near, far = math.log(_NEAREST / _APART) / NEAR, math.log(top / (start * (1.0 + _APART))) / FAR
+    for j in range(NEAR):
+        places[j] = start * (1.0 + _APART * exponential(near * (NEAR - j)))
+    for j in range(FAR + 1):
+        places[NEAR + j] = top * exponential(far * (j - FAR))
+    places[0] = start
+    for j in range(NEAR + FAR + 1):
+        state = signals(places[j], law)
         values[0, j], values[1, j], values[2, j], values[3, j], values[4, j] = state
 
 
 @kernel
 def _fill(parameters, tau, edges, part, levels, branch):
-    samples = np.empty((5, CELLS + 1))
-    places = np.empty(CELLS + 1)
-    loads, slopes = np.empty(CAPACITY * INNER), np.empty(CAPACITY * INNER)
+    samples, scan = np.empty((5, NEAR + FAR + 1)), np.empty(NEAR + FAR + 1)
+    places, loads, slopes = np.empty(CAPACITY * INNER), np.empty(CAPACITY * INNER), np.empty(CAPACITY * INNER)
     for i in range(tau.size):
         law = to_fixed_tuple(parameters[i], PARAMETERS)
         out = edges[i]
         start, top, through, count = _fixed_edges(law, tau[i], out)
-        _scan(start, top, law, places, samples)
-        count = _add_zeros(0, places, samples[0], law, out, count)
-        count = _add_zeros(1, places, samples[1], law, out, count)
+        _scan(start, top, law, scan, samples)
+        count = _add_zeros(0, scan, samples[0], law, out, count)
+        count = _add_zeros(1, scan, samples[1], law, out, count)
         before = count
-        count = _add_zeros(2, places, samples[2], law, out, count)
-        branch[i] = -math.inf
-        if count > before:
-            branch[i] = out[count - 1]
-        elif _signal(2, 0.5 * start, law) < 0.0 < samples[2, 0]:
-            branch[i] = _zero(2, 0.5 * start, _signal(2, 0.5 * start, law), start, samples[2, 0], law)
-        flowing = CELLS  # beyond the last sample that is not fully plastic nothing resists
-        while flowing > 0 and samples[1, flowing - 1] > 0.0:
-            flowing -= 1
-        used = places[: flowing + 1]
-        count = _add_zeros(3, used, samples[3, : flowing + 1], law, out, count)
-        count = _add_zeros(4, used, samples[4, : flowing + 1], law, out, count)
+        count = _add_zeros(_REAL, scan, samples[_REAL], law, out, count)
+        branch[i] = out[count - 1] if count > before else _branch_below(start, samples[_REAL, 0], law)
+        grips = NEAR + FAR  # beyond the last sample that is not fully plastic nothing resists
+        while grips > 0 and samples[1, grips - 1] > 0.0:
+            grips -= 1
+        count = _add_zeros(_SQUEEZED, scan[: grips + 1], samples[_SQUEEZED], law, out, count)
+        count = _add_zeros(_BALANCE, scan[: grips + 1], samples[_BALANCE], law, out, count)
         for at in range(count):
             out[at] = min(max(out[at], start), top)
         out[:count].sort()
         levels[i, 0::2], levels[i, 1::2] = math.inf, 0.0
-        count = _add_plateaus(law, out, count, levels[i], loads, slopes)
-        out[:count].sort()
-        out[count:] = _END
-        for piece in range(CAPACITY - 1):
-            low, high = out[piece], out[piece + 1]
-            part[i, piece] = -1
-            if high > low:
-                plastic = _signal(0, 0.5 * (low + min(high, 2.0 * low)), law) > 0.0
-                part[i, piece] = (0 if high <= through else 2) + (1 if plastic else 0)
+        _name_parts(law, through, out, count, part[i])
+        known = _add_plateaus(law, out, count, part[i], levels[i], places, loads, slopes)
+        if known > count:
+            out[:known].sort()
+            _name_parts(law, through, out, known, part[i])
+
+
+@kernel
+def _branch_below(start, at_start, law):
+    """The branch point of the yield resistance shortly below the start, or -inf."""
+    low = 0.5 * start
+    at_low = _value(_REAL, low, law, 0.0)
+    return _zero(_REAL, low, at_low, start, at_start, law, 0.0) if at_low < 0.0 < at_start else -math.inf
+
+
+@formula
+def _name_parts(law, through, edges, count, part):
+    """Part of each piece between edges[:count] and of the last, that has no end."""
+    edges[count:] = _END
+    part[:] = -1
+    for piece in range(count):
+        low, high = edges[piece], edges[piece + 1]
+        plastic = signals(0.5 * (low + min(high, 2.0 * low)), law)[0] > 0.0
+        name = (0 if high <= through else 2) + (1 if plastic else 0)
+        part[piece] = name if high > low else -1
 
 
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -55,7 +55,7 @@ def _log_quotient(z):
     small = z < _SQRT2 - 1.0
     bits = np.float64(1.0 + z).view(np.int64)
     k = (bits - np.int64(_SQRT_HALF_BITS)) >> np.int64(52)
-    f = z if small else (bits - (k << np.int64(52))).view(np.float64) - 1.0  # 1 + z = 2^k (1 + f)
+    f = z if small else np.int64(bits - (k << np.int64(52))).view(np.float64) - 1.0  # 1 + z = 2^k (1 + f)
     s = f / (2.0 + f)
     t = s * s
     p = 1.0 / 23.0  # ln(1 + f) = 2 artanh s, |s| < 0.172

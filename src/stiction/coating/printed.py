@@ -42,7 +42,8 @@ RECORD = Record(
     regimes=regimes,
     verified="independent evaluation at 30 digits. The paper prints no numbers",
     needs=("n_E", "n_H", "tau"),
-    validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is taken as a half-space: contact radius below thickness"),),
+    validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),),
+    interchangeable=False,
     load_falls=False,
     notes="Adds loads in units of the film to loads in units of the substrate (D4).",
 )

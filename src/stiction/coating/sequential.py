@@ -51,6 +51,6 @@ RECORD = Record(
     regimes=regimes,
     verified="independent evaluation at 30 digits; the film's own law for a thick film",
     needs=("n_E", "n_H", "tau"),
-    validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is taken as a half-space: contact radius below thickness"),),
-    notes="At no thickness the adhesion of the film's first touch remains: -4 pi/(3 theta) for each touching asperity.",
+    validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),),
+    notes="At zero thickness the adhesion of first touch on the film remains: -4 pi/(3 theta) for each touching asperity.",
 )

@@ -43,9 +43,10 @@ def _steepness(y, nu, K_beta, printed):
 
 @formula
 def _turning_point(low, high, nu, K_beta, printed):
-    """A zero of the steepness between two places where its sign differs: bisection."""
+    """A zero of the steepness between two places where its sign differs. Bisection to 1e-8, which is enough: G is flat there,
+    so a crossing between this and the true turning point is within 1e-16 of touching."""
     falling = _steepness(low, nu, K_beta, printed) < 0.0
-    for _ in range(40):
+    for _ in range(27):
         middle = 0.5 * (low + high)
         if (_steepness(middle, nu, K_beta, printed) < 0.0) == falling:
             low = middle
@@ -69,7 +70,7 @@ def _dip(nu, K_beta, printed):
             lowest, least = y, steepness
     if 0.0 <= least < 0.1:  # near enough to zero for the true lowest value, between the samples, to be below
         low, high = lowest / ratio, lowest * ratio
-        for _ in range(60):
+        for _ in range(40):
             third = (high - low) / 3.0
             if _steepness(low + third, nu, K_beta, printed) < _steepness(high - third, nu, K_beta, printed):
                 high -= third

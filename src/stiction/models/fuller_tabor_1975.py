@@ -49,7 +49,7 @@ RECORD = Record(
     needs=("theta",),
     validity=(Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1e14}, ("load", "contact_area"), 1e-4),),
-    options={"branch": ("loading", "unloading")},
+    own_options={"branch": ("loading", "unloading")},
     friction=False,
     load_falls=False,
 )

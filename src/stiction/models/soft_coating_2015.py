@@ -51,12 +51,9 @@ RECORD = Record(
         Limit("fuller_tabor_1975", {"lam": 1e30}, ("load", "contact_area"), 1e-9),
         Limit("fuller_tabor_1975", {"lam": 1e30}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),
     ),
-    options={
-        "reading": ("corrected", "published"),
-        "coating_law": ("sequential", "graded"),
-        "branch": ("loading", "unloading"),
-    },
-    coating=True,
+    own_options={"reading": ("corrected", "published"), "branch": ("loading", "unloading")},
+    default_film="sequential",
     load_falls=False,
-    notes="The load of an asperity jumps where it becomes plastic: up to twofold; under strong adhesion it falls.",
+    notes="The load of an asperity jumps where it becomes plastic: up to twofold. Under strong adhesion it falls there, and into "
+    "tension where lambda^(1/4) theta^(-1/6) is below 0.184.",
 )

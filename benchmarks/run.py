@@ -1,0 +1,229 @@
+"""Benchmarks: `make bench`. Peers run in the same process and minute, so ratios hold where absolute figures move.
+
+Writes benchmarks/results.md and benchmarks/results.json, with machine and versions. Nothing here is a test.
+"""
+
+import json
+import math
+import os
+import platform
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+# One processor for everything that is called "per core".
+for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
+    os.environ[name] = "1"
+
+import numpy as np  # noqa: E402
+from rich.console import Console  # noqa: E402
+from rich.progress import track  # noqa: E402
+from scipy.integrate import quad  # noqa: E402
+from scipy.optimize import brentq  # noqa: E402
+
+import stiction as st  # noqa: E402
+from stiction.groups import Groups  # noqa: E402
+from stiction.heights import gaussian  # noqa: E402
+from stiction.registry import records, settle  # noqa: E402
+from stiction.summation import totals_on_grid  # noqa: E402
+
+HERE = Path(__file__).parent
+SEPARATIONS = np.linspace(-4.0, 4.0, 100)
+
+
+def best(action, repeats: int = 5) -> float:
+    """Least seconds of processor time of this thread, over some repeats after a first that is not counted."""
+    action()
+    times = []
+    for _ in range(repeats):
+        start = time.thread_time()
+        action()
+        times.append(time.thread_time() - start)
+    return min(times)
+
+
+def draw(count: int, seed: int = 1) -> dict[str, np.ndarray]:
+    """Random laws over the range of the paper's interest."""
+    rng = np.random.default_rng(seed)
+    return {"theta": 10 ** rng.uniform(0, 3, count), "lam": 10 ** rng.uniform(-2, 3, count)}
+
+
+def quad_loop(h: float, theta: float, lam: float, nu: float = 0.3, k: float = 2.8) -> tuple[float, float, float]:
+    """The bare corrected model by scipy.integrate.quad, clipped where the density is negligible and split at kinks."""
+    S = math.sqrt(6 * math.pi / theta)
+    eta = math.sqrt(math.pi) * 18**0.25 * lam**0.25 / math.sqrt(theta)
+    K_beta = 8 / 3 * (2 - nu) / (1 - nu)
+    n, p, q = (1 - 2 * nu) / (2 * math.pi), 3 * (4 + nu) / 16, 9 * nu / 16
+    d = p * p + q * q - p * q
+
+    def load(u):
+        return u**6 - S * u**3
+
+    def slip(u):
+        return 4 * math.sqrt(max(2 * math.pi / theta * load(u) + 3 * (math.pi / theta) ** 2, 0) / K_beta)
+
+    def tear(u):
+        P, strength = load(u), eta * u**4 / (math.pi * k)
+        root = 4 * d * strength**2 - 3 * n**2 * (p + q) ** 2 * P**2
+        return max((math.sqrt(root) - 3 * n * (p - q) * P) / (2 * d), 0.0) if root > 0 else 0.0
+
+    def displacement(u):
+        return u**4 - 2 / 3 * S * u
+
+    def weight(u):
+        z = h + displacement(u)
+        return math.exp(-z * z / 2) / math.sqrt(2 * math.pi) * (4 * u**3 - 2 / 3 * S)
+
+    first = (2 / 3 * S) ** (1 / 3)
+    last = brentq(lambda u: u**3 - eta * u - S, first, 2 + 2 * S ** (1 / 3) + 2 * math.sqrt(eta), xtol=1e-15)
+    reach = math.sqrt(max(h, 0) ** 2 + 72) - h
+    cut = last if displacement(last) <= reach else brentq(lambda u: displacement(u) - reach, first, last, xtol=1e-15)
+    scan = np.linspace(first, cut, 25)
+    sign = [slip(u) < tear(u) for u in scan]
+    alive = [tear(u) > 0 for u in scan]
+    kinks = [brentq(lambda u: slip(u) - tear(u), a, b, xtol=1e-15)
+             for a, b, s, t, on, still in zip(scan, scan[1:], sign, sign[1:], alive, alive[1:]) if s != t and on and still]
+    for a, b, on, still in zip(scan, scan[1:], alive, alive[1:]):
+        while on != still and b - a > 1e-14 * b:
+            middle = (a + b) / 2
+            a, b = (middle, b) if (tear(middle) > 0) == on else (a, middle)
+        if on != still:
+            kinks.append(b)
+    edges = [first, *sorted(kinks), cut]
+    sums = []
+    for integrand in (load, lambda u: u**4, lambda u: min(slip(u), tear(u))):
+        pieces = [quad(lambda u: integrand(u) * weight(u), a, b, epsabs=0, epsrel=1e-11, limit=200)[0]
+                  for a, b in zip(edges, edges[1:]) if b > a]
+        sums.append(sum(pieces))
+    z = h + displacement(last)
+    upper, dense = math.erfc(z / math.sqrt(2)) / 2, math.exp(-z * z / 2) / math.sqrt(2 * math.pi)
+    first_moment = dense - h * upper
+    return sums[0] + 2 * eta * first_moment - 2 * math.pi / theta * upper, sums[1] + 2 * first_moment, sums[2]
+
+
+def speed_of_quad() -> tuple[float, float]:
+    """Evaluations per second of the loop above, and the largest difference from `evaluate` (area and friction)."""
+    laws, count = draw(400), 400
+    h = np.random.default_rng(2).uniform(-4, 4, count)
+    start = time.thread_time()
+    values = np.array([quad_loop(*row) for row in zip(h, laws["theta"], laws["lam"])])
+    rate = count / (time.thread_time() - start)
+    ours = np.array(st.evaluate(h, **laws)).T
+    return rate, float(np.max(np.abs(values[:, 1:] - ours[:, 1:]) / np.maximum(ours[:, 1:], 1e-12)))
+
+
+def speed_scattered(**extra) -> float:
+    count = 200_000
+    laws, h = draw(count), np.random.default_rng(3).uniform(-6, 8, count)
+    return count / best(lambda: st.evaluate(h, **laws, **extra))
+
+
+def speed_on_grid(**extra) -> float:
+    count = 10_000
+    laws = {name: values[:, None] for name, values in draw(count).items()}
+    return count * SEPARATIONS.size / best(lambda: st.evaluate(SEPARATIONS, **laws, **extra))
+
+
+def speed_of_model(record, options: dict[str, str], film: bool) -> float:
+    """Evaluations per second of any registered law on the grid, from its groups to load, area and resistance."""
+    count = 4_000
+    rng, ones = np.random.default_rng(4), np.ones(count)
+    nu, k = 0.3 * ones, 2.8 * ones
+    coating = {}
+    if film:
+        coating = {"n_E": 10 ** rng.uniform(-1, 1, count), "n_H": 10 ** rng.uniform(-1, 0, count), "tau": rng.uniform(0, 8, count),
+                   "n_g": ones, "film_aspect": 0.5 * ones, "film_nu": nu, "film_K_beta": 6.4762 * ones}
+    groups = Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating)
+    settled = settle(record, options)
+    return count * SEPARATIONS.size / best(
+        lambda: totals_on_grid(record.regimes(groups, **settled), SEPARATIONS, gaussian()), repeats=3
+    )
+
+
+def processor_seconds(*command: str) -> float:
+    """Least processor time of a fresh process, of five."""
+    times = []
+    for _ in range(5):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return min(times)
+
+
+def peak_memory() -> float:
+    """GB at most in a fresh process that evaluates 10^7 scattered inputs."""
+    code = (
+        "import numpy as np, resource, stiction as st\n"
+        "rng = np.random.default_rng(0); n = 10**7\n"
+        "st.evaluate(rng.uniform(-4, 4, n), 10**rng.uniform(0, 3, n), 10**rng.uniform(-2, 3, n))\n"
+        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    return int(done.stdout) / 1e6
+
+
+def model_rows() -> list[tuple[str, float]]:
+    rows = []
+    for record in records().values():
+        if record.kind != "rough surface":
+            continue
+        for branch in record.options.get("branch", ("",)):
+            rows.append((f"{record.key} {branch}".strip(), record, {"branch": branch} if branch else {}, False))
+        for film in record.options.get("coating_law", ()):
+            rows.append((f"{record.key}, {film} film", record, {"coating_law": film}, True))
+        if "published" in record.options.get("reading", ()):
+            rows.append((f"{record.key}, published, printed film", record, {"reading": "published"}, True))
+    return [(name, speed_of_model(*rest)) for name, *rest in track(rows, "models", console=Console(stderr=True))]
+
+
+def machine() -> dict[str, str]:
+    cpuinfo = Path("/proc/cpuinfo")
+    lines = cpuinfo.read_text().splitlines() if cpuinfo.exists() else []
+    name = next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), platform.processor())
+    import numba
+    import scipy
+
+    versions = f"Python {platform.python_version()}, numpy {np.__version__}, numba {numba.__version__}, scipy {scipy.__version__}"
+    return {"processor": name, "processors": str(os.cpu_count()), "system": platform.system(), "versions": versions,
+            "stiction": st.__version__, "date": time.strftime("%Y-%m-%d")}
+
+
+def main() -> None:
+    quad_rate, difference = speed_of_quad()
+    scattered_rate, grid_rate = speed_scattered(), speed_on_grid()
+    film = {"n_E": 0.5, "n_H": 0.5, "tau": 3.0}
+    command = str(Path(sys.executable).with_name("stiction"))
+    with tempfile.TemporaryDirectory() as folder:
+        case = str(HERE.parent / "examples" / "silver_on_steel.toml")
+        figures = [
+            ("scipy.quad, clipped and split, evaluations/s", quad_rate),
+            ("largest difference of that loop from evaluate (area, friction), relative", difference),
+            ("scattered, bare corrected, evaluations/s", scattered_rate),
+            ("scattered, ratio to scipy.quad", scattered_rate / quad_rate),
+            ("grid of 100 separations, bare corrected, evaluations/s", grid_rate),
+            ("grid, ratio to scipy.quad", grid_rate / quad_rate),
+            ("scattered, every input its own nu, evaluations/s", speed_scattered(nu=np.random.default_rng(5).uniform(0, 0.499, 200_000))),
+            ("scattered, published, evaluations/s", speed_scattered(reading="published")),
+            ("scattered, sequential film, evaluations/s", speed_scattered(**film)),
+            ("grid, sequential film, evaluations/s", speed_on_grid(**film)),
+            *((f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()),
+            ("stiction --help, processor s", processor_seconds(command, "--help")),
+            ("stiction run, fresh process, kernels cached, processor s", processor_seconds(command, "run", case)),
+            ("stiction run --out, fresh process, processor s", processor_seconds(command, "run", case, "--out", folder + "/out")),
+            ("10^7 scattered evaluations, peak memory, GB", peak_memory()),
+        ]
+    about = machine()
+    lines = ["# Benchmarks", "", "Made by `make bench`; processor time of one core. Absolute figures move with the machine, ratios hold.", ""]
+    lines += [f"- {name}: {value}" for name, value in about.items()]
+    lines += ["", "| what | figure |", "|---|---|", *(f"| {name} | {value:.3g} |" for name, value in figures), ""]
+    (HERE / "results.md").write_text("\n".join(lines))
+    (HERE / "results.json").write_text(json.dumps({"machine": about, "figures": dict(figures)}, indent=2) + "\n")
+    print("\n".join(lines))
+
+
+if __name__ == "__main__":
+    main()
