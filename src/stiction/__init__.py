@@ -3,7 +3,9 @@
 The public names are imported when they are first used, so that `import stiction` costs nothing.
 """
 
+import sys
 from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -46,11 +48,21 @@ __all__ = list(_PLACES)
 __version__ = "0.1.0"
 
 
+class _Package(ModuleType):
+    """Keeps `stiction.solve` the function: importing the module of the same name would put the module in its place."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not (name in _PLACES and isinstance(value, ModuleType)):
+            super().__setattr__(name, value)
+
+
+sys.modules[__name__].__class__ = _Package
+
+
 def __getattr__(name: str) -> Any:
     if name not in _PLACES:
         raise AttributeError(f"module 'stiction' has no attribute {name!r}")
     value = getattr(import_module(f".{_PLACES[name]}", __name__), name)
-    # Set here and not only returned: importing the module `solve` has just bound its own name over the function's.
     globals()[name] = value
     return value
 

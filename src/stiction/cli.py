@@ -85,7 +85,7 @@ def run(
     out: _Out = None,
     model: Annotated[str | None, typer.Option(help="Key of a rough-surface model, see: stiction models.")] = None,
     reading: _Reading = None,
-    coating_law: Annotated[str | None, typer.Option(help="Film law: sequential (default) or graded.")] = None,
+    coating_law: Annotated[str | None, typer.Option(help="Film law, see: stiction models. Default: sequential.")] = None,
     branch: Annotated[str | None, typer.Option(help="loading (default) or unloading.")] = None,
     json: _Json = False,
 ) -> None:

@@ -54,22 +54,31 @@ def formula(function: Callable) -> Callable:
     return numba.njit(**FORMULA)(function)
 
 
+def _decides(value: Any, seen: tuple[Callable, ...] = ()) -> str:
+    """What decides the compiled code of a value: of a formula its own code and, in turn, that of all that it names."""
+    plain = getattr(value, "py_func", value)
+    if isinstance(plain, types.ModuleType):
+        return plain.__name__
+    if not isinstance(plain, types.FunctionType):
+        return repr(value)
+    if plain in seen:
+        return plain.__qualname__
+    code = plain.__code__
+    named = [name for name in code.co_names if name in plain.__globals__]
+    inner = [f"{name}={_decides(plain.__globals__[name], (*seen, plain))}" for name in named]
+    return f"{plain.__module__}.{plain.__qualname__} {code.co_code!r} {code.co_consts!r} {inner}"
+
+
 def bind(template: Callable, **bindings: Any) -> Callable:
     """A copy of the plain function `template` in which these global names have these values.
 
     Formulas that enter a kernel as arguments or closures defeat the on-disk cache; as globals they do not. The copy
-    carries their names and code in its own name, which is the key of the cache.
+    carries all that decides its code in its own name, which is the key of the cache: models outside the package have
+    formulas that `_source_fingerprint` does not see.
     """
-    digest = hashlib.sha256()
-    for name, value in sorted(bindings.items()):
-        plain = getattr(value, "py_func", None)
-        if plain is None:
-            digest.update(f"{name}={value!r}".encode())
-        else:
-            digest.update(f"{name}={plain.__module__}.{plain.__qualname__}".encode())
-            digest.update(plain.__code__.co_code + repr(plain.__code__.co_consts).encode())
+    decisive = "\n".join(f"{name}={_decides(value)}" for name, value in sorted(bindings.items()))
     names = {**template.__globals__, **bindings}
     copy = types.FunctionType(template.__code__, names, template.__name__, template.__defaults__)
-    copy.__qualname__ = f"{template.__name__}_{digest.hexdigest()[:12]}"
+    copy.__qualname__ = f"{template.__name__}_{hashlib.sha256(decisive.encode()).hexdigest()[:12]}"
     copy.__module__ = template.__module__
     return copy

@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from .errors import InputError
 from .registry import records
 from .sources import bibliography, bibtex
 
@@ -23,7 +22,7 @@ def models() -> list[dict[str, Any]]:
                 "title": record.title,
                 "grade": record.grade,
                 "source": [str(source) for source in record.sources],
-                "validity": [f"{rule.low:g} <= {rule.quantity} <= {rule.high:g}: {rule.why}" for rule in record.validity],
+                "validity": [f"{rule.quantity} {rule.range}: {rule.why}" for rule in record.validity],
                 "needs": list(record.needs),
                 "options": {name: list(values) for name, values in record.options.items()},
                 "friction": record.friction,
@@ -41,14 +40,13 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
     what: a result of `solve`; or the key of a model or of a bibliography entry, or several; or None for all.
     Raises InputError for an unknown key.
     """
+    known = records()
+    more = {key: entry for record in known.values() for key, entry in record.entries.items()}
     if what is None:
-        return bibtex(bibliography())
+        return bibtex([*bibliography(), *more], more)
     if hasattr(what, "attrs"):
-        return bibtex(what.attrs["sources"].split())
+        return bibtex(what.attrs["sources"].split(), more)
     keys: list[str] = []
     for key in [what] if isinstance(what, str) else what:
-        known = records().get(key)
-        if known is None and key not in bibliography():
-            raise InputError("key", key, f"a model ({', '.join(records())}) or an entry of the bibliography")
-        keys += [source.key for source in known.sources] if known else [key]
-    return bibtex(keys)
+        keys += [source.key for source in known[key].sources] if key in known else [key]
+    return bibtex(keys, more)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from importlib.metadata import entry_points
+from math import inf
 
 from .errors import InputError
 from .sources import Source
@@ -35,6 +36,13 @@ class Validity:
     low: float
     high: float
     why: str
+
+    @property
+    def range(self) -> str:
+        """The range in words: "0 to 0.5", "5 or more"."""
+        if self.high == inf:
+            return f"{self.low:g} or more"
+        return f"{self.high:g} or less" if self.low == -inf else f"{self.low:g} to {self.high:g}"
 
 
 @dataclass(frozen=True)
@@ -80,6 +88,7 @@ class Record:
     friction: bool = True
     load_falls: bool = True
     notes: str = ""
+    entries: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def coating(self) -> bool:

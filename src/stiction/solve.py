@@ -139,8 +139,9 @@ def _invert(contact, problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> 
         where = (error.law, error.at)
         scale = np.broadcast_to(unit, wanted.shape).reshape(targets.shape)[where]
         text = (lambda number: show(number * scale, "load")) if isinstance(contact, Contact) else "{:.6g}".format
-        value, low, high = (text(number) for number in (targets[where], error.low, error.high))
-        raise InputError("load", value, f"{low} to {high} for this contact under this model") from None
+        beyond = targets[where] > error.high
+        bound = f"at most {text(error.high)}" if beyond else f"at least {text(error.low)}"
+        raise InputError("load", text(targets[where]), f"{bound} under this model, for this contact") from None
 
 
 def _sum(problem: Problem, h: np.ndarray, shape: tuple[int, ...]) -> dict[str, np.ndarray]:
@@ -253,10 +254,10 @@ def outside_validity(contact: Contact | Indices, records: list[Record], data: "x
         values = _known(contact, data, rule.quantity)
         if values is None or not np.any(outside := (values < rule.low) | (values > rule.high)):
             continue
-        worst = values[outside]
+        ends = dict.fromkeys((f"{values[outside].min():.3g}", f"{values[outside].max():.3g}"))
+        where = f"in {outside.sum()} of {outside.size} points" if outside.size > 1 else "here"
         lines.append(
-            f"{QUANTITIES[rule.quantity].symbol} is {worst.min():.3g} to {worst.max():.3g} in {outside.sum()} of "
-            f"{outside.size} points, outside {rule.low:g} to {rule.high:g}: {rule.why}"
+            f"{QUANTITIES[rule.quantity].meaning} is {' to '.join(ends)} {where}, claimed is {rule.range}: {rule.why}"
         )
     return lines
 
@@ -268,5 +269,6 @@ def _known(contact: Contact | Indices, data: "xarray.Dataset", name: str) -> np.
         return np.atleast_1d(np.asarray(data["mean_separation"] / sigma))
     if name in data:
         return np.atleast_1d(data[name].values)
-    value = getattr(contact, name, None)
+    known = contact if hasattr(contact, name) or isinstance(contact, Indices) else contact.indices()
+    value = getattr(known, name, None)
     return None if value is None else np.atleast_1d(np.asarray(value() if callable(value) else value, dtype=float))

@@ -1,10 +1,11 @@
 """The sources behind every equation, and the bibliography that ships with the package."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
+from types import MappingProxyType
 
 from stiction.errors import InputError
 
@@ -42,15 +43,15 @@ def bibliography() -> dict[str, str]:
     return dict(_entries())
 
 
-def bibtex(keys: Iterable[str]) -> str:
+def bibtex(keys: Iterable[str], more: Mapping[str, str] = MappingProxyType({})) -> str:
     """BibTeX of the named entries as one text that can be saved as a .bib file.
 
-    keys: keys of the bibliography, in any order; repeated keys are written once.
+    keys: keys of the bibliography, in any order; repeated keys are written once. more: entries beside it, key -> BibTeX.
     Returns the entries in the order of the bibliography, a blank line between two; "" for no keys.
-    Raises InputError for a key that the bibliography does not hold.
+    Raises InputError for a key that is in neither.
     """
     wanted = set(keys)
-    entries = _entries()
+    entries = _entries() | dict(more)
     unknown = sorted(wanted - entries.keys())
     if unknown:
         raise InputError("source", unknown[0], "one of " + ", ".join(entries))

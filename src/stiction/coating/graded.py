@@ -14,6 +14,7 @@ from ..friction.adhesive_asperity import Asperity
 from .graded_kinks import find_kinks, gather
 from .graded_law import along, coordinate
 
+
 def fading_rates(
     n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray, tau: np.ndarray, m_soft: int = 2, m_hard: int = 1
 ) -> tuple[np.ndarray, np.ndarray]:
