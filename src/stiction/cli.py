@@ -278,7 +278,7 @@ def _solving() -> str:
     from .compiled import cache_folder
 
     compiled = any(cache_folder().rglob("*.nbi"))
-    return "Solving" if compiled else "Compiling kernels, once per installation (about 10 s), and solving"
+    return "Solving" if compiled else "Compiling kernels (once per installation, 10 s)"
 
 
 @contextmanager

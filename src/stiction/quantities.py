@@ -147,9 +147,9 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("pull_off_separation", "d_off", r"d_\mathrm{off}", "m", _ANY, "sigma",
      "mean separation at the largest tension"),
     ("load_share_beyond_film", "s_P", r"s_P", "", _SHARE, "",
-     "share of the load on asperities wider than the film is thick (a > t), where it is no half-space"),
+     "share of the load on asperities wider than the film is thick (a > t)"),
     ("friction_share_beyond_film", "s_T", r"s_T", "", _SHARE, "",
-     "share of the friction on asperities wider than the film is thick (a > t), where it is no half-space"),
+     "share of the friction on asperities wider than the film is thick (a > t)"),
 ]
 # fmt: on
 

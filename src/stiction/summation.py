@@ -359,5 +359,5 @@ def _spike_sums(h, spikes, heights: Heights) -> tuple[np.ndarray, np.ndarray]:
     density = np.empty(z.size)
     _density_kernel(heights.density)(z.ravel(), heights.shape, density)
     table = density.reshape(z.shape)
-    largest = table.max(axis=1)
+    largest = np.maximum(table.max(axis=1), 1e-300)  # there may be no height in reach
     return table / largest[:, None], largest
