@@ -28,7 +28,8 @@ class Case:
 
     subject: the Contact or the Indices. separation, load: points, one is an array (n,) and the other None;
     metres and newtons for a Contact, h = d/sigma and load per K R^(1/2) sigma^(3/2) and asperity for
-    Indices. model, reading, coating_law, branch: names that the registry of models knows.
+    Indices. model, reading, coating_law, branch: names that the registry of models
+    knows, None for the default of the model.
     """
 
     title: str
@@ -36,9 +37,9 @@ class Case:
     separation: np.ndarray | None
     load: np.ndarray | None
     model: str
-    reading: str
-    coating_law: str
-    branch: str
+    reading: str | None
+    coating_law: str | None
+    branch: str | None
 
 
 def _point(value):
@@ -76,9 +77,9 @@ class _Solve(Input):
     separation: _Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
     load: _Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
     model: str = Field("soft_coating_2015", description="key of a model, see `stiction models`")
-    reading: str = Field("corrected", description="corrected or published")
-    coating_law: str = Field("sequential", description="sequential or graded")
-    branch: str = Field("loading", description="loading or unloading")
+    reading: str | None = Field(None, description="corrected or published, for a model with readings")
+    coating_law: str | None = Field(None, description="key of a film law, see `stiction models`")
+    branch: str | None = Field(None, description="loading or unloading, for a model with branches")
 
     @model_validator(mode="after")
     def _one_kind_of_points(self):

@@ -25,6 +25,7 @@ THETA = np.geomspace(1.0, 1e4, 25)
 LAM = np.geomspace(1e-3, 1e4, 25)
 LIGHT, MODERATE = 1e-3, 1e-2  # over the reference load
 _FEW = 0.03  # a share of the plane that is not worth words
+_TELLS = 1.0 / 3.0  # of the points that a rule without bounds gets wrong, the share that bounds have to get right
 _H = np.linspace(*H_RANGE, 161)
 _N_E, _N_H, _TAU = (np.array(values) for values in FILM_VALUES.values())
 _STIFF = _N_E > 1.0
@@ -226,7 +227,8 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
     # Right are the chosen points inside both bounds, and the others outside; bound 0 leaves nothing out.
     right = np.sum(wanted < 0) + (sides * wanted) @ sides.T
     one, two = np.argmax(right[0]), np.unravel_index(np.argmax(right), right.shape)
-    if right[two] <= max(right[0, 0], wanted.size - right[0, 0]):
+    blind = max(right[0, 0], wanted.size - right[0, 0])  # without any bound: all the points, or none
+    if right[two] - blind < _TELLS * (wanted.size - blind):
         return "scattered"
     best = {int(one)} if right[two] - right[0, one] < _FEW * wanted.size else {int(at) for at in two}
     accuracy = right[two if len(best) > 1 else (0, one)] / wanted.size
@@ -241,7 +243,8 @@ def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
     for name, values in (("theta", theta), ("lambda", lam), ("eta", eta)):
         steps = np.unique(np.round(np.log(values), 9))
         for edge in np.exp((steps[:-1] + steps[1:]) / 2.0):
-            names += [f"{name} > {edge:.2g}", f"{name} < {edge:.2g}"]
+            bound = f"{float(f'{edge:.2g}'):g}"
+            names += [f"{name} > {bound}", f"{name} < {bound}"]
             sides += [(values > edge).astype(int), (values < edge).astype(int)]
     return names, np.array(sides)
 

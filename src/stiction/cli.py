@@ -114,24 +114,10 @@ def _solve(case: "Case", model: str | None, given: dict[str, str | None]) -> "xa
         from .solve import solve
 
         model = model or case.model
-        options = _options(case, model, given)
+        options = {name: value or getattr(case, name) for name, value in given.items()}
         data = solve(case.subject, separation=case.separation, load=case.load, model=model, **options)
         title = {"case": case.title} if case.title else {}
         return data.assign_attrs(title, program=f"stiction {__version__}", **groups_of(case.subject))
-
-
-def _options(case: "Case", model: str, given: dict[str, str | None]) -> dict[str, str | None]:
-    """Options for `solve`: those given, else those of the case file.
-
-    A case file that names none holds the defaults of the 2015 model; a model without such an option is not asked for it.
-    """
-    from .registry import find
-
-    known = find(model, "rough surface").options
-    unsaid = {name: allowed[0] for name, allowed in find("soft_coating_2015", "rough surface").options.items()}
-    said = {name: getattr(case, name) for name in given}
-    kept = {name: value for name, value in said.items() if name in known or value != unsaid[name]}
-    return {name: value or kept.get(name) for name, value in given.items()}
 
 
 def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> None:

@@ -61,7 +61,7 @@ def refused(read):
 def test_examples_are_valid(path):
     case = read_case(path)
     assert case.title and (case.separation is None) != (case.load is None)
-    assert case.model == "soft_coating_2015" and case.reading == "corrected"
+    assert case.model == "soft_coating_2015" and case.reading is None
     if isinstance(case.subject, Contact):
         assert case.subject.indices().has_film
 
@@ -150,7 +150,7 @@ def test_settings(read):
         (
             "separation = [1]",
             "separation = [1]\nreading = 1",
-            "solve.reading: 1; allowed: corrected or published",
+            "solve.reading: 1; allowed: corrected or published, for a model with readings",
         ),
     ],
 )

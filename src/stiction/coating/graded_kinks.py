@@ -19,7 +19,7 @@ from .graded_law import contact, depth_coordinate, fading
 PARAMETERS = 14  # of the law, before the plateaus
 PLATEAUS = 3
 CAPACITY = 40  # edges
-NEAR, FAR = 36, 108  # cells of the scan, equal in ln(u - start) and in ln u
+NEAR, FAR = 32, 95  # cells of the scan, equal in ln(u - start) and in ln u
 INNER = 16  # samples of the load's slope on a piece
 # Kinks at more than this displacement are left alone: no asperity gets there.
 _DEEPEST = 10.0  # u; x = 10^4
@@ -120,7 +120,7 @@ def _zero(which, low, at_low, high, at_high, law, level):
 def _beyond_zero(which, left, at_left, u, at, right, at_right, law):
     """Whether a signal that comes near to zero at u, with the same sign on both sides, crosses it: the place and value of
     opposite sign, or the least value found. Parabolas through three places."""
-    for _ in range(25):
+    for turn in range(25):
         p, q = (u - left) * (at - at_right), (u - right) * (at - at_left)
         if p == q:
             break
@@ -137,7 +137,7 @@ def _beyond_zero(which, left, at_left, u, at, right, at_right, law):
             else:
                 right, at_right = u, at
             u, at = vertex, value
-            if saved < 0.01:  # it turns here
+            if turn > 3 and saved < 0.01:  # it turns here
                 break
         elif vertex > u:
             right, at_right = vertex, value
@@ -158,22 +158,25 @@ def _add(out, count, u):
 
 
 @formula
-def _comes_near(before, here, there):
-    """Whether a parabola through three samples of one sign has an extremum that is well nearer to zero than the middle one."""
+def _comes_near(before, here, there, small):
+    """Whether a parabola through three samples of one sign has an extremum that is well nearer to zero than the middle one,
+    or the middle one itself is positive and below `small`."""
     rise, bend = there - before, there - 2.0 * here + before
     turns = (here - before) * (there - here) < 0.0 and bend * here > 0.0 and before * here > 0.0
-    return turns and rise * rise > 8.0 * _NEARER * bend * here
+    near = rise * rise > 8.0 * _NEARER * bend * here or 0.0 < here < small
+    return turns and near
 
 
 @kernel
 def _add_zeros(which, places, values, law, out, count):
     """Append the zeros of one signal that was sampled at `places`."""
     before = values[0]
+    small = _NEARER if which == _REAL else 0.0  # a branch point is felt from some way off
     for j in range(places.size - 1):
         here, there = values[j], values[j + 1]
         if (here > 0.0) != (there > 0.0):
             count = _add(out, count, _zero(which, places[j], here, places[j + 1], there, law, 0.0))
-        elif _comes_near(before, here, there) or (which == _REAL and 0.0 < here < min(_NEARER, before, there)):
+        elif _comes_near(before, here, there, small):
             u, value = _beyond_zero(which, places[j - 1], before, places[j], here, places[j + 1], there, law)
             if (value > 0.0) != (here > 0.0):
                 count = _add(out, count, _zero(which, places[j - 1], before, u, value, law, 0.0))
@@ -240,10 +243,8 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
         if not u > kink:
             continue
         turn = u
-        if not held and falling > 0.0 and k % INNER > 1 and _comes_near(slopes[k - 2], slopes[k - 1], falling):
-            turn, falling = _beyond_zero(
-                _SLOPE, places[k - 2], slopes[k - 2], places[k - 1], slopes[k - 1], u, falling, law
-            )
+        if not held and falling > 0.0 and k % INNER > 1 and _comes_near(slopes[k - 2], slopes[k - 1], falling, _NEARER):
+            turn, falling = _beyond_zero(_SLOPE, places[k - 2], slopes[k - 2], places[k - 1], slopes[k - 1], u, falling, law)
             previous = places[k - 1] if turn > places[k - 1] else places[k - 2]
         if not held and falling > 0.0 and k % INNER > 0 and loads[k] < loads[k - 1]:
             turn, falling = _descent(max(previous, places[k - 1]), u, law)

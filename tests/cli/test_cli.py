@@ -1,0 +1,307 @@
+"""The command line: what it prints and writes, and one line for bad input."""
+
+import csv
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+from typer.testing import CliRunner
+
+from stiction import cli
+from stiction.case import json_schema, read_case
+from stiction.quantities import QUANTITIES
+from stiction.registry import find
+from stiction.solve import solve
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SILVER = EXAMPLES / "silver_on_steel.toml"
+PAPER = EXAMPLES / "paper_figure.toml"
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+def command(*words, code=0):
+    """Run the command in this process."""
+    result = CliRunner().invoke(cli.app, [str(word) for word in words])
+    assert result.exit_code == code, (result.output, result.exception)
+    return result
+
+
+def strict(text):
+    """What a strict reader of JSON makes of it: NaN and Infinity are refused."""
+
+    def refuse(word):
+        raise ValueError(word)
+
+    return json.loads(text, parse_constant=refuse)
+
+
+@pytest.fixture(scope="module")
+def solved():
+    case = read_case(SILVER)
+    return solve(case.subject, separation=case.separation)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """What `stiction run` writes, into a folder that holds something already."""
+    folder = tmp_path_factory.mktemp("parent") / "out"
+    folder.mkdir()
+    (folder / "mine.txt").write_text("kept")
+    result = command("run", SILVER, "--out", folder)
+    assert "written to" in result.stdout and result.stderr == ""
+    return folder
+
+
+def test_help_lists_the_commands_and_the_version_is_the_packages():
+    text = command("--help").stdout
+    assert all(word in text for word in ("run", "figures", "models", "cite", "schema"))
+    assert command("--version").stdout == "stiction 0.1.0\n"
+
+
+def test_slow_libraries_wait_until_they_are_needed():
+    slow = {"numba", "xarray", "pydantic", "matplotlib", "pint", "scipy", "pandas"}
+    code = "import sys, stiction.cli; print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert not slow & set(loaded)
+
+
+def test_help_states_units_and_bounds_of_every_number_of_a_case_file():
+    names = set()
+
+    def collect(part):
+        if isinstance(part, dict):
+            names.update(part.get("properties", {}))
+            for value in part.values():
+                collect(value)
+        elif isinstance(part, list):
+            for value in part:
+                collect(value)
+
+    collect(json_schema())
+    points = {"mean_separation"}  # called "separation" in a case file
+    epilog = cli._case_numbers()
+    told = {line.partition(":")[0] for line in epilog.split("\n\n")[1:]}
+    assert told - points == (names & set(QUANTITIES)) - points
+    assert 'asperity_radius: asperity tip radius; > 0 m, e.g. "50 um"' in epilog
+    assert "theta" in command("figures", "--help").stdout
+
+
+def test_run_prints_table_summary_and_what_is_outside_validity():
+    text = command("run", SILVER).stdout
+    assert "Silver film" in text and "E = 210 GPa" in text and "theta = 228.8" in text
+    assert "separation" in text and "touching" in text
+    assert "outside the range of validity" in text
+    assert "jumps where it becomes plastic" in text.replace("\n", " ")
+    rows = [line for line in text.splitlines() if "µN" in line or "mN" in line or " N " in line]
+    assert 10 <= len(rows) <= 16
+
+
+def test_run_writes_three_files_and_leaves_the_others(folder):
+    assert sorted(path.name for path in folder.iterdir()) == ["curve.csv", "curve.nc", "curve.png", "mine.txt"]
+    assert list(folder.parent.iterdir()) == [folder]
+    assert (folder / "curve.png").read_bytes().startswith(PNG)
+
+
+def test_csv_holds_every_variable_with_its_unit(folder, solved):
+    with (folder / "curve.csv").open(encoding="utf-8", newline="") as file:
+        heads, *rows = csv.reader(file)
+    table = dict(zip(heads, np.array(rows, dtype=float).T, strict=True))
+    assert {head.partition(" [")[0] for head in heads} == set(map(str, solved.variables))
+    assert {"load [N]", "contact_area [m^2]", "mean_separation [m]", "friction_coefficient"} <= set(heads)
+    for head, column in table.items():
+        values = solved[head.partition(" [")[0]].values
+        np.testing.assert_array_equal(column, np.broadcast_to(values, column.shape))
+
+
+def test_netcdf_opens_again_with_its_attributes(folder, solved):
+    with xarray.open_dataset(folder / "curve.nc", engine="h5netcdf") as data:
+        for name in solved.variables:
+            np.testing.assert_array_equal(data[name].values, solved[name].values)
+            assert dict(data[name].attrs) == dict(solved[name].attrs)
+        for name, value in solved.attrs.items():
+            assert data.attrs[name] == value
+        assert data.attrs["program"] == "stiction 0.1.0"
+        assert data.attrs["theta"] == pytest.approx(228.8, rel=1e-3)
+
+
+def test_json_is_strict_and_agrees_with_solve(solved):
+    result = command("run", SILVER, "--json")
+    content = strict(result.stdout)
+    assert result.stderr == ""
+    assert content["attrs"]["model"] == "soft_coating_2015" and content["groups"]["tau"] == pytest.approx(200 / 48)
+    assert set(content["variables"]) == set(map(str, solved.variables))
+    load = content["variables"]["load"]
+    assert (load["name"], load["unit"], load["dims"]) == ("load", "N", ["mean_separation"])
+    np.testing.assert_array_equal(load["values"], solved["load"].values)
+
+
+def adhesive(tmp_path, solving="separation = { start = 4, stop = -4, count = 9 }"):
+    path = tmp_path / "adhesive.toml"
+    path.write_text(f"[indices]\ntheta = 3\nlam = 100\n[solve]\n{solving}\n")
+    return path
+
+
+def test_undefined_friction_is_null_in_json_and_a_dash_in_the_table(tmp_path):
+    content = strict(command("run", adhesive(tmp_path), "--json").stdout)
+    loads, mu = (content["variables"][name]["values"] for name in ("load", "friction_coefficient"))
+    assert [value is None for value in mu] == [load <= 0 for load in loads] and None in mu
+    text = command("run", adhesive(tmp_path)).stdout
+    assert " - " in text and "mu is not defined" in text and "per asperity" in text
+
+
+def test_options_override_the_case_and_a_model_without_them_is_not_asked(tmp_path):
+    read = strict(command("run", PAPER, "--reading", "published", "--json").stdout)["attrs"]
+    assert (read["reading"], read["film"]) == ("published", "printed")
+    other = strict(command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966", "--json").stdout)
+    assert other["attrs"]["model"] == "greenwood_williamson_1966"
+    assert "friction_coefficient" not in other["variables"]
+    assert "contact only" in command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966").stdout
+    for law in find("soft_coating_2015", "rough surface").options["coating_law"]:
+        read = strict(command("run", PAPER, "--coating-law", law, "--json").stdout)["attrs"]
+        assert (read["coating_law"], read["film"]) == (law, law)
+
+
+def test_a_curve_over_loads_is_written_too(tmp_path):
+    case = adhesive(tmp_path, 'load = { start = 0.1, stop = 5, count = 5, spacing = "log" }')
+    command("run", case, "--out", tmp_path / "new" / "folder")
+    with (tmp_path / "new" / "folder" / "curve.csv").open(encoding="utf-8", newline="") as file:
+        heads, *rows = csv.reader(file)
+    assert heads[0].startswith("load [K R^(1/2)")
+    np.testing.assert_allclose([float(row[0]) for row in rows], np.geomspace(0.1, 5, 5))
+
+
+GOOD = SILVER.read_text(encoding="utf-8")
+BAD = {
+    "negative modulus": (GOOD.replace('preset = "silver"', 'preset = "silver", youngs_modulus = "-1 GPa"'), "youngs_modulus"),
+    "nu at the limit": (GOOD.replace('preset = "silver"', 'preset = "silver", poissons_ratio = 0.5'), "poissons_ratio"),
+    "thickness without unit": (GOOD.replace('thickness = "200 nm"', "thickness = 200e-9"), "thickness"),
+    "unknown key": (GOOD.replace("thickness =", "thicknes ="), "thicknes"),
+    "not a number": (GOOD.replace('preset = "silver"', 'preset = "silver", poissons_ratio = nan'), "poissons_ratio"),
+    "unreachable load": (GOOD.partition("[solve]")[0] + '[solve]\nload = "1 GN"\n', "load"),
+    "not TOML": ("theta: 40\n", "case file"),
+    "unknown model": (GOOD + 'model = "amontons"\n', "model"),
+    "unknown reading": (GOOD + 'reading = "own"\n', "reading"),
+    "a model that knows no films": (GOOD + 'model = "greenwood_williamson_1966"\n', "model"),
+    "an option that the model does not have": (
+        "[indices]\ntheta = 40\nlam = 10\n[solve]\nseparation = 1\nmodel = 'rough_dmt'\nreading = 'published'\n",
+        "reading",
+    ),
+}
+
+
+def refused(*words, field):
+    result = command(*words, code=2)
+    assert result.stdout == ""
+    assert result.stderr.startswith("stiction: ") and result.stderr.count("\n") == 1
+    assert field in result.stderr and "; allowed: " in result.stderr
+    return result.stderr
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_input_is_one_line_and_nothing_is_written(name, tmp_path):
+    text, field = BAD[name]
+    case, out = tmp_path / "case.toml", tmp_path / "out"
+    case.write_text(text, encoding="utf-8")
+    refused("run", case, "--out", out, field=field)
+    refused("run", case, "--json", field=field)
+    assert [path.name for path in tmp_path.iterdir()] == ["case.toml"]
+
+
+def test_bad_input_of_the_other_commands(tmp_path):
+    file = tmp_path / "file"
+    file.write_text("mine")
+    refused("run", tmp_path / "none.toml", field="none.toml")
+    refused("run", tmp_path, field="directory")
+    refused("run", PAPER, "--out", file, field="--out")
+    refused("run", PAPER, "--out", file / "below", field="--out")
+    refused("figures", "--theta", "-1", "--out", tmp_path / "figures", field="theta")
+    refused("figures", "--lam", "nan", "--out", tmp_path / "figures", field="lam")
+    refused("figures", "--reading", "own", "--out", tmp_path / "figures", field="reading")
+    refused("cite", "nobody_1900", field="nobody_1900")
+    refused("schema", "--out", tmp_path, field="--out")
+    assert [path.name for path in tmp_path.iterdir()] == ["file"] and file.read_text() == "mine"
+
+
+def test_wrong_usage_is_exit_code_two():
+    for words in (["run"], ["run", PAPER, "--no-such-option"], ["no-such-command"], ["figures", "--theta", "many"]):
+        assert "Traceback" not in command(*words, code=2).stderr
+
+
+def test_the_command_itself_prints_one_line_and_no_traceback(tmp_path):
+    case = tmp_path / "case.toml"
+    case.write_text("[indices]\ntheta = -1\nlam = 10\n[solve]\nseparation = 1\n")
+    code = "from stiction.cli import main; main()"
+    done = subprocess.run([sys.executable, "-c", code, "run", str(case)], capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("stiction: indices.theta: -1") and done.stderr.endswith("; allowed: > 0\n")
+    assert done.stderr.count("\n") == 1
+
+
+def test_interruption_is_exit_code_130(monkeypatch):
+    def interrupt(path):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("stiction.case.read_case", interrupt)
+    assert command("run", PAPER, code=130).stderr == "stiction: interrupted\n"
+
+
+def test_half_written_results_are_not_left_behind(tmp_path, monkeypatch):
+    def fail(figure, path):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("stiction.output.write_picture", fail)
+    refused("run", PAPER, "--out", tmp_path / "out", field="No space left")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_models_as_records_and_as_a_table():
+    records = strict(command("models", "--json").stdout)
+    assert len(records) >= 7
+    for record in records:
+        assert {"key", "kind", "grade", "source", "validity"} <= set(record)
+        assert record["grade"] in "ABC" and record["source"]
+    text = command("models").stdout
+    assert all(record["key"] in text for record in records) and "reconstructed" in text
+
+
+def test_cite_prints_entries():
+    text = command("cite", "soft_coating_2015").stdout
+    assert "{soft_coating_2015," in text and "{savkoor_briggs_1977," in text
+    assert "{greenwood_williamson_1966," not in text
+    assert command("cite").stdout.count("\n@") > text.count("\n@")
+    assert "{hamilton_1983," in command("cite", "hamilton_1983").stdout
+
+
+def test_schema_to_the_screen_or_a_file(tmp_path):
+    printed = strict(command("schema").stdout)
+    assert printed["title"] == "stiction case"
+    assert command("schema", "--out", tmp_path / "case.json").stdout == ""
+    assert strict((tmp_path / "case.json").read_text(encoding="utf-8")) == printed
+
+
+def test_figures_writes_pictures_curves_and_the_map_of_the_claims(tmp_path, monkeypatch):
+    few = np.array([10.0, 1000.0])
+    monkeypatch.setattr("stiction.claims.claim_map.__defaults__", (few, few, iter))
+    content = strict(command("figures", "--out", tmp_path / "figures", "--json").stdout)
+    assert (content["theta"], content["lambda"]) == (40.0, 10.0)
+    names = {path.name for path in (tmp_path / "figures").iterdir()}
+    pictures = {"fig1a.png", "fig1b.png", "fig2a.png", "fig2b.png", "fig3.png", "claims.png"}
+    assert names == pictures | {"curves.csv", "claims.csv"}
+    assert all((tmp_path / "figures" / name).read_bytes().startswith(PNG) for name in pictures)
+    with (tmp_path / "figures" / "claims.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 5 * 2 * 2 * 2
+    assert {row["claim"] for row in rows} == set("abcde")
+    # Theory, section 6: these indices show (a) to (c) in both readings.
+    here = {(row["claim"], row["reading"]): row["share_here"] for row in content["claims"]}
+    assert all(here[claim, reading] == 1.0 for claim in "abc" for reading in ("corrected", "published"))
+
+
+def test_figures_prints_what_each_claim_means_and_that_its_indices_were_chosen(tmp_path, monkeypatch):
+    monkeypatch.setattr("stiction.claims.claim_map.__defaults__", (np.array([40.0]), np.array([10.0]), iter))
+    text = command("figures", "--reading", "published", "--out", tmp_path / "figures").stdout
+    assert "(a)" in text and "holds if" in text and "not printed in the paper" in text

@@ -1,0 +1,71 @@
+"""The same contact in other units of length and force has the same groups; its results scale as their dimensions say."""
+
+import numpy as np
+import pytest
+
+from stiction.contact import Coating, Contact, Roughness
+from stiction.materials import Material
+from stiction.quantities import QUANTITIES
+
+# Exponents of length and force in each unit that a contact is given in.
+DIMENSIONS = {"m": (1, 0), "m^2": (2, 0), "1/m^2": (-2, 0), "Pa": (-2, 1), "J/m^2": (-1, 1), "": (0, 0)}
+
+
+def scaled(values, length, force):
+    """Every number times the powers that its unit in the table of quantities asks for."""
+    result = {}
+    for name, value in values.items():
+        powers = DIMENSIONS[QUANTITIES[name].unit]
+        result[name] = value * length ** powers[0] * force ** powers[1]
+    return result
+
+
+def contact(length=1.0, force=1.0, coated=True):
+    def body(**values):
+        return Material(name="some", **scaled(values, length, force))
+
+    roughness = {"asperity_height_deviation": 48e-9, "asperity_radius": 50e-6, "asperity_density": 1.7e10}
+    film = {"thickness": 200e-9, "work_of_adhesion": 0.4}
+    given = {"work_of_adhesion": 0.7, "nominal_area": 1e-6, "hardness_to_yield": 2.8}
+    return Contact(
+        first=body(youngs_modulus=210e9, poissons_ratio=0.29, hardness=7e9),
+        second=body(youngs_modulus=120e9, poissons_ratio=0.34, hardness=4e9),
+        roughness=Roughness(**scaled(roughness, length, force)),
+        coating=Coating(
+            material=body(youngs_modulus=60e9, poissons_ratio=0.4, hardness=1e9), **scaled(film, length, force), bodies="first"
+        )
+        if coated
+        else None,
+        **scaled(given, length, force),
+    )
+
+
+@pytest.mark.parametrize("coated", (False, True))
+@pytest.mark.parametrize(("length", "force"), [(1e3, 1.0), (1.0, 1e3), (1e-2, 0.3), (7.0, 1e-5)])
+def test_groups_have_no_unit(length, force, coated):
+    plain, other = contact(coated=coated).indices(), contact(length, force, coated).indices()
+    names = [name for name in type(plain).model_fields if getattr(plain, name) is not None]
+    assert len(names) == (12 if coated else 5) + (0 if coated else 1)  # bare: n_g is 1 by default
+    for name in names:
+        assert getattr(other, name) == pytest.approx(getattr(plain, name), rel=1e-12), name
+    assert other.theta != 1.0
+
+
+@pytest.mark.parametrize(("length", "force"), [(1e3, 1.0), (1.0, 1e3), (1e-2, 0.3)])
+def test_results_have_their_units(length, force):
+    """load as force, contact area as length^2, separation as length; the number of asperities is a number."""
+    plain, other = contact().scales(), contact(length, force).scales()
+    for name, factor in (("load", force), ("contact_area", length**2), ("separation", length), ("asperities", 1.0)):
+        assert getattr(other, name) == pytest.approx(factor * getattr(plain, name), rel=1e-12), name
+
+
+def test_numbers_of_a_contact_by_hand():
+    """theta and lambda of theory 1 for two bodies alike, in SI: K = (4/3) E*, 1/E* = 2 (1 - nu^2)/E."""
+    E, nu, H, sigma, R, gamma = 200e9, 0.3, 5e9, 50e-9, 20e-6, 0.5
+    alike = Material(name="some", youngs_modulus=E, poissons_ratio=nu, hardness=H)
+    roughness = Roughness(asperity_height_deviation=sigma, asperity_radius=R, asperity_density=1e10)
+    groups = Contact(first=alike, second=alike, roughness=roughness, work_of_adhesion=gamma, nominal_area=1e-6).indices()
+    K = 4.0 / 3.0 * E / (2.0 * (1.0 - nu**2))
+    assert groups.theta == pytest.approx(K * sigma**1.5 / (gamma * R**0.5), rel=1e-13)
+    assert groups.lam == pytest.approx(np.pi**2 * R * H**4 * sigma / (18.0 * K**2 * gamma**2), rel=1e-13)
+    assert groups.K_beta == pytest.approx(6.4762, abs=5e-5)

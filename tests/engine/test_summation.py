@@ -1,0 +1,134 @@
+"""The summation engine, with laws made here whose sums are known in closed form: it must know nothing of any model."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.special import erfc, gamma
+
+from stiction.asperity.regime import Regime
+from stiction.compiled import formula
+from stiction.heights import empirical, exponential_heights, gaussian, weibull
+from stiction.summation import QUANTITIES, on_grid, scattered, totals_on_grid
+from tables import column, read
+
+# The five sums of the law below are F_0, F_(1/2), F_1, F_2 and F_(5/2), F_n(h) = Int_h^inf (z - h)^n f(z) dz.
+POWERS = (0.0, 0.5, 1.0, 2.0, 2.5)
+
+
+@formula
+def powers(u, start):
+    """Powers of the displacement w = u^2 - start, in the coordinate u."""
+    w = u * u
+    return w - start, 2.0 * u, u, w, w * w, w * w * u
+
+
+@formula
+def powers_coordinate(w, start):
+    return math.sqrt(max(w + start, 0.0))
+
+
+def power_law(laws=1, edges=(0.0, math.inf), start=0.0):
+    return Regime(powers, powers_coordinate, (np.full(laws, start),), np.tile(edges, (laws, 1)), "elastic", lowest=-start)
+
+
+def distribution(key, shape):
+    return {"gaussian": gaussian, "exponential": exponential_heights}[key]() if key != "weibull" else weibull(shape)
+
+
+@pytest.mark.usefixtures("always_grid")
+@pytest.mark.parametrize("way", (scattered, on_grid))
+def test_truncated_moments_of_every_distribution(way):
+    """tests/reference/greenwood_williamson.csv: F_n(h) at 30 digits. 1e-10 of each, whatever its size."""
+    rows = read("greenwood_williamson.csv")
+    seen = 0
+    for key, shape in sorted({(row["heights"], row["shape"]) for row in rows}):
+        heights = distribution(key, float(shape or "nan"))
+        for at, n in enumerate(POWERS):
+            mine = [row for row in rows if (row["heights"], row["shape"], float(row["n"])) == (key, shape, n)]
+            h, expected = column(mine, "h"), column(mine, "F_n")
+            if way is scattered:
+                found = scattered([power_law(h.size)], h, heights)[0, :, at]
+            else:
+                found = on_grid([power_law()], h, heights)[0, 0, at]
+            assert_allclose(found, expected, rtol=1e-10, err_msg=f"{key} {shape} F_{n}")
+            seen += h.size
+    assert seen == 378 - 4 * 21  # the table has F_(3/2) too: Hertz, tested with the models
+
+
+def test_exponential_heights_have_closed_forms():
+    """Greenwood & Williamson 1966, section 3: F_n(h) = n! exp(-(h + 1)) for h >= -1, so all ratios stand still."""
+    h = np.linspace(-1.0, 20.0, 50)
+    sums = scattered([power_law(h.size)], h, exponential_heights())[0]
+    for at, n in enumerate(POWERS):
+        assert_allclose(sums[:, at], gamma(n + 1.0) * np.exp(-(h + 1.0)), rtol=1e-11)
+
+
+def polygon_moment(heights, h, n):
+    """Int_h^inf (z - h)^n f(z) dz for a piecewise linear f, knot by knot in closed form, from the knots and their density."""
+    knots, values = heights.knots, heights.shape[2:]
+    total = 0.0
+    for a, b, fa, fb in zip(knots[:-1], knots[1:], values[:-1], values[1:], strict=True):
+        slope = (fb - fa) / (b - a)
+        low, high = max(a, h) - h, max(b, h) - h
+        level = fa + slope * (h - a)  # of the line, at z = h
+        total += level * (high ** (n + 1) - low ** (n + 1)) / (n + 1) + slope * (high ** (n + 2) - low ** (n + 2)) / (n + 2)
+    return total
+
+
+@pytest.mark.parametrize("cells", (12, 60))
+def test_empirical_heights(cells):
+    """The engine's sums over a polygon against its closed form: 1e-10, also where few samples lie above."""
+    heights = empirical(np.random.default_rng(17).gumbel(size=5000), cells)
+    h = np.linspace(-2.0, 3.0, 21)
+    sums = scattered([power_law(h.size)], h, heights)[0]
+    for at, n in enumerate(POWERS):
+        assert_allclose(sums[:, at], [polygon_moment(heights, one, n) for one in h], rtol=1e-10)
+    assert_allclose(on_grid([power_law()], h, heights)[0, 0].T, sums, rtol=1e-13)
+
+
+def test_edges_between_cut_nothing_off(always_grid):
+    """Pieces, empty pieces and displacements that start below zero: all sums stand."""
+    h = np.linspace(-3.0, 3.0, 13)
+    whole = on_grid([power_law(start=0.7)], h, gaussian())[0, 0]
+    split = [0.0, 0.1, 0.1, 0.4, 0.4, 1.3, 2.5, math.inf]
+    assert_allclose(on_grid([power_law(edges=split, start=0.7)], h, gaussian())[0, 0], whole, rtol=1e-11)
+    assert_allclose(scattered([power_law(13, split, 0.7)], h, gaussian())[0].T, whole, rtol=1e-11)
+    assert_allclose(whole[0], erfc((h - 0.7) / math.sqrt(2.0)) / 2.0, rtol=1e-13)
+
+
+def test_a_regime_without_length_is_nothing(always_grid):
+    h = np.linspace(0.0, 1.0, 12)
+    for edges in ((2.0, 2.0), (3.0, 1.0)):
+        assert not on_grid([power_law(edges=edges)], h, gaussian()).any()
+        assert not scattered([power_law(12, edges)], h, gaussian()).any()
+
+
+def test_order_and_blocks(always_grid):
+    """More laws than one block, each with its own start; regimes apart and together; laws by number."""
+    laws, h = 600, np.linspace(-4.0, 5.0, 19)
+    starts = np.linspace(0.0, 2.0, laws)
+    first = Regime(powers, powers_coordinate, (starts,), np.tile([0.0, 1.0], (laws, 1)), "elastic", lowest=-2.0)
+    second = Regime(powers, powers_coordinate, (starts,), np.tile([1.0, math.inf], (laws, 1)), "plastic", lowest=-2.0)
+    grid = on_grid([first, second], h, gaussian())
+    assert grid.shape == (2, laws, len(QUANTITIES), h.size)
+    low = (h - starts[:, None]) / math.sqrt(2.0)
+    high = (h + 1.0 - starts[:, None]) / math.sqrt(2.0)
+    # Whichever tail is small, so that the difference keeps its digits.
+    expected = np.where(low > 0.0, erfc(low) - erfc(high), erfc(-high) - erfc(-low)) / 2.0
+    assert_allclose(grid[0, :, 0], expected, rtol=1e-10)
+    together = grid.sum(axis=0)
+    totals = np.stack([together[:, 1], together[:, 2], together[:, 3] + together[:, 4]], axis=1)
+    assert_allclose(totals_on_grid([first, second], h, gaussian()), totals, rtol=1e-10)
+    law = np.array([599, 3, 3, 256])
+    single = scattered([first, second], h[[0, 5, 18, 9]], gaussian(), law)
+    assert_allclose(single, grid[:, law, :, [0, 5, 18, 9]].transpose(1, 0, 2), rtol=1e-10)
+
+
+def test_separations_far_apart_and_beyond_all_heights(always_grid):
+    """A grid wider than the expansion reaches, and separations at which nothing touches: relative digits are kept."""
+    h = np.concatenate([np.linspace(-12.0, 12.0, 25), [20.0, 30.0, 36.0]])
+    touching = on_grid([power_law()], h, gaussian())[0, 0, 0]
+    assert_allclose(touching, erfc(h / math.sqrt(2.0)) / 2.0, rtol=1e-11)
+    assert on_grid([power_law()], np.linspace(40.0, 50.0, 12), gaussian()).max() == 0.0

@@ -1,0 +1,105 @@
+"""Pictures: axes with units, and lines that are the numbers of the dataset."""
+
+import matplotlib
+import numpy as np
+import pytest
+
+from stiction import figures, plot
+from stiction.case import read_case
+from stiction.claims import claim_map
+from stiction.contact import Indices
+from stiction.solve import solve
+
+
+@pytest.fixture(autouse=True)
+def matplotlib_does_its_own_arithmetic(no_silent_nan):
+    """It divides zero by zero inside, and looks at the result afterwards."""
+    with np.errstate(all="ignore"):
+        yield
+
+
+@pytest.fixture(scope="module")
+def silver():
+    from pathlib import Path
+
+    case = read_case(Path(__file__).parents[2] / "examples" / "silver_on_steel.toml")
+    return solve(case.subject, separation=case.separation)
+
+
+def lines(axes):
+    return {line.get_label(): line for line in axes.lines}
+
+
+def test_a_curve_has_labelled_axes_and_shows_the_numbers(silver):
+    figure = plot.curve_figure(silver, "a title")
+    friction, area, load, force = figure.axes
+    assert "a title" in figure.get_suptitle() and "soft_coating_2015" in figure.get_suptitle()
+    for axes in (friction, area, force):
+        assert axes.get_xlabel() == "net normal load $P$ [N]" and axes.get_xscale() == "log"
+    assert area.get_ylabel() == "real contact area $A$ [m²]"
+    assert load.get_xlabel() == "mean separation $d$ [nm]" and load.get_ylabel() == "net normal load $P$ [N]"
+    np.testing.assert_array_equal(friction.lines[0].get_ydata(), silver["friction_coefficient"])
+    np.testing.assert_array_equal(lines(area)["plastic asperities"].get_ydata(), silver["contact_area_plastic"])
+    np.testing.assert_array_equal(lines(load)["total"].get_xdata(), silver["mean_separation"])
+    np.testing.assert_array_equal(lines(load)["film"].get_ydata(), silver["load_film"])
+    np.testing.assert_array_equal(lines(force)["total"].get_ydata(), silver["friction_force"])
+    ticks = load.xaxis.get_major_formatter()
+    assert ticks(150e-9) == "150"
+
+
+def test_tension_is_dotted_and_friction_is_drawn_only_under_compression():
+    data = solve(Indices(theta=3.0, lam=100.0), separation=np.linspace(4, -4, 33))
+    friction, _, load, _ = plot.curve_figure(data).axes
+    compressed = data["load"].values > 0.0
+    np.testing.assert_array_equal(friction.lines[0].get_xdata(), data["load"].values[compressed])
+    assert load.get_xlabel() == r"mean separation $d$ [$\sigma$]"
+    assert load.get_ylabel().endswith(r"[$K R^{1/2} \sigma^{3/2}$ per asperity]")
+    dotted = [line for line in load.lines if line.get_linestyle() == ":" and len(line.get_xdata())]
+    sizes = dotted[0].get_ydata()
+    np.testing.assert_array_equal(sizes[~np.isnan(sizes)], -data["load"].values[~compressed & ~np.isnan(sizes)])
+
+
+def test_a_contact_that_only_pulls_says_so():
+    data = solve(Indices(theta=1.0, lam=1e-3), separation=[4.0, 3.0, 2.0])
+    assert (data["load"] <= 0.0).all()
+    friction = plot.curve_figure(data).axes[0]
+    assert "not defined" in friction.texts[0].get_text()
+
+
+def test_a_model_without_friction_has_two_panels():
+    data = solve(Indices(theta=40.0, lam=10.0), separation=[1.0, 0.0], model="greenwood_williamson_1966")
+    assert len(plot.curve_figure(data).axes) == 2
+
+
+@pytest.mark.parametrize("panel", figures.PANELS, ids=lambda panel: panel.name)
+def test_the_papers_figures_show_films_beside_the_uncoated_surface(panel):
+    curves = figures.panel_curves(panel, 40.0, 10.0, "published")
+    axes = plot.panel_figure(curves).axes[0]
+    assert "not printed in the paper" in axes.get_title() and "published" in axes.get_title()
+    drawn = lines(axes)
+    assert len(drawn) == 4
+    alone = solve(Indices(theta=40.0, lam=10.0), separation=np.linspace(4, -4, 161), reading="published")
+    np.testing.assert_array_equal(drawn["uncoated"].get_ydata(), alone["friction_coefficient"])
+    value = panel.values[-1]
+    film = Indices(theta=40.0, lam=10.0, **{**panel.fixed, panel.along: value})
+    alone = solve(film, separation=np.linspace(4, -4, 161), reading="published")
+    last = list(drawn.values())[-1].get_ydata()
+    shown = ~np.isnan(last)
+    np.testing.assert_allclose(last[shown], alone["friction_coefficient"].values[shown], rtol=1e-12)
+    np.testing.assert_array_equal(shown, alone["load"].values > 0.0)
+
+
+def test_the_map_of_the_claims_has_a_panel_for_each_claim_and_reading():
+    found = claim_map(np.geomspace(1, 1e4, 3), np.geomspace(1e-3, 1e4, 3))
+    figure = plot.claims_figure(found, {"theta": 40.0, "lam": 10.0})
+    panels = [axes for axes in figure.axes if axes.collections and axes.get_xscale() == "log"]
+    assert len(panels) == 10
+    shown = panels[0].collections[0].get_array().reshape(3, 3)
+    np.testing.assert_array_equal(np.ma.filled(shown, np.nan), found.share[0, 0].T)
+    assert "theta" in panels[-1].get_xlabel() and "published" in panels[5].get_ylabel()
+
+
+def test_no_global_state_is_touched(silver):
+    before = dict(matplotlib.rcParams)
+    plot.curve_figure(silver)
+    assert dict(matplotlib.rcParams) == before
