@@ -28,7 +28,7 @@ class Case:
 
     subject: the Contact or the Indices. separation, load: points, one is an array (n,) and the other None;
     metres and newtons for a Contact, h = d/sigma and load per K R^(1/2) sigma^(3/2) and asperity for
-    Indices. model, reading, coating_law, branch: names that the registry of models
+    Indices. model, reading, coating_law, branch, transition: names that the registry of models
     knows, None for the default of the model.
     """
 
@@ -40,6 +40,7 @@ class Case:
     reading: str | None
     coating_law: str | None
     branch: str | None
+    transition: str | None
 
 
 def _point(value):
@@ -80,6 +81,7 @@ class _Solve(Input):
     reading: str | None = Field(None, description="corrected or published, for a model with readings")
     coating_law: str | None = Field(None, description="key of a film law, see `stiction models`")
     branch: str | None = Field(None, description="loading or unloading, for a model with branches")
+    transition: str | None = Field(None, description="jump or gradual: how a bare asperity turns plastic")
 
     @model_validator(mode="after")
     def _one_kind_of_points(self):
@@ -138,6 +140,7 @@ def parse_case(content: Mapping) -> Case:
         reading=solve.reading,
         coating_law=solve.coating_law,
         branch=solve.branch,
+        transition=solve.transition,
     )
 
 

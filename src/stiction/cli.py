@@ -87,6 +87,7 @@ def run(
     reading: _Reading = None,
     coating_law: Annotated[str | None, typer.Option(help="Film law, see: stiction models. Default: sequential.")] = None,
     branch: Annotated[str | None, typer.Option(help="loading (default) or unloading.")] = None,
+    transition: Annotated[str | None, typer.Option(help="How a bare asperity turns plastic: jump (default), gradual.")] = None,
     json: _Json = False,
 ) -> None:
     """Solve a case: friction coefficient, contact area and load along a curve.
@@ -101,7 +102,7 @@ def run(
         from .case import read_case
 
         chosen = read_case(case)
-    given = {"reading": reading, "coating_law": coating_law, "branch": branch}
+    given = {"reading": reading, "coating_law": coating_law, "branch": branch, "transition": transition}
     data = _solve(chosen, model, given)
     if out is not None:
         _write_run(out, chosen, data)

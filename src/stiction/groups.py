@@ -47,4 +47,6 @@ class Groups:
     def __getitem__(self, rows: slice | np.ndarray) -> "Groups":
         """The groups of some of the contacts."""
         columns: dict[str, Any] = {field.name: getattr(self, field.name) for field in fields(self)}
-        return Groups(**{name: None if column is None else column[rows] for name, column in columns.items()})
+        for name, column in columns.items():
+            columns[name] = None if column is None else column[rows]
+        return Groups(**columns)

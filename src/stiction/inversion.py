@@ -37,8 +37,6 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 
 def _approach(problem: Problem) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Separations from far to near, the loads there (n, H), the largest tension (n,) and its separation (n,)."""
-    from scipy.optimize.elementwise import find_minimum
-
     h = np.linspace(_FAR, _NEAR, _STEPS)
     loads = problem.loads_on_grid(h)
     lowest = np.argmin(loads, axis=1)
@@ -47,6 +45,8 @@ def _approach(problem: Problem) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.
     inside = (loads[laws, lowest] < 0.0) & (lowest > 0) & (lowest < _STEPS - 1)
     tension[~inside] = np.maximum(-loads[laws, lowest], 0.0)[~inside]
     if inside.any():
+        from scipy.optimize.elementwise import find_minimum
+
         law, at = laws[inside], lowest[inside]
 
         def load(x, law):

@@ -32,6 +32,7 @@ def solve(
     reading: str | None = None,
     coating_law: str | None = None,
     branch: str | None = None,
+    transition: str | None = None,
     heights: Heights | str | None = None,
 ) -> "xarray.Dataset":
     """Solve a contact at given mean separations, or at given loads.
@@ -40,8 +41,8 @@ def solve(
     separation: mean separation, m for a Contact (text with a unit is fine), over sigma for Indices; or load: net normal
     load, N or normalised. A number, a 1-D sequence, or an xarray.DataArray with named dimensions. Any number of the
     contact may be an array with a named dimension (stiction.axis): the result carries all dimensions.
-    model: key of a rough-surface model (stiction.models()). reading, coating_law, branch: options of that model, None for
-    its default. heights: a height distribution, or its name; by default the contact's own, or Gaussian.
+    model: key of a rough-surface model (stiction.models()). reading, coating_law, branch, transition: options of that model,
+    None for its default. heights: a height distribution, or its name; by default the contact's own, or Gaussian.
 
     Returns an xarray.Dataset with units and long names: load, contact_area, friction_force, friction_coefficient (not a
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
@@ -51,7 +52,7 @@ def solve(
     """
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
-    options = {"reading": reading, "coating_law": coating_law, "branch": branch}
+    options = {"reading": reading, "coating_law": coating_law, "branch": branch, "transition": transition}
     problem = make_problem(contact, model, options, heights)
     units = _units(contact)
     given = "load" if separation is None else "mean_separation"
@@ -185,7 +186,7 @@ def _by_name(problem: Problem, sums: np.ndarray) -> dict[str, np.ndarray]:
     bodies = ("film", "substrate") if problem.groups.coated else ()
     for body in bodies:
         results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., _LOAD].sum(axis=0)
-    if problem.groups.coated and np.all(np.isfinite(problem.groups.film_aspect)):
+    if not all(regime.in_half_space for regime in regimes):
         results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., _LOAD])
     if not problem.record.friction:
         return results

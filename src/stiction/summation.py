@@ -116,7 +116,7 @@ def _place_template(w_low, w_high, parameters, edges, branch, rules, counts, pla
     """Append to the table of each law i the nodes of one regime between the displacements w_low and w_high.
 
     place[i]: displacements; values[i, row]: weights times the five quantities, and times the resistance; used[i]: how many
-    nodes there are. missed[i]: a piece of the law lies wholly outside.
+    nodes there are. missed[i, row]: a piece with something in that row lies wholly outside.
     """
     # One array at fixed distances: the compiler then sees that the rows do not overlap, and vectorises.
     scratch = np.empty(7 * _LONGEST)
@@ -130,7 +130,11 @@ def _place_template(w_low, w_high, parameters, edges, branch, rules, counts, pla
             low = left if w_left >= w_low else max(left, coordinate(w_low, *row))
             high = right if w_right <= w_high else min(right, coordinate(w_high, *row))
             if not (w_right > w_low and w_left < w_high and high > low):
-                missed[i] = True
+                inside = along(0.5 * (left + right) if right < np.inf else left + 1.0, *row)
+                missed[i, 0] = True
+                for q in range(4):
+                    missed[i, q + 1] = missed[i, q + 1] or inside[q + 2] != 0.0
+                missed[i, 5] = missed[i, 3] or missed[i, 4]
                 continue
             rule = 0 if min(w_right, w_high) - max(w_left, w_low) <= _SHORT else 1
             linear, square = _map_piece(low, high, branch[i])
@@ -290,14 +294,14 @@ def _by_skeleton(regimes, h, heights, rows, sums, doubtful):
     for start in range(0, len(sums), _BLOCK):
         block = slice(start, min(start + _BLOCK, len(sums)))
         laws = block.stop - start
-        used, missed = np.zeros(laws, dtype=np.int64), np.zeros(laws, dtype=np.bool_)
+        used, missed = np.zeros(laws, dtype=np.int64), np.zeros((laws, 6), dtype=np.bool_)
         for regime in regimes:
             parameters, edges, branch = _arrays(regime, block)
             put = _place_kernel(regime.along, regime.coordinate, parameters.shape[1])
             put(w_low, w_high, parameters, edges, branch, _RULES, _COUNTS, place, values, used, missed)
         add = _sum_rows_kernel(heights.density)
         add(skeleton, reach, heights.shape, place, values, used, np.array(rows), few, size)
-        _carry_over(few, carry, largest, size, missed, positive, sums[block], doubtful[block])
+        _carry_over(few, carry, largest, size, missed[:, rows], positive, sums[block], doubtful[block])
 
 
 @kernel
@@ -319,13 +323,13 @@ def _mark_cancelled(total, limit, largest, doubtful):
 
 @kernel
 def _carry_over(few, carry, largest, size, missed, positive, sums, doubtful):
-    """sums[i] = few[i] @ carry, and what is doubtful: too small against its size, or zero although a piece was missed."""
+    """sums[i] = few[i] @ carry, and what is doubtful: too small against its size, or zero because of what was left out."""
     for i in range(sums.shape[0]):
         for q in range(sums.shape[1]):
             _multiply(few[i, q], carry, sums[i, q])
         doubtful[i, :] = False
         for q in positive:
-            if missed[i] and size[i, q] == 0.0:
+            if size[i, q] == 0.0 and missed[i, q]:
                 doubtful[i, :] = True
             _mark_cancelled(sums[i, q], _CANCELLED * size[i, q], largest, doubtful[i])
 

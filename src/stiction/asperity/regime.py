@@ -17,7 +17,8 @@ class Regime:
 
     parameters: arrays (n,) or numbers, in the order that `along` takes them.
     edges: array (n, m + 1). The regime reaches from the first to the last edge in its coordinate; the edges between are
-        kinks, at which the engine splits. A pair of edges that does not increase is an empty piece.
+        kinks, at which the engine splits. A pair of edges that does not increase is an empty piece, so that one
+        regime may hold pieces that do not adjoin.
     branch: array (n,), a coordinate below which the resistance has no square root any more, or None. Pieces that start
         near it are integrated in the square root of the distance to it.
     lowest: no displacement of the regime is below this.

@@ -11,6 +11,9 @@ import numpy as np
 from ..asperity.regime import Regime
 from ..errors import InputError
 from ..friction.adhesive_asperity import Asperity
+from ..groups import Groups
+from ..registry import Record
+from ..sources import Source
 from .graded_kinks import find_kinks, gather
 from .graded_law import along, coordinate
 
@@ -103,3 +106,27 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
         Regime(along, coordinate, columns, gather(edges, part, at), state, body, branch=branch)
         for at, (state, body) in enumerate(parts)
     ]
+
+
+def regimes(substrate: Asperity, film: Asperity, groups: Groups) -> list[Regime]:
+    """Regimes of a coated surface, as film laws give them."""
+    return graded_regimes(substrate, film, groups.n_E, groups.n_H, groups.tau, groups.film_aspect, groups.n_g)
+
+
+RECORD = Record(
+    key="graded",
+    kind="film",
+    title="One asperity law whose modulus and hardness depend on depth",
+    grade="C",
+    sources=(
+        Source("gao_chiu_lee_1992", "I0: modulus of film and substrate against t/a"),
+        Source("bhattacharya_nix_1988", "hardness against depth", "sources disagree on the exponent: here 2 if soft, 1 if hard"),
+        Source("zhao_maietta_chang_2000", "from elastic to fully plastic", "taken in the elastic mean pressure, not in depth"),
+        Source("soft_coating_2015", "asperities, sum and friction"),
+    ),
+    regimes=regimes,
+    verified="second implementation of six laws; bare at n_E = n_H = 1, substrate for tau -> 0, film for tau -> infinity",
+    needs=("n_E", "n_H", "tau", "film_aspect"),
+    load_falls=False,
+    notes="This project's own composition. Where an asperity's load would fall with depth it is held: the asperity jumps in.",
+)

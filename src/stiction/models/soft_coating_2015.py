@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..asperity.regime import Regime
+from ..coating.graded import bare_regimes_with_transition
 from ..errors import InputError
 from ..friction.adhesive_asperity import PRINTED_GRIP, Asperity, Share, bare_regimes
 from ..groups import Groups
@@ -10,15 +11,19 @@ from ..registry import Limit, Record, Validity, find
 from ..sources import Source
 
 
-def regimes(groups: Groups, reading: str, coating_law: str, branch: str) -> list[Regime]:
+def regimes(groups: Groups, reading: str, coating_law: str, branch: str, transition: str) -> list[Regime]:
     """Regimes of a bare or coated surface (docs/theory.md, sections 2 to 6)."""
-    printed = reading == "published"
-    if branch == "unloading" and (printed or groups.coated):
-        raise InputError("branch", branch, "loading; unloading is defined for the corrected reading of a bare surface")
+    printed, unloading, gradual = reading == "published", branch == "unloading", transition == "gradual"
+    if unloading and (printed or groups.coated or gradual):
+        raise InputError("branch", branch, "loading; unloading is for the corrected reading of a bare surface that jumps")
+    if gradual and (printed or groups.coated):
+        raise InputError("transition", transition, "jump; bare surfaces and the graded film have a gradual one, corrected")
     nu, k = groups.nu, groups.hardness_to_yield
     substrate = Asperity(groups.theta, groups.lam, groups.K_beta, nu, k, printed)
     if not groups.coated:
-        return bare_regimes(substrate, branch == "unloading", Share(grip=PRINTED_GRIP) if printed else Share())
+        if gradual:
+            return bare_regimes_with_transition(substrate)
+        return bare_regimes(substrate, unloading, Share(grip=PRINTED_GRIP) if printed else Share())
     film = Asperity(groups.film_theta, groups.film_lam, groups.film_K_beta, groups.film_nu, k, printed)
     return find("printed" if printed else coating_law, "film").regimes(substrate, film, groups)
 
@@ -51,9 +56,13 @@ RECORD = Record(
         Limit("fuller_tabor_1975", {"lam": 1e30}, ("load", "contact_area"), 1e-9),
         Limit("fuller_tabor_1975", {"lam": 1e30}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),
     ),
-    own_options={"reading": ("corrected", "published"), "branch": ("loading", "unloading")},
+    own_options={
+        "reading": ("corrected", "published"),
+        "branch": ("loading", "unloading"),
+        "transition": ("jump", "gradual"),
+    },
     default_film="sequential",
     load_falls=False,
-    notes="The load of an asperity jumps where it becomes plastic: up to twofold. Under strong adhesion it falls there, and into "
-    "tension where lambda^(1/4) theta^(-1/6) is below 0.184.",
+    notes="The load of an asperity jumps where it becomes plastic: up to twofold. Under strong adhesion it "
+    "falls there, and into tension where lambda^(1/4) theta^(-1/6) is below 0.184.",
 )
