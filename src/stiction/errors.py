@@ -4,17 +4,18 @@ import re
 
 __all__ = ["InputError"]
 
-_LONGEST = 80  # a value longer than this says nothing more in a message
+_LONGEST = 80  # of a longer value the two ends are shown: of a path, the end says most
 
 
 def _short(value) -> str:
-    """The value on one line: quoted if text, "not given" for None, cut if long."""
+    """The value on one line: quoted if text, "not given" for None, without its middle if long."""
     if value is None:
         return "not given"
     if hasattr(value, "item") and getattr(value, "size", 1) == 1:
         value = value.item()  # 0.6 rather than np.float64(0.6)
     text = re.sub(r"\s+", " ", repr(value))
-    return text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
+    half = (_LONGEST - 3) // 2
+    return text if len(text) <= _LONGEST else f"{text[:half]}...{text[-half:]}"
 
 
 class InputError(ValueError):

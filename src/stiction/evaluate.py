@@ -12,7 +12,7 @@ from .heights import gaussian
 from .models.soft_coating_2015 import RECORD
 from .quantities import QUANTITIES
 from .registry import settle
-from .summation import scattered, totals_on_grid
+from .summation import FARTHEST, scattered, totals_on_grid
 
 _CHUNK = 4096  # points, or laws on a grid, at a time: bounds the memory
 
@@ -55,7 +55,7 @@ def evaluate(
     if not missing:
         given |= film
     options = settle(RECORD, {"reading": reading})
-    columns = [_checked(name, value) for name, value in {"mean_separation": h, **given}.items()]
+    columns = [_separations(h), *(_checked(name, value) for name, value in given.items())]
     try:
         shape = np.broadcast_shapes(*(column.shape for column in columns))
     except ValueError:
@@ -73,19 +73,29 @@ def evaluate(
 def _checked(name: str, value) -> np.ndarray:
     """The value as an array of floats within the bounds of its quantity."""
     quantity = QUANTITIES[name]
-    field = "h" if name == "mean_separation" else name
     try:
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
-        raise InputError(field, value, quantity.allowed) from None
+        raise InputError(name, value, quantity.allowed) from None
     if array.size == 0:
         return array
     low, high = float(array.min()), float(array.max())  # either is NaN if any element is
     above = low >= quantity.lower if quantity.lower_included else low > quantity.lower
     below = high <= quantity.upper if quantity.upper_included else high < quantity.upper
     if not (above and below):
-        wrong = low if not above else high
-        raise InputError(field, wrong, quantity.allowed.replace(" in m", ""))
+        raise InputError(name, low if not above else high, quantity.allowed)
+    return array
+
+
+def _separations(h) -> np.ndarray:
+    allowed = f"finite, {-FARTHEST:g} to {FARTHEST:g}"
+    try:
+        array = np.asarray(h, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError("h", h, allowed) from None
+    wrong = ~(np.abs(array) <= FARTHEST)
+    if wrong.any():
+        raise InputError("h", float(array[wrong][0]), allowed)
     return array
 
 

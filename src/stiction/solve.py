@@ -14,6 +14,7 @@ from .inversion import Inversion, Unreachable, pull_off, separations_at
 from .problem import Problem, make_problem, spread
 from .quantities import QUANTITIES
 from .registry import Record
+from .summation import FARTHEST
 from .units import axis, show, to_si
 
 if TYPE_CHECKING:
@@ -66,6 +67,8 @@ def solve(
         wanted = found.h.reshape(shape)
         extra = {"load_residual": (found.residual.reshape(shape), "load found less load asked for, over the latter")}
         convergence = {"convergence": f"all separations converged in at most {found.evaluations} evaluations"}
+    elif not np.abs(wanted).max(initial=0.0) <= FARTHEST:
+        raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
     coords = problem.coords | _coords([point, *units.values()])
     data = _labelled(contact, {"mean_separation": wanted} | _sum(problem, wanted, shape), units, dims, coords)
     tension, where = pull_off(problem.on_branch("unloading"))

@@ -26,6 +26,8 @@ QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
 # Nodes on a piece that is short or long against sigma. Errors are below 1e-10 over all inputs the package is made for, with and
 # without a film: docs/measure_accuracy.py measures them, docs/numerics.md shows them.
 _SHORT = 1.0
+# Separations beyond this, over sigma, have no meaning, and their squares no digits.
+FARTHEST = 1e6
 # Multiples of eight, which the loops over nodes spell out: the compiler then leaves out its loop over a remainder.
 _COUNTS = np.array([24, 56])
 _LONGEST = int(_COUNTS[-1])

@@ -6,6 +6,7 @@ import pytest
 from stiction.contact import Coating, Contact, Roughness
 from stiction.materials import Material
 from stiction.quantities import QUANTITIES
+from stiction.solve import solve
 
 # Exponents of length and force in each unit that a contact is given in.
 DIMENSIONS = {"m": (1, 0), "m^2": (2, 0), "1/m^2": (-2, 0), "Pa": (-2, 1), "J/m^2": (-1, 1), "": (0, 0)}
@@ -69,3 +70,18 @@ def test_numbers_of_a_contact_by_hand():
     assert groups.theta == pytest.approx(K * sigma**1.5 / (gamma * R**0.5), rel=1e-13)
     assert groups.lam == pytest.approx(np.pi**2 * R * H**4 * sigma / (18.0 * K**2 * gamma**2), rel=1e-13)
     assert groups.K_beta == pytest.approx(6.4762, abs=5e-5)
+
+
+@pytest.mark.parametrize("coated", (False, True))
+def test_solutions_have_their_units(coated):
+    """Every variable of a solution scales as its SI unit says when metres and newtons are replaced."""
+    length, force = 1e3, 0.3
+    h = np.linspace(-1.0, 4.0, 6) * 48e-9
+    plain = solve(contact(coated=coated), separation=h)
+    other = solve(contact(length, force, coated), separation=h * length)
+    assert set(plain.data_vars) == set(other.data_vars) and len(plain.data_vars) > 10
+    for name in plain.data_vars:
+        powers = {"N": (0, 1), "m^2": (2, 0), "m": (1, 0), "1": (0, 0)}[plain[name].attrs["units"]]
+        factor = length ** powers[0] * force ** powers[1]
+        expected = plain[name].values * factor
+        np.testing.assert_allclose(other[name].values, expected, rtol=1e-9, atol=1e-12 * np.nanmax(np.abs(expected)), err_msg=name)

@@ -11,6 +11,7 @@ from stiction.sources import Source, bibliography, bibtex
 
 REQUIRED = {
     "article": {"author", "title", "journal", "year"},
+    "book": {"author", "title", "publisher", "year"},
     "inproceedings": {"author", "title", "booktitle", "year"},
     "misc": {"title", "year", "note"},
 }

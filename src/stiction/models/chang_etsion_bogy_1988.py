@@ -76,7 +76,10 @@ RECORD = Record(
     regimes=regimes,
     verified="independent integrals at 30 digits; friction of single asperities tabulated independently",
     needs=("theta", "lam", "nu"),
-    validity=(Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above"),),
+    validity=(
+        Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above"),
+        Validity("theta", 10.0, math.inf, "adhesion is left out"),
+    ),
     limits=(
         Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),
     ),

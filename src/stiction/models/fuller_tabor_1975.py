@@ -39,7 +39,7 @@ RECORD = Record(
     key="fuller_tabor_1975",
     kind="rough surface",
     title="Adhesion of elastic solids with rough surfaces",
-    grade="A",
+    grade="B",
     sources=(
         Source("fuller_tabor_1975", "", "pull-off on the unloading branch"),
         Source("johnson_kendall_roberts_1971", "load and displacement of one contact"),
@@ -47,7 +47,10 @@ RECORD = Record(
     regimes=regimes,
     verified="pull-off curve and integrals at 30 digits; Greenwood-Williamson without adhesion",
     needs=("theta",),
-    validity=(Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),),
+    validity=(
+        Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
+    ),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1e14}, ("load", "contact_area"), 1e-4),),
     own_options={"branch": ("loading", "unloading")},
     friction=False,

@@ -1,11 +1,13 @@
 """Greenwood & Williamson 1966: elastic asperities of one radius, heights distributed, no adhesion."""
 
+import math
+
 import numpy as np
 
 from ..asperity import hertz
 from ..asperity.regime import Regime
 from ..groups import Groups
-from ..registry import Record
+from ..registry import Record, Validity
 from ..sources import Source
 
 
@@ -19,9 +21,13 @@ RECORD = Record(
     key="greenwood_williamson_1966",
     kind="rough surface",
     title="Elastic contact of nominally flat surfaces",
-    grade="A",
+    grade="B",
     sources=(Source("greenwood_williamson_1966", "load, area and number of contacts"), ),
     regimes=regimes,
+    validity=(
+        Validity("plasticity_index", 0.0, 0.6, "above, asperities turn plastic at ordinary loads (section 5 of the source)"),
+        Validity("theta", 10.0, math.inf, "adhesion is left out"),
+    ),
     verified="integrals F_n(h) at 30 digits; closed forms for exponential heights",
     friction=False,
 )

@@ -27,7 +27,10 @@ RECORD = Record(
     regimes=regimes,
     verified="independent integrals at 30 digits; Greenwood-Williamson without adhesion",
     needs=("theta",),
-    validity=(Validity("tabor_parameter", 0.0, 0.1, "adhesion acts around the contact only for stiff, small asperities"),),
+    validity=(
+        Validity("tabor_parameter", 0.0, 0.1, "adhesion acts around the contact only for stiff, small asperities"),
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
+    ),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1e14}, ("load", "contact_area"), 1e-9),),
     friction=False,
 )

@@ -49,6 +49,7 @@ RECORD = Record(
     verified="independent evaluation at 30 digits, both readings, bare and coated; limits below. The paper prints no numbers",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     validity=(
+        Validity("tabor_parameter", 5.0, np.inf, "adhesion acts inside the contact only for soft, large asperities"),
         Validity("mean_separation", -4.0, np.inf, "closer, asperities are no longer independent (section 4 of the paper)"),
     ),
     limits=(
