@@ -133,15 +133,13 @@ def _scattered(separation, laws, shape, options) -> Evaluation:
 
 def _on_grid(separation, laws, law_shape, shape, options) -> Evaluation:
     h = separation.reshape(-1)
-    tables = [np.empty((int(np.prod(law_shape)), h.size)) for _ in Evaluation._fields]
+    table = np.empty((int(np.prod(law_shape)), len(Evaluation._fields), h.size))
     for where, pieces in _chunks(list(laws.values())):
         regimes = RECORD.regimes(_groups(dict(zip(laws, pieces, strict=True))), **options)
-        totals = totals_on_grid(regimes, h, gaussian())
-        for column, table in enumerate(tables):
-            table[where] = totals[:, column]
-    # A table is (laws, separations), each flattened; every axis of the result belongs to one of the two.
+        totals_on_grid(regimes, h, gaussian(), out=table[where])
+    # The table has laws and separations flattened; every axis of the result belongs to one of the two.
     of_laws = [axis for axis, length in enumerate(separation.shape) if length == 1]
     order = of_laws + [axis for axis in range(len(shape)) if axis not in of_laws]
     permuted = tuple(shape[axis] for axis in order)
     back = np.argsort(order)
-    return Evaluation(*(table.reshape(permuted).transpose(back) for table in tables))
+    return Evaluation(*(np.reshape(table[:, column], permuted).transpose(back) for column in range(table.shape[1])))

@@ -7,7 +7,8 @@ between kinks, where everything is smooth; the engine knows nothing of any model
 
 Two ways. `scattered`: each law has its own h. `on_grid`: all laws share many h. Sums are smooth in h, and so alike that a
 few separations tell all others: every law is summed at those (its nodes are placed only once), and one matrix, which knows
-the heights but no law, carries the sums over to all separations. Where that loses digits, `scattered` steps in.
+the heights but no law, carries the sums over to all separations. What loses digits on the way is summed at its own
+separation after all.
 """
 
 import math
@@ -114,11 +115,12 @@ def _scattered_template(h, law, heights, knots, parameters, edges, branch, rules
         out[i, 4] = tear
 
 
-def _place_template(w_low, w_high, parameters, edges, branch, rules, counts, place, values, used, missed):
-    """Append to the table of each law i the nodes of one regime between the displacements w_low and w_high.
+def _place_template(w_low, nearest, heights, parameters, edges, branch, rules, counts, place, values, used):
+    """Append to the table of each law i the nodes of one regime, from the displacement w_low on.
 
-    place[i]: displacements; values[i, row]: weights times the five quantities, and times the resistance; used[i]: how many
-    nodes there are. missed[i, row]: a piece with something in that row lies wholly outside.
+    Every piece reaches to where the density is negligible against its own left end, at the nearest separation and so at
+    all others. place[i]: displacements; values[i, row]: weights times the five quantities, and times the resistance;
+    used[i]: how many nodes there are.
     """
     # One array at fixed distances: the compiler then sees that the rows do not overlap, and vectorises.
     scratch = np.empty(7 * _LONGEST)
@@ -129,16 +131,15 @@ def _place_template(w_low, w_high, parameters, edges, branch, rules, counts, pla
             if not right > left:
                 continue
             w_left, w_right = along(left, *row)[0], along(right, *row)[0]
-            low = left if w_left >= w_low else max(left, coordinate(w_low, *row))
-            high = right if w_right <= w_high else min(right, coordinate(w_high, *row))
-            if not (w_right > w_low and w_left < w_high and high > low):
-                inside = along(0.5 * (left + right) if right < np.inf else left + 1.0, *row)
-                missed[i, 0] = True
-                for q in range(4):
-                    missed[i, q + 1] = missed[i, q + 1] or inside[q + 2] != 0.0
-                missed[i, 5] = missed[i, 3] or missed[i, 4]
+            if not w_right > w_low:
                 continue
-            rule = 0 if min(w_right, w_high) - max(w_left, w_low) <= _SHORT else 1
+            w_left = max(w_left, w_low)
+            w_high = min(w_right, window(nearest + w_left, np.inf, heights)[1] - nearest)
+            low = left if w_left > w_low else max(left, coordinate(w_low, *row))
+            high = right if w_high == w_right else min(right, coordinate(w_high, *row))
+            if not high > low:
+                continue
+            rule = 0 if w_high - w_left <= _SHORT else 1
             linear, square = _map_piece(low, high, branch[i])
             for node in range(8 * (counts[rule] // 8)):
                 t = rules[rule, 0, node]
@@ -182,6 +183,24 @@ def _sum_rows_template(h, reach, heights, place, values, used, rows, out, size):
             size[i, column] = np.sum(np.abs(values[i, rows[column], : used[i]]))
 
 
+def _sum_again_template(h, heights, place, values, used, rows, sums, doubtful):
+    """Sum what is doubtful at its own separation."""
+    for i in range(used.size):
+        x, a, b, c = place[i], values[i, rows[0]], values[i, rows[1]], values[i, rows[2]]
+        for at in range(h.size):
+            if not doubtful[i, at]:
+                continue
+            first_sum = second_sum = third_sum = 0.0
+            for node in range(8 * (used[i] // 8)):
+                dense = density(h[at] + x[node], heights)
+                first_sum += dense * a[node]
+                second_sum += dense * b[node]
+                third_sum += dense * c[node]
+            sums[i, 0, at] = first_sum
+            sums[i, 1, at] = second_sum
+            sums[i, 2, at] = third_sum
+
+
 @cache
 def _scattered_kernel(along, coordinate, density, window, parameters: int):
     cuts = formula(bind(_cuts_template, along=along, coordinate=coordinate, window=window))
@@ -200,13 +219,13 @@ def _density_kernel(density):
 
 
 @cache
-def _place_kernel(along, coordinate, parameters: int):
-    return kernel(bind(_place_template, along=along, coordinate=coordinate, PARAMETERS=parameters))
+def _place_kernel(along, coordinate, window, parameters: int):
+    return kernel(bind(_place_template, along=along, coordinate=coordinate, window=window, PARAMETERS=parameters))
 
 
 @cache
-def _sum_rows_kernel(density):
-    return kernel(bind(_sum_rows_template, density=density))
+def _sum_kernels(density):
+    return kernel(bind(_sum_rows_template, density=density)), kernel(bind(_sum_again_template, density=density))
 
 
 def _arrays(regime: Regime, laws: slice = slice(None)) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -259,51 +278,56 @@ def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights) -> np.nd
     ]
 
 
-def totals_on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights) -> np.ndarray:
-    """Load, area and resistance (n, 3, H) of n laws at H mean separations that they share: all regimes together."""
-    return _on_grid(regimes, h, heights, (1, 2, 5))
+def totals_on_grid(
+    regimes: Sequence[Regime], h: np.ndarray, heights: Heights, out: np.ndarray | None = None
+) -> np.ndarray:
+    """Load, area and resistance (n, 3, H) of n laws at H mean separations that they share: all regimes together.
+
+    out: where to put them, if given.
+    """
+    return _on_grid(regimes, h, heights, (1, 2, 5), out)
 
 
-def _on_grid(regimes, h, heights, rows):
+def _on_grid(regimes, h, heights, rows, out=None):
     """Sums (n, 3, H) of three of the rows: the five QUANTITIES and the resistance, which is the last two together."""
     h = np.ascontiguousarray(h, dtype=float)
     laws = len(regimes[0].edges)
-    sums = np.empty((laws, 3, h.size))
-    doubtful = np.ones((laws, h.size), dtype=np.bool_)
-    if heights.entire and laws * h.size >= _MANY:
-        _by_skeleton(regimes, h, heights, rows, sums, doubtful)
-    law, place = np.nonzero(doubtful)
-    if law.size:
-        exact = scattered(regimes, h[place], heights, law).sum(axis=0)
-        exact = np.column_stack([exact, exact[:, 3] + exact[:, 4]])
-        sums[law, :, place] = exact[:, rows]
+    sums = np.empty((laws, 3, h.size)) if out is None else out
+    if heights.entire and laws * h.size >= _MANY and _by_skeleton(regimes, h, heights, np.array(rows), sums):
+        return sums
+    exact = scattered(regimes, np.tile(h, laws), heights, np.repeat(np.arange(laws), h.size)).sum(axis=0)
+    exact = np.column_stack([exact, exact[:, 3] + exact[:, 4]])
+    sums[:] = np.moveaxis(exact[:, rows].reshape(laws, h.size, 3), 1, 2)
     return sums
 
 
-def _by_skeleton(regimes, h, heights, rows, sums, doubtful):
-    """Fill sums (n, 3, H), and clear in doubtful (n, H) what is good."""
+def _by_skeleton(regimes, h, heights, rows, sums) -> bool:
+    """Fill sums (n, 3, H); False where these separations have no skeleton that is good enough."""
     w_low = max(min(regime.lowest for regime in regimes), heights.window(-np.inf, np.inf, heights.shape)[0] - h.max())
-    w_high = heights.window(h.min() + w_low, np.inf, heights.shape)[1] - h.min()
+    nearest = h.min()
+    w_high = heights.window(nearest + w_low, np.inf, heights.shape)[1] - nearest
     skeleton, carry, largest = _skeleton(h.tobytes(), w_low, w_high, heights)
     if not skeleton.size:
-        return
+        return False
     reach = np.array([heights.window(few + w_low, np.inf, heights.shape)[1] for few in skeleton]) - skeleton
     # The load, which changes sign, is as good as the area beside it; all else is positive.
     positive = np.array([column for column, row in enumerate(rows) if row != 1])
+    at_few, again = _sum_kernels(heights.density)
     room = sum((regime.edges.shape[1] - 1) * _LONGEST for regime in regimes)
     place, values = np.empty((_BLOCK, room)), np.empty((_BLOCK, 6, room))
     few, size = np.empty((_BLOCK, 3, skeleton.size)), np.empty((_BLOCK, 3))
+    doubtful = np.empty((_BLOCK, h.size), dtype=np.bool_)
     for start in range(0, len(sums), _BLOCK):
         block = slice(start, min(start + _BLOCK, len(sums)))
-        laws = block.stop - start
-        used, missed = np.zeros(laws, dtype=np.int64), np.zeros((laws, 6), dtype=np.bool_)
+        used = np.zeros(block.stop - start, dtype=np.int64)
         for regime in regimes:
             parameters, edges, branch = _arrays(regime, block)
-            put = _place_kernel(regime.along, regime.coordinate, parameters.shape[1])
-            put(w_low, w_high, parameters, edges, branch, _RULES, _COUNTS, place, values, used, missed)
-        add = _sum_rows_kernel(heights.density)
-        add(skeleton, reach, heights.shape, place, values, used, np.array(rows), few, size)
-        _carry_over(few, carry, largest, size, missed[:, rows], positive, sums[block], doubtful[block])
+            put = _place_kernel(regime.along, regime.coordinate, heights.window, parameters.shape[1])
+            put(w_low, nearest, heights.shape, parameters, edges, branch, _RULES, _COUNTS, place, values, used)
+        at_few(skeleton, reach, heights.shape, place, values, used, rows, few, size)
+        _carry_over(few, carry, largest, size, positive, sums[block], doubtful)
+        again(h, heights.shape, place, values, used, rows, sums[block], doubtful)
+    return True
 
 
 @kernel
@@ -324,15 +348,13 @@ def _mark_cancelled(total, limit, largest, doubtful):
 
 
 @kernel
-def _carry_over(few, carry, largest, size, missed, positive, sums, doubtful):
-    """sums[i] = few[i] @ carry, and what is doubtful: too small against its size, or zero because of what was left out."""
+def _carry_over(few, carry, largest, size, positive, sums, doubtful):
+    """sums[i] = few[i] @ carry, and what is doubtful: too small against its size."""
     for i in range(sums.shape[0]):
         for q in range(sums.shape[1]):
             _multiply(few[i, q], carry, sums[i, q])
         doubtful[i, :] = False
         for q in positive:
-            if size[i, q] == 0.0 and missed[i, q]:
-                doubtful[i, :] = True
             _mark_cancelled(sums[i, q], _CANCELLED * size[i, q], largest, doubtful[i])
 
 
