@@ -159,14 +159,14 @@ def _place_template(w_low, nearest, heights, parameters, edges, branch, rules, c
             used[i] = last
 
 
-def _sum_rows_template(h, reach, heights, place, values, used, rows, out, size):
-    """Sums out[i, column, l] of the three rows of values at the separations h[l], leaving out displacements beyond reach[l].
-
-    size[i, column]: the same with every density 1 and every term positive, which bounds the errors.
-    """
+def _sum_rows_template(h, reach, heights, place, values, used, rows, wanted, out):
+    """Sums out[i, column, at] of the three rows of values at the separation h[at], where wanted[i, at], leaving out
+    displacements beyond reach[at]."""
     for i in range(used.size):
         x, a, b, c = place[i], values[i, rows[0]], values[i, rows[1]], values[i, rows[2]]
         for at in range(h.size):
+            if not wanted[i, at]:
+                continue
             eights = used[i] // 8
             while eights > 0 and x[8 * eights - 8] > reach[at]:  # the nodes of a piece ascend
                 eights -= 1
@@ -179,26 +179,6 @@ def _sum_rows_template(h, reach, heights, place, values, used, rows, out, size):
             out[i, 0, at] = first_sum
             out[i, 1, at] = second_sum
             out[i, 2, at] = third_sum
-        for column in range(3):
-            size[i, column] = np.sum(np.abs(values[i, rows[column], : used[i]]))
-
-
-def _sum_again_template(h, heights, place, values, used, rows, sums, doubtful):
-    """Sum what is doubtful at its own separation."""
-    for i in range(used.size):
-        x, a, b, c = place[i], values[i, rows[0]], values[i, rows[1]], values[i, rows[2]]
-        for at in range(h.size):
-            if not doubtful[i, at]:
-                continue
-            first_sum = second_sum = third_sum = 0.0
-            for node in range(8 * (used[i] // 8)):
-                dense = density(h[at] + x[node], heights)
-                first_sum += dense * a[node]
-                second_sum += dense * b[node]
-                third_sum += dense * c[node]
-            sums[i, 0, at] = first_sum
-            sums[i, 1, at] = second_sum
-            sums[i, 2, at] = third_sum
 
 
 @cache
@@ -224,8 +204,8 @@ def _place_kernel(along, coordinate, window, parameters: int):
 
 
 @cache
-def _sum_kernels(density):
-    return kernel(bind(_sum_rows_template, density=density)), kernel(bind(_sum_again_template, density=density))
+def _sum_rows_kernel(density):
+    return kernel(bind(_sum_rows_template, density=density))
 
 
 def _arrays(regime: Regime, laws: slice = slice(None)) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -262,7 +242,7 @@ def scattered(
 _MANY = 4000
 _SKELETONS = (16, 20, 24, 28, 32, 40, 48, 64)
 _RESIDUAL = 5e-15
-# A sum smaller than this times its size (see _sum_rows_template) may have lost too many digits.
+# A sum smaller than this times its size (see _carry_over) may have lost too many digits.
 _CANCELLED = 2e-5
 _BLOCK = 256  # laws at a time: their nodes stay in the processor's cache
 
@@ -312,11 +292,11 @@ def _by_skeleton(regimes, h, heights, rows, sums) -> bool:
     reach = np.array([heights.window(few + w_low, np.inf, heights.shape)[1] for few in skeleton]) - skeleton
     # The load, which changes sign, is as good as the area beside it; all else is positive.
     positive = np.array([column for column, row in enumerate(rows) if row != 1])
-    at_few, again = _sum_kernels(heights.density)
+    sum_rows = _sum_rows_kernel(heights.density)
     room = sum((regime.edges.shape[1] - 1) * _LONGEST for regime in regimes)
     place, values = np.empty((_BLOCK, room)), np.empty((_BLOCK, 6, room))
-    few, size = np.empty((_BLOCK, 3, skeleton.size)), np.empty((_BLOCK, 3))
-    doubtful = np.empty((_BLOCK, h.size), dtype=np.bool_)
+    few, doubtful = np.empty((_BLOCK, 3, skeleton.size)), np.empty((_BLOCK, h.size), dtype=np.bool_)
+    every, everywhere = np.ones((_BLOCK, skeleton.size), dtype=np.bool_), np.full(h.size, np.inf)
     for start in range(0, len(sums), _BLOCK):
         block = slice(start, min(start + _BLOCK, len(sums)))
         used = np.zeros(block.stop - start, dtype=np.int64)
@@ -324,9 +304,10 @@ def _by_skeleton(regimes, h, heights, rows, sums) -> bool:
             parameters, edges, branch = _arrays(regime, block)
             put = _place_kernel(regime.along, regime.coordinate, heights.window, parameters.shape[1])
             put(w_low, nearest, heights.shape, parameters, edges, branch, _RULES, _COUNTS, place, values, used)
-        at_few(skeleton, reach, heights.shape, place, values, used, rows, few, size)
-        _carry_over(few, carry, largest, size, positive, sums[block], doubtful)
-        again(h, heights.shape, place, values, used, rows, sums[block], doubtful)
+        nodes = heights.shape, place, values, used, rows
+        sum_rows(skeleton, reach, *nodes, every, few)
+        _carry_over(few, carry, largest, values, used, rows[positive], positive, sums[block], doubtful)
+        sum_rows(h, everywhere, *nodes, doubtful, sums[block])
     return True
 
 
@@ -348,14 +329,16 @@ def _mark_cancelled(total, limit, largest, doubtful):
 
 
 @kernel
-def _carry_over(few, carry, largest, size, positive, sums, doubtful):
-    """sums[i] = few[i] @ carry, and what is doubtful: too small against its size."""
+def _carry_over(few, carry, largest, values, used, rows, positive, sums, doubtful):
+    """sums[i] = few[i] @ carry, and what is doubtful: a positive sum too small against its size, which is the sum with every
+    density as large as it can be. rows: those of the positive columns."""
     for i in range(sums.shape[0]):
         for q in range(sums.shape[1]):
             _multiply(few[i, q], carry, sums[i, q])
         doubtful[i, :] = False
-        for q in positive:
-            _mark_cancelled(sums[i, q], _CANCELLED * size[i, q], largest, doubtful[i])
+        for at in range(rows.size):
+            size = np.sum(values[i, rows[at], : used[i]])
+            _mark_cancelled(sums[i, positive[at]], _CANCELLED * size, largest, doubtful[i])
 
 
 @lru_cache(maxsize=16)
