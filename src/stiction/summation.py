@@ -54,12 +54,17 @@ PARAMETERS = 0
 
 
 @formula
-def _map_piece(low, high, origin):
-    """Coefficients of u = low + linear t + square t^2, t in [0, 1]: linear, or in the square root of u - origin where the
-    integrand has a square root branch point at `origin`, at or shortly below `low`."""
-    if 0.0 <= low - origin < 0.1 * (high - low):
-        near, far = math.sqrt(low - origin), math.sqrt(high - origin)
-        return 2.0 * near * (far - near), (far - near) ** 2
+def _map_piece(low, high, origins):
+    """Coefficients of u = low + linear t + square t^2, t in [0, 1]: linear, or in the square root of the distance to a square
+    root branch point of the integrand at or shortly below `low`, or at or shortly above `high`."""
+    for at in range(origins.size):
+        below, above = low - origins[at], origins[at] - high
+        if 0.0 <= below < 0.1 * (high - low):
+            near, far = math.sqrt(below), math.sqrt(high - origins[at])
+            return 2.0 * near * (far - near), (far - near) ** 2
+        if 0.0 <= above < 0.1 * (high - low):
+            near, far = math.sqrt(above), math.sqrt(origins[at] - low)
+            return 2.0 * far * (far - near), -((far - near) ** 2)
     return high - low, 0.0
 
 
@@ -96,7 +101,7 @@ def _scattered_template(h, law, heights, knots, parameters, edges, branch, rules
                 z_cut = z_high if cut == last else knots[cut]
                 rule = 0 if z_cut - z_low <= _SHORT else 1
                 at_knot = 0 < cut and knots[cut - 1] == z_low
-                linear, square = _map_piece(low, high, low if at_knot else branch[law[i]])
+                linear, square = (0.0, high - low) if at_knot else _map_piece(low, high, branch[law[i]])
                 for node in range(8 * (counts[rule] // 8)):
                     t = rules[rule, 0, node]
                     state = along(low + t * (linear + square * t), *row)
@@ -209,10 +214,11 @@ def _sum_rows_kernel(density):
 
 
 def _arrays(regime: Regime, laws: slice = slice(None)) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Parameters (n, p), edges (n, m) and branch (n,) as the kernels take them."""
+    """Parameters (n, p), edges (n, m) and branch (n, b) as the kernels take them."""
     edges = np.ascontiguousarray(regime.edges[laws])
     columns = [np.broadcast_to(column, len(regime.edges))[laws] for column in regime.parameters]
     branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch[laws])
+    branch = branch.reshape(len(edges), -1)
     # Not np.stack, which wants a column: a law may have no parameter at all (Hertz).
     return np.ascontiguousarray(np.reshape(columns, (len(columns), len(edges))).T), edges, branch
 

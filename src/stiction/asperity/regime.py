@@ -19,8 +19,8 @@ class Regime:
     edges: array (n, m + 1). The regime reaches from the first to the last edge in its coordinate; the edges between are
         kinks, at which the engine splits. A pair of edges that does not increase is an empty piece, so that one
         regime may hold pieces that do not adjoin.
-    branch: array (n,), a coordinate below which the resistance has no square root any more, or None. Pieces that start
-        near it are integrated in the square root of the distance to it.
+    branch: array (n,) or (n, b), coordinates at which the resistance ends like a square root, on either side, or None. Pieces
+        that start or end near one are integrated in the square root of the distance to it. -inf stands for none.
     lowest: no displacement of the regime is below this.
     state: "elastic", "plastic" ...; body: "bare", "film" or "substrate": what answers. Sums are reported by both.
     touching: whether an asperity here is counted as one that touches (a film and its substrate share asperities).

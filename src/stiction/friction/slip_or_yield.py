@@ -43,16 +43,25 @@ def _steepness(y, nu, K_beta, printed):
 
 @formula
 def _turning_point(low, high, nu, K_beta, printed):
-    """A zero of the steepness between two places where its sign differs. Bisection to 1e-8, which is enough: G is flat there,
-    so a crossing between this and the true turning point is within 1e-16 of touching."""
-    falling = _steepness(low, nu, K_beta, printed) < 0.0
-    for _ in range(27):
-        middle = 0.5 * (low + high)
-        if (_steepness(middle, nu, K_beta, printed) < 0.0) == falling:
-            low = middle
+    """A zero of the steepness between two places (the second of them, if its sign is the same at both): regula falsi, Illinois
+    variant. To 1e-8, which is enough: G is flat there, so a crossing between this and the true turning point is within
+    1e-16 of touching."""
+    at_low, at_high = _steepness(low, nu, K_beta, printed), _steepness(high, nu, K_beta, printed)
+    if (at_low < 0.0) == (at_high < 0.0):
+        return high
+    last = low
+    for _ in range(60):
+        middle = high - at_high * (high - low) / (at_high - at_low)
+        here = _steepness(middle, nu, K_beta, printed)
+        if (here < 0.0) == (at_high < 0.0):
+            at_low *= 0.5
         else:
-            high = middle
-    return low
+            low, at_low = high, at_high
+        high, at_high = middle, here
+        if abs(middle - last) <= 1e-8 * middle or here == 0.0:
+            break
+        last = middle
+    return high
 
 
 @formula
@@ -61,16 +70,17 @@ def _dip(nu, K_beta, printed):
 
     The steepness falls from the touching point to one lowest value and rises to 4/3 from there.
     """
-    lowest, least, ratio = _TOUCH, 1e9, 1.4
+    lowest, least, ratio = _TOUCH, 0.1, 1.4
     y = _TOUCH
     while y < 8.0 / (1.0 - 2.0 * nu):
         y *= ratio
-        steepness = _steepness(y, nu, K_beta, printed)
-        if steepness < least:
-            lowest, least = y, steepness
+        value, slope = _numerator(y, nu, K_beta, printed)
+        excess = y * slope - 8.0 / 3.0 * value  # the steepness times G y^(8/3): mostly this is enough to know
+        if excess < least * value:
+            lowest, least = y, excess / value
     if 0.0 <= least < 0.1:  # near enough to zero for the true lowest value, between the samples, to be below
         low, high = lowest / ratio, lowest * ratio
-        for _ in range(40):
+        for _ in range(20):
             third = (high - low) / 3.0
             if _steepness(low + third, nu, K_beta, printed) < _steepness(high - third, nu, K_beta, printed):
                 high -= third
