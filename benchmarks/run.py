@@ -3,6 +3,7 @@
 Writes benchmarks/results.md and benchmarks/results.json, with machine and versions. Nothing here is a test.
 """
 
+import itertools
 import json
 import math
 import os
@@ -84,20 +85,24 @@ def quad_loop(h: float, theta: float, lam: float, nu: float = 0.3, k: float = 2.
     scan = np.linspace(first, cut, 25)
     sign = [slip(u) < tear(u) for u in scan]
     alive = [tear(u) > 0 for u in scan]
-    kinks = [brentq(lambda u: slip(u) - tear(u), a, b, xtol=1e-15)
-             for a, b, s, t, on, still in zip(scan, scan[1:], sign, sign[1:], alive, alive[1:]) if s != t and on and still]
-    for a, b, on, still in zip(scan, scan[1:], alive, alive[1:]):
+    kinks = [
+        brentq(lambda u: slip(u) - tear(u), a, b, xtol=1e-15)
+        for a, b, s, t, on, still in zip(scan, scan[1:], sign, sign[1:], alive, alive[1:], strict=False)
+        if s != t and on and still
+    ]
+    for a, b, on, still in zip(scan, scan[1:], alive, alive[1:], strict=False):
         while on != still and b - a > 1e-14 * b:
             middle = (a + b) / 2
             a, b = (middle, b) if (tear(middle) > 0) == on else (a, middle)
         if on != still:
             kinks.append(b)
     edges = [first, *sorted(kinks), cut]
-    sums = []
-    for integrand in (load, lambda u: u**4, lambda u: min(slip(u), tear(u))):
-        pieces = [quad(lambda u: integrand(u) * weight(u), a, b, epsabs=0, epsrel=1e-11, limit=200)[0]
-                  for a, b in zip(edges, edges[1:]) if b > a]
-        sums.append(sum(pieces))
+
+    def integral(integrand):
+        pieces = [(a, b) for a, b in itertools.pairwise(edges) if b > a]
+        return sum(quad(lambda u: integrand(u) * weight(u), a, b, epsabs=0, epsrel=1e-11, limit=200)[0] for a, b in pieces)
+
+    sums = [integral(integrand) for integrand in (load, lambda u: u**4, lambda u: min(slip(u), tear(u)))]
     z = h + displacement(last)
     upper, dense = math.erfc(z / math.sqrt(2)) / 2, math.exp(-z * z / 2) / math.sqrt(2 * math.pi)
     first_moment = dense - h * upper
@@ -109,7 +114,7 @@ def speed_of_quad() -> tuple[float, float]:
     laws, count = draw(400), 400
     h = np.random.default_rng(2).uniform(-4, 4, count)
     start = time.thread_time()
-    values = np.array([quad_loop(*row) for row in zip(h, laws["theta"], laws["lam"])])
+    values = np.array([quad_loop(*row) for row in zip(h, laws["theta"], laws["lam"], strict=False)])
     rate = count / (time.thread_time() - start)
     ours = np.array(st.evaluate(h, **laws)).T
     return rate, float(np.max(np.abs(values[:, 1:] - ours[:, 1:]) / np.maximum(ours[:, 1:], 1e-12)))
@@ -134,12 +139,21 @@ def speed_of_model(record, options: dict[str, str], film: bool) -> float:
     nu, k = 0.3 * ones, 2.8 * ones
     coating = {}
     if film:
-        coating = {"n_E": 10 ** rng.uniform(-1, 1, count), "n_H": 10 ** rng.uniform(-1, 0, count), "tau": rng.uniform(0, 8, count),
-                   "n_g": ones, "film_aspect": 0.5 * ones, "film_nu": nu, "film_K_beta": 6.4762 * ones}
+        coating = {
+            "n_E": 10 ** rng.uniform(-1, 1, count),
+            "n_H": 10 ** rng.uniform(-1, 0, count),
+            "tau": rng.uniform(0, 8, count),
+            "n_g": ones,
+            "film_aspect": 0.5 * ones,
+            "film_nu": nu,
+            "film_K_beta": 6.4762 * ones,
+        }
     groups = Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating)
     settled = settle(record, options)
-    return count * SEPARATIONS.size / best(
-        lambda: totals_on_grid(record.regimes(groups, **settled), SEPARATIONS, gaussian()), repeats=3
+    return (
+        count
+        * SEPARATIONS.size
+        / best(lambda: totals_on_grid(record.regimes(groups, **settled), SEPARATIONS, gaussian()), repeats=3)
     )
 
 
@@ -187,9 +201,17 @@ def machine() -> dict[str, str]:
     import numba
     import scipy
 
-    versions = f"Python {platform.python_version()}, numpy {np.__version__}, numba {numba.__version__}, scipy {scipy.__version__}"
-    return {"processor": name, "processors": str(os.cpu_count()), "system": platform.system(), "versions": versions,
-            "stiction": st.__version__, "date": time.strftime("%Y-%m-%d")}
+    versions = (
+        f"Python {platform.python_version()}, numpy {np.__version__}, numba {numba.__version__}, scipy {scipy.__version__}"
+    )
+    return {
+        "processor": name,
+        "processors": str(os.cpu_count()),
+        "system": platform.system(),
+        "versions": versions,
+        "stiction": st.__version__,
+        "date": time.strftime("%Y-%m-%d"),
+    }
 
 
 def main() -> None:
@@ -206,18 +228,29 @@ def main() -> None:
             ("scattered, ratio to scipy.quad", scattered_rate / quad_rate),
             ("grid of 100 separations, bare corrected, evaluations/s", grid_rate),
             ("grid, ratio to scipy.quad", grid_rate / quad_rate),
-            ("scattered, every input its own nu, evaluations/s", speed_scattered(nu=np.random.default_rng(5).uniform(0, 0.499, 200_000))),
+            (
+                "scattered, every input its own nu, evaluations/s",
+                speed_scattered(nu=np.random.default_rng(5).uniform(0, 0.499, 200_000)),
+            ),
             ("scattered, published, evaluations/s", speed_scattered(reading="published")),
             ("scattered, sequential film, evaluations/s", speed_scattered(**film)),
             ("grid, sequential film, evaluations/s", speed_on_grid(**film)),
             *((f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()),
             ("stiction --help, processor s", processor_seconds(command, "--help")),
             ("stiction run, fresh process, kernels cached, processor s", processor_seconds(command, "run", case)),
-            ("stiction run --out, fresh process, processor s", processor_seconds(command, "run", case, "--out", folder + "/out")),
+            (
+                "stiction run --out, fresh process, processor s",
+                processor_seconds(command, "run", case, "--out", folder + "/out"),
+            ),
             ("10^7 scattered evaluations, peak memory, GB", peak_memory()),
         ]
     about = machine()
-    lines = ["# Benchmarks", "", "Made by `make bench`; processor time of one core. Absolute figures move with the machine, ratios hold.", ""]
+    lines = [
+        "# Benchmarks",
+        "",
+        "Made by `make bench`; processor time of one core. Absolute figures move with the machine, ratios hold.",
+        "",
+    ]
     lines += [f"- {name}: {value}" for name, value in about.items()]
     lines += ["", "| what | figure |", "|---|---|", *(f"| {name} | {value:.3g} |" for name, value in figures), ""]
     (HERE / "results.md").write_text("\n".join(lines))

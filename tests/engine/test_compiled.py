@@ -1,0 +1,46 @@
+"""The name under which a kernel is cached carries all that decides its code, and nothing that changes between processes."""
+
+import subprocess
+import sys
+
+from stiction.compiled import _decides, bind
+
+NAME_OF_A_KERNEL = """
+from stiction.friction.slip_or_yield import fill_edges
+from stiction.models.soft_coating_2015 import RECORD
+from stiction.friction.adhesive_asperity import elastic, elastic_coordinate
+from stiction.heights import gaussian
+from stiction.summation import _scattered_kernel
+heights = gaussian()
+print(fill_edges.py_func.__qualname__)
+print(_scattered_kernel(elastic, elastic_coordinate, heights.density, heights.window, 9).py_func.__qualname__)
+"""
+
+
+def outer(factor):
+    """A function that calls another, in which the factor stands."""
+    names = {}
+    exec(f"def inner(x):\n    return {factor} * x\ndef outer(x):\n    return inner(x)", names)
+    return names["outer"]
+
+
+def test_a_formula_named_by_a_formula_decides():
+    assert _decides(outer(2)) == _decides(outer(2))
+    assert _decides(outer(2)) != _decides(outer(3))
+
+
+def test_what_is_bound_decides():
+    def template(x):
+        return rule(x)  # noqa: F821
+
+    assert _decides(bind(template, rule=outer(2))) != _decides(bind(template, rule=outer(3)))
+    assert _decides(bind(template, rule=outer(2))) == _decides(bind(template, rule=outer(2)))
+
+
+def test_names_are_the_same_in_every_process():
+    """An address in a name would make every process compile anew."""
+    names = [
+        subprocess.run([sys.executable, "-c", NAME_OF_A_KERNEL], check=True, capture_output=True, text=True).stdout
+        for _ in range(2)
+    ]
+    assert names[0] == names[1] and len(names[0].split()) == 2
