@@ -57,14 +57,17 @@ PARAMETERS = 0
 def _map_piece(low, high, origins):
     """Coefficients of u = low + linear t + square t^2, t in [0, 1]: linear, or in the square root of the distance to a square
     root branch point of the integrand at or shortly below `low`, or at or shortly above `high`."""
+    nearest, origin = 0.1 * (high - low), math.inf
     for at in range(origins.size):
-        below, above = low - origins[at], origins[at] - high
-        if 0.0 <= below < 0.1 * (high - low):
-            near, far = math.sqrt(below), math.sqrt(high - origins[at])
-            return 2.0 * near * (far - near), (far - near) ** 2
-        if 0.0 <= above < 0.1 * (high - low):
-            near, far = math.sqrt(above), math.sqrt(origins[at] - low)
-            return 2.0 * far * (far - near), -((far - near) ** 2)
+        distance = max(low - origins[at], origins[at] - high)
+        if 0.0 <= distance < nearest:
+            nearest, origin = distance, origins[at]
+    if origin <= low:
+        near, far = math.sqrt(low - origin), math.sqrt(high - origin)
+        return 2.0 * near * (far - near), (far - near) ** 2
+    if origin < math.inf:
+        near, far = math.sqrt(origin - high), math.sqrt(origin - low)
+        return 2.0 * far * (far - near), -((far - near) ** 2)
     return high - low, 0.0
 
 
@@ -218,7 +221,7 @@ def _arrays(regime: Regime, laws: slice = slice(None)) -> tuple[np.ndarray, np.n
     edges = np.ascontiguousarray(regime.edges[laws])
     columns = [np.broadcast_to(column, len(regime.edges))[laws] for column in regime.parameters]
     branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch[laws])
-    branch = branch.reshape(len(edges), -1)
+    branch = branch if branch.ndim == 2 else branch[:, None]
     # Not np.stack, which wants a column: a law may have no parameter at all (Hertz).
     return np.ascontiguousarray(np.reshape(columns, (len(columns), len(edges))).T), edges, branch
 

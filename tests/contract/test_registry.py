@@ -129,8 +129,8 @@ def test_order_of_convergence(record, options, coated, monkeypatch):
     size[:, 1] = size_of_load(best[:, 1], best[:, 2], given)
     size[:, 3:] = best[:, 3:].sum(axis=1)[:, None]
     errors = [float((np.abs(sums(n, 2 * n) - best) / (size + 1e-250)).max()) for n in (8, 16, 24, 32)]
-    floor = 1e-11
-    assert errors[0] > 1e-6, f"too easy to measure anything: {errors}"
+    floor = 3e-11  # what rounding leaves
+    assert errors[0] > 1e-7, f"too easy to measure anything: {errors}"
     for coarse, fine in itertools.pairwise(errors):
         assert fine < max(coarse / 4.0, floor), errors
     assert errors[-1] < 1e-10, errors
@@ -195,7 +195,8 @@ def test_a_thick_film_hides_its_substrate(film):
         pytest.skip("belongs to one reading: adds film loads without n_E and keeps the substrate's plastic term (D4, D5)")
     model = next(one for one in ROUGH if film.key in one.options.get("coating_law", ()))
     options = settle(model, {"coating_law": film.key})
-    given = draw(200, True, 67, tau=1e9, film_aspect=1e9)
+    # A graded film tends to this as w/t and a/t: 1e14 makes that rounding.
+    given = draw(200, True, 67, tau=1e14, film_aspect=1e14)
     own = replace(given, theta=given.film_theta, lam=given.film_lam, n_E=np.ones(200), n_H=np.ones(200))
     h = np.linspace(-3.0, 4.0, 15)
     found, expected = (on_grid(model.regimes(one, **options), h, gaussian()).sum(axis=0) for one in (given, own))

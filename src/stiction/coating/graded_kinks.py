@@ -18,15 +18,19 @@ from .graded_law import contact, depth_coordinate, fading
 
 PARAMETERS = 14  # of the law, before the plateaus
 PLATEAUS = 3
+BRANCHES = 4  # places where the yield resistance ends like a square root
 CAPACITY = 40  # edges
-NEAR, FAR = 32, 95  # cells of the scan, equal in ln(u - start) and in ln u
+FAR = 95  # cells of the scan, equal in ln u
+SPARE = 8  # samples that are put in at kinks
 INNER = 16  # samples of the load's slope on a piece
 # Kinks at more than this displacement are left alone: no asperity gets there.
 _DEEPEST = 10.0  # u; x = 10^4
-_NEAREST, _APART = 1e-7, 0.04  # the first sample, and where the spacing changes, after the start over the start
-_NEARER = 0.3
+# Before these, cells are equal in ln(u - start). The first sample at the closest, where the spacing changes, cells per e-fold.
+_NEAREST, _APART, _DENSE = 1e-9, 0.04, 2.5
+NEAR = math.ceil(_DENSE * math.log(_APART / _NEAREST))
+_NEARER, _FELT = 0.3, 0.5
 _END = 1e8  # u, in place of infinity
-_FADED = 40.0  # exponent at which the film's share in the hardness is rounding
+_FADING, _FADED = 8.0, 40.0  # exponents at which the film's share in the hardness is small, and rounding
 
 _PLACES = np.clip((1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, INNER))) / 2.0, 1e-9, 1.0 - 1e-9)  # kinks are at the ends
 
@@ -94,15 +98,16 @@ def _value(which, u, law, level):
 def _zero(which, low, at_low, high, at_high, law, level):
     """A zero in a bracket: false position (Anderson & Bjorck 1973), halving now and then.
 
-    The last step is below 1e-9, which is enough for a kink; where the resistance jumps, it takes all digits."""
-    fine = 4e-15 if which == _REAL else 1e-9
+    To all digits where the resistance jumps, or where pieces are so narrow that the signal, in size about 1, hardly changes."""
+    fine, small = (4e-15, 0.0) if which == _REAL or which >= _SLOPE else (1e-9, 1e-11)
     u = last = low
     for turn in range(90):
         u = high - at_high * (high - low) / (at_high - at_low)
         if turn % 8 == 7 or turn > 30 or not low < u < high:
             u = 0.5 * (low + high)
         value = _value(which, u, law, level)
-        if value == 0.0 or abs(u - last) <= (fine if turn < 30 else 2e-16) * u:
+        step = abs(u - last) / u
+        if value == 0.0 or step <= 4e-15 or (step <= fine and abs(value) <= small):
             break
         if (value > 0.0) == (at_high > 0.0):
             shrink = 1.0 - value / at_high
@@ -159,11 +164,11 @@ def _add(out, count, u):
 
 @formula
 def _comes_near(before, here, there, small):
-    """Whether a parabola through three samples of one sign has an extremum that is well nearer to zero than the middle one,
-    or the middle one itself is positive and below `small`."""
+    """Whether three samples of one sign turn near zero: the middle one is below `small`, or a parabola through them comes well
+    nearer to zero."""
     rise, bend = there - before, there - 2.0 * here + before
     turns = (here - before) * (there - here) < 0.0 and bend * here > 0.0 and before * here > 0.0
-    near = rise * rise > 8.0 * _NEARER * bend * here or 0.0 < here < small
+    near = rise * rise > 8.0 * _NEARER * bend * here or abs(here) < small
     return turns and near
 
 
@@ -171,7 +176,8 @@ def _comes_near(before, here, there, small):
 def _add_zeros(which, places, values, law, out, count):
     """Append the zeros of one signal that was sampled at `places`."""
     before = values[0]
-    small = _NEARER if which == _REAL else 0.0  # a branch point is felt from some way off
+    # A branch point is felt from some way off, and the balance has sharp turns. Others may be constant but for rounding.
+    small = _FELT if which == _REAL or which == _BALANCE else 0.0
     for j in range(places.size - 1):
         here, there = values[j], values[j + 1]
         if (here > 0.0) != (there > 0.0):
@@ -283,46 +289,78 @@ def _fixed_edges(law, tau, out):
     out[0], out[1] = start, top
     through = depth_coordinate(tau, S, n_E, per_aspect, nu) if tau < top**4 else top
     out[2] = max(through, start)
-    out[3] = 1.0  # where w is about 1: long pieces are hard to integrate
+    out[3] = math.sqrt(math.sqrt(start**4 + 2.0))  # where w is about 2: long pieces are hard to integrate
     count = 4
     if n_E != 1.0:
         count = _add(out, count, 1.0 / math.sqrt(per_aspect))
     if n_H != 1.0 and max(linear, square) > 0.0:
-        faded = _FADED / linear if linear > 0.0 else math.sqrt(_FADED / square)
-        if faded < top**4:
-            count = _add(out, count, depth_coordinate(faded, S, n_E, per_aspect, nu))
+        # A hard film fades over many times its own thickness: an edge on the way.
+        for exponent in (_FADED, _FADING):
+            faded = exponent / linear if linear > 0.0 else math.sqrt(exponent / square)
+            if faded < top**4 and (exponent == _FADED or n_H > 1.0):
+                count = _add(out, count, depth_coordinate(faded, S, n_E, per_aspect, nu))
     return start, top, through, count
 
 
 @kernel
 def _scan(start, top, law, places, values):
-    """Sample the signals from `start` to `top`. A thin film has all its features close to the start."""
-    near, far = math.log(_NEAREST / _APART) / NEAR, math.log(top / (start * (1.0 + _APART))) / FAR
-    for j in range(NEAR):
-        places[j] = start * (1.0 + _APART * exponential(near * (NEAR - j)))
+    """Sample the signals from `start` to `top`, and return how many samples there are. A thin film has all its features close
+    to the start, where samples are as close as it fades soon."""
+    pull, _, n_E, n_H, per_aspect, nu, linear, square = law[:8]
+    slope = contact(start, math.sqrt(6.0 * pull), n_E, per_aspect, nu)[1]
+    soon = 1.0 / ((linear + math.sqrt(square)) * slope * start) if n_H != 1.0 and linear + square > 0.0 else _APART
+    nearest = max(_NEAREST, min(0.02 * soon, 0.5 * _APART))
+    cells = int(math.ceil(_DENSE * math.log(_APART / nearest)))
+    near, far = math.log(nearest / _APART) / cells, math.log(top / (start * (1.0 + _APART))) / FAR
+    places[0], places[1] = start, start * (1.0 + 1e-3 * nearest)  # to see which way signals start
+    for j in range(1, cells):
+        places[1 + j] = start * (1.0 + _APART * exponential(near * (cells - j)))
     for j in range(FAR + 1):
-        places[NEAR + j] = top * exponential(far * (j - FAR))
-    places[0] = start
-    for j in range(NEAR + FAR + 1):
-        state = signals(places[j], law)
-        values[0, j], values[1, j], values[2, j], values[3, j], values[4, j] = state
+        places[1 + cells + j] = top * exponential(far * (j - FAR))
+    size = cells + FAR + 2
+    for j in range(size):
+        _sample(j, law, places, values)
+    return size
+
+
+@formula
+def _sample(j, law, places, values):
+    values[0, j], values[1, j], values[2, j], values[3, j], values[4, j] = signals(places[j], law)
+
+
+@kernel
+def _insert(kinks, law, places, values, size):
+    """Add the kinks to the samples[:size], for as long as there is room: what is sought may turn there."""
+    for u in kinks:
+        at = size
+        while at > 0 and places[at - 1] > u:
+            at -= 1
+        if size == places.size or (at > 0 and places[at - 1] == u):
+            continue
+        places[at + 1 : size + 1] = places[at:size].copy()
+        values[:, at + 1 : size + 1] = values[:, at:size].copy()
+        places[at] = u
+        _sample(at, law, places, values)
+        size += 1
+    return size
 
 
 @kernel
 def _fill(parameters, tau, edges, part, levels, branch):
-    samples, scan = np.empty((5, NEAR + FAR + 1)), np.empty(NEAR + FAR + 1)
+    samples, scan = np.empty((5, NEAR + FAR + 2 + SPARE)), np.empty(NEAR + FAR + 2 + SPARE)
     places, loads, slopes = np.empty(CAPACITY * INNER), np.empty(CAPACITY * INNER), np.empty(CAPACITY * INNER)
     for i in range(tau.size):
         law = to_fixed_tuple(parameters[i], PARAMETERS)
         out = edges[i]
         start, top, through, count = _fixed_edges(law, tau[i], out)
-        _scan(start, top, law, scan, samples)
-        count = _add_zeros(0, scan, samples[0], law, out, count)
-        count = _add_zeros(1, scan, samples[1], law, out, count)
+        before, size = count, _scan(start, top, law, scan, samples)
+        count = _add_zeros(0, scan[:size], samples[0], law, out, count)
+        size = _insert(out[before:count], law, scan, samples, size)  # the load has a kink there
+        count = _add_zeros(1, scan[:size], samples[1], law, out, count)
         before = count
-        count = _add_zeros(_REAL, scan, samples[_REAL], law, out, count)
-        branch[i] = out[count - 1] if count > before else _branch_below(start, samples[_REAL, 0], law)
-        grips = NEAR + FAR  # beyond the last sample that is not fully plastic nothing resists
+        count = _add_zeros(_REAL, scan[:size], samples[_REAL], law, out, count)
+        count = _add_branches(start, samples[_REAL, 0], law, out, before, count, branch[i])
+        grips = size - 1  # beyond the last sample that is not fully plastic nothing resists
         while grips > 0 and samples[1, grips - 1] > 0.0:
             grips -= 1
         count = _add_zeros(_SQUEEZED, scan[: grips + 1], samples[_SQUEEZED], law, out, count)
@@ -339,11 +377,30 @@ def _fill(parameters, tau, edges, part, levels, branch):
 
 
 @kernel
-def _branch_below(start, at_start, law):
-    """The branch point of the yield resistance shortly below the start, or -inf."""
-    low = 0.5 * start
-    at_low = _value(_REAL, low, law, 0.0)
-    return _zero(_REAL, low, at_low, start, at_start, law, 0.0) if at_low < 0.0 < at_start else -math.inf
+def _add_branches(start, at_start, law, out, first, count, branch):
+    """Fill `branch` with the branch points of the yield resistance: the first below the start, and out[first:count]. Between two
+    of them there is to be an edge: a piece is rid of a square root at one of its ends only."""
+    branch[:] = -math.inf
+    found = out[first:count]
+    found.sort()
+    known = 0
+    if at_start > 0.0:
+        low, at_low, below = start, at_start, 0.005
+        while at_low > 0.0 and below < 0.2:
+            high, at_high = low, at_low
+            low = start * (1.0 - below)
+            at_low, below = _value(_REAL, low, law, 0.0), 3.0 * below
+        if at_low < 0.0:
+            branch[0] = _zero(_REAL, low, at_low, high, at_high, law, 0.0)
+        elif at_start < _FELT:  # beside the line of real u
+            branch[0] = start
+        known = 1
+    for u in found[: branch.size - known]:
+        branch[known] = u
+        known += 1
+    for at in range(known - 1):  # -inf gives none
+        count = _add(out, count, 0.5 * (branch[at] + branch[at + 1]))
+    return count
 
 
 @formula
@@ -359,14 +416,14 @@ def _name_parts(law, through, edges, count, part):
 
 
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Edges (n, CAPACITY) in u, the part (n, CAPACITY - 1) of each piece between them, plateaus (n, 6) and branch (n,).
+    """Edges (n, CAPACITY) in u, the part (n, CAPACITY - 1) of each piece between them, plateaus (n, 6) and branch (n, 4).
 
     parameters: array (n, 14). Part: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no piece;
     the film is pressed through at the displacement tau (n,). Plateaus: from start on the load is at least level, thrice.
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)
-    levels, branch = np.empty((laws, 2 * PLATEAUS)), np.empty(laws)
+    levels, branch = np.empty((laws, 2 * PLATEAUS)), np.empty((laws, BRANCHES))
     _fill(np.ascontiguousarray(parameters), np.ascontiguousarray(tau), edges, part, levels, branch)
     return edges, part, levels, branch
 

@@ -104,9 +104,9 @@ def contact(u, S, n_E, per_aspect, nu):
 
 @formula
 def fading(w, linear, square):
-    """exp(-c (w/tau)^m), the film's share in the hardness (S5.13): linear = c/tau, square = 0 for m = 1; 0, c/tau^2 for 2."""
-    w = max(w, 0.0)
-    return exponential(-w * (linear + square * w))
+    """exp(-c (w/tau)^m), the film's share in the hardness (S5.13): linear = c/tau, square = 0 for m = 1; 0, c/tau^2 for 2.
+    Continued a little to w < 0, where a branch point may be that is felt at first contact."""
+    return exponential(min(-w * (linear + square * w), 4.0))
 
 
 @formula
