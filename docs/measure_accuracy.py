@@ -12,6 +12,7 @@ import numpy as np
 from stiction import summation
 from stiction.heights import gaussian
 from stiction.models.soft_coating_2015 import RECORD
+from stiction.registry import settle
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "tests"))
@@ -52,7 +53,7 @@ def worst(found, expected, sizes):
 
 
 def regimes_of(group, reading):
-    return RECORD.regimes(group, reading=reading, coating_law="sequential", branch="loading")
+    return RECORD.regimes(group, **settle(RECORD, {"reading": reading}))
 
 
 def table_cases():

@@ -54,12 +54,12 @@ PARAMETERS = 0
 
 
 @formula
-def _map_piece(low, high, origins):
+def _map_piece(low, high, origins, two_sided):
     """Coefficients of u = low + linear t + square t^2, t in [0, 1]: linear, or in the square root of the distance to a square
-    root branch point of the integrand at or shortly below `low`, or at or shortly above `high`."""
+    root branch point of the integrand at or shortly below `low` or, if two_sided, at or shortly above `high`."""
     nearest, origin = 0.1 * (high - low), math.inf
     for at in range(origins.size):
-        distance = max(low - origins[at], origins[at] - high)
+        distance = max(low - origins[at], origins[at] - high) if two_sided else low - origins[at]
         if 0.0 <= distance < nearest:
             nearest, origin = distance, origins[at]
     if origin <= low:
@@ -87,7 +87,7 @@ def _cuts_template(left, right, h, row, heights, knots):
     return z_low, z_high, low, high, first, last
 
 
-def _scattered_template(h, law, heights, knots, parameters, edges, branch, rules, counts, out):
+def _scattered_template(h, law, heights, knots, parameters, edges, branch, two_sided, rules, counts, out):
     """Sums out[i, quantity] of one regime, for the law number law[i] at the separation h[i]."""
     for i in range(h.size):
         row = to_fixed_tuple(parameters[law[i]], PARAMETERS)
@@ -104,7 +104,7 @@ def _scattered_template(h, law, heights, knots, parameters, edges, branch, rules
                 z_cut = z_high if cut == last else knots[cut]
                 rule = 0 if z_cut - z_low <= _SHORT else 1
                 at_knot = 0 < cut and knots[cut - 1] == z_low
-                linear, square = (0.0, high - low) if at_knot else _map_piece(low, high, branch[law[i]])
+                linear, square = (0.0, high - low) if at_knot else _map_piece(low, high, branch[law[i]], two_sided)
                 for node in range(8 * (counts[rule] // 8)):
                     t = rules[rule, 0, node]
                     state = along(low + t * (linear + square * t), *row)
@@ -123,7 +123,7 @@ def _scattered_template(h, law, heights, knots, parameters, edges, branch, rules
         out[i, 4] = tear
 
 
-def _place_template(w_low, nearest, heights, parameters, edges, branch, rules, counts, place, values, used):
+def _place_template(w_low, nearest, heights, parameters, edges, branch, two_sided, rules, counts, place, values, used):
     """Append to the table of each law i the nodes of one regime, from the displacement w_low on.
 
     Every piece reaches to where the density is negligible against its own left end, at the nearest separation and so at
@@ -148,7 +148,7 @@ def _place_template(w_low, nearest, heights, parameters, edges, branch, rules, c
             if not high > low:
                 continue
             rule = 0 if w_high - w_left <= _SHORT else 1
-            linear, square = _map_piece(low, high, branch[i])
+            linear, square = _map_piece(low, high, branch[i], two_sided)
             for node in range(8 * (counts[rule] // 8)):
                 t = rules[rule, 0, node]
                 state = along(low + t * (linear + square * t), *row)
@@ -216,21 +216,22 @@ def _sum_rows_kernel(density):
     return kernel(bind(_sum_rows_template, density=density))
 
 
-def _arrays(regime: Regime, laws: slice = slice(None)) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Parameters (n, p), edges (n, m) and branch (n, b) as the kernels take them."""
+def _arrays(regime: Regime, laws: slice = slice(None)) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
+    """Parameters (n, p), edges (n, m), branch (n, b) and whether that is two-sided, as the kernels take them."""
     edges = np.ascontiguousarray(regime.edges[laws])
     columns = [np.broadcast_to(column, len(regime.edges))[laws] for column in regime.parameters]
     branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch[laws])
-    branch = branch if branch.ndim == 2 else branch[:, None]
+    two_sided = branch.ndim == 2
+    branch = branch if two_sided else branch[:, None]
     # Not np.stack, which wants a column: a law may have no parameter at all (Hertz).
-    return np.ascontiguousarray(np.reshape(columns, (len(columns), len(edges))).T), edges, branch
+    return np.ascontiguousarray(np.reshape(columns, (len(columns), len(edges))).T), edges, branch, two_sided
 
 
 def _one_regime(regime: Regime, h: np.ndarray, law: np.ndarray, heights: Heights) -> np.ndarray:
-    parameters, edges, branch = _arrays(regime)
+    parameters, edges, *branch = _arrays(regime)
     compiled = _scattered_kernel(regime.along, regime.coordinate, heights.density, heights.window, parameters.shape[1])
     out = np.empty((h.size, len(QUANTITIES)))
-    compiled(h, law, heights.shape, heights.knots, parameters, edges, branch, _RULES, _COUNTS, out)
+    compiled(h, law, heights.shape, heights.knots, parameters, edges, *branch, _RULES, _COUNTS, out)
     return out
 
 
@@ -310,9 +311,9 @@ def _by_skeleton(regimes, h, heights, rows, sums) -> bool:
         block = slice(start, min(start + _BLOCK, len(sums)))
         used = np.zeros(block.stop - start, dtype=np.int64)
         for regime in regimes:
-            parameters, edges, branch = _arrays(regime, block)
+            parameters, edges, *branch = _arrays(regime, block)
             put = _place_kernel(regime.along, regime.coordinate, heights.window, parameters.shape[1])
-            put(w_low, nearest, heights.shape, parameters, edges, branch, _RULES, _COUNTS, place, values, used)
+            put(w_low, nearest, heights.shape, parameters, edges, *branch, _RULES, _COUNTS, place, values, used)
         nodes = heights.shape, place, values, used, rows
         sum_rows(skeleton, reach, *nodes, every, few)
         _carry_over(few, carry, largest, values, used, rows[positive], positive, sums[block], doubtful)

@@ -19,8 +19,9 @@ class Regime:
     edges: array (n, m + 1). The regime reaches from the first to the last edge in its coordinate; the edges between are
         kinks, at which the engine splits. A pair of edges that does not increase is an empty piece, so that one
         regime may hold pieces that do not adjoin.
-    branch: array (n,) or (n, b), coordinates at which the resistance ends like a square root, on either side, or None. Pieces
-        that start or end near one are integrated in the square root of the distance to it. -inf stands for none.
+    branch: array (n,), a coordinate from which on the resistance grows like a square root; or (n, b), coordinates at which
+        it does so on either side; or None. A piece that begins (or, for the second, ends) at or near one is integrated in
+        the square root of the distance to it.
     lowest: no displacement of the regime is below this.
     state: "elastic", "plastic" ...; body: "bare", "film" or "substrate": what answers. Sums are reported by both.
     touching: whether an asperity here is counted as one that touches (a film and its substrate share asperities).

@@ -120,7 +120,7 @@ RECORD = Record(
     grade="C",
     sources=(
         Source("gao_chiu_lee_1992", "I0: modulus of film and substrate against t/a"),
-        Source("bhattacharya_nix_1988", "hardness against depth", "sources disagree on the exponent: here 2 if soft, 1 if hard"),
+        Source("bhattacharya_nix_1988", "hardness against depth", "sources disagree on the exponent: 2 if soft, 1 if hard"),
         Source("zhao_maietta_chang_2000", "from elastic to fully plastic", "taken in the elastic mean pressure, not in depth"),
         Source("soft_coating_2015", "asperities, sum and friction"),
     ),

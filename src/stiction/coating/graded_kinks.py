@@ -20,7 +20,7 @@ PARAMETERS = 14  # of the law, before the plateaus
 PLATEAUS = 3
 BRANCHES = 4  # places where the yield resistance ends like a square root
 CAPACITY = 40  # edges
-FAR = 95  # cells of the scan, equal in ln u
+FAR = 79  # cells of the scan, equal in ln u
 SPARE = 8  # samples that are put in at kinks
 INNER = 16  # samples of the load's slope on a piece
 # Kinks at more than this displacement are left alone: no asperity gets there.
@@ -281,7 +281,7 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
 
 @formula
 def _fixed_edges(law, tau, out):
-    """Start, film pressed through, film faded, contact as wide as the film is thick, end of the scan; their number."""
+    """Start, end of the scan, film pressed through, and what cuts long pieces; the first three, and how many there are."""
     pull, _, n_E, n_H, per_aspect, nu, linear, square = law[:8]
     S = math.sqrt(6.0 * pull)
     start = depth_coordinate(0.0, S, n_E, per_aspect, nu)
@@ -291,8 +291,6 @@ def _fixed_edges(law, tau, out):
     out[2] = max(through, start)
     out[3] = math.sqrt(math.sqrt(start**4 + 2.0))  # where w is about 2: long pieces are hard to integrate
     count = 4
-    if n_E != 1.0:
-        count = _add(out, count, 1.0 / math.sqrt(per_aspect))
     if n_H != 1.0 and max(linear, square) > 0.0:
         # A hard film fades over many times its own thickness: an edge on the way.
         for exponent in (_FADED, _FADING):
@@ -310,7 +308,7 @@ def _scan(start, top, law, places, values):
     slope = contact(start, math.sqrt(6.0 * pull), n_E, per_aspect, nu)[1]
     soon = 1.0 / ((linear + math.sqrt(square)) * slope * start) if n_H != 1.0 and linear + square > 0.0 else _APART
     nearest = max(_NEAREST, min(0.02 * soon, 0.5 * _APART))
-    cells = int(math.ceil(_DENSE * math.log(_APART / nearest)))
+    cells = math.ceil(_DENSE * math.log(_APART / nearest))
     near, far = math.log(nearest / _APART) / cells, math.log(top / (start * (1.0 + _APART))) / FAR
     places[0], places[1] = start, start * (1.0 + 1e-3 * nearest)  # to see which way signals start
     for j in range(1, cells):
@@ -378,7 +376,7 @@ def _fill(parameters, tau, edges, part, levels, branch):
 
 @kernel
 def _add_branches(start, at_start, law, out, first, count, branch):
-    """Fill `branch` with the branch points of the yield resistance: the first below the start, and out[first:count]. Between two
+    """Fill `branch` with the branch points of the yield resistance: the first below the start, and out[first:count]. Between
     of them there is to be an edge: a piece is rid of a square root at one of its ends only."""
     branch[:] = -math.inf
     found = out[first:count]
