@@ -51,6 +51,7 @@ def section(model: dict) -> str:
     lines = [f"### `{model['key']}`", "", f"{model['title']}. Grade {model['grade']}.", ""]
     lines += [f"- Source: {source}" for source in model["source"]]
     lines += [f"- Checked against: {model['verified']}"]
+    lines += [f"- Sums are good to: {model['accuracy']:.0e}"]
     lines += [f"- Valid for: {rule}" for rule in model["validity"]]
     lines += [f"- Depends on: {', '.join(f'`{name}`' for name in model['needs'])}"] if model["needs"] else []
     lines += [f"- Options, the default first: {'; '.join(options)}"] if options else []

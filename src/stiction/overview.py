@@ -27,6 +27,7 @@ def models() -> list[dict[str, Any]]:
                 "options": {name: list(values) for name, values in record.options.items()},
                 "friction": record.friction,
                 "coating": record.coating,
+                "accuracy": record.accuracy,
                 "verified": record.verified,
                 "notes": record.notes,
             }

@@ -68,8 +68,8 @@ class Record:
     regimes(substrate, film, groups) -> list of Regime. own_options: option name -> allowed values, the first is the default.
     default_film: the film law of a coated surface, if the model knows films. interchangeable: False for a film that belongs
     to one reading only. friction: False where the source has no tangential law. load_falls: the source's load falls with
-    growing separation wherever it is compressive. verified: what the numbers were checked against. notes: what a user
-    should know.
+    growing separation wherever it is compressive. accuracy: sums are good to this, relative to each law's own; larger where
+    kinks of a law are found by scanning. verified: what the numbers were checked against. notes: what a user should know.
     """
 
     key: str
@@ -87,6 +87,7 @@ class Record:
     interchangeable: bool = True
     friction: bool = True
     load_falls: bool = True
+    accuracy: float = 1e-10
     notes: str = ""
     entries: Mapping[str, str] = field(default_factory=dict)
 

@@ -26,7 +26,7 @@ INNER = 16  # samples of the load's slope on a piece
 # Kinks at more than this displacement are left alone: no asperity gets there.
 _DEEPEST = 10.0  # u; x = 10^4
 # Before these, cells are equal in ln(u - start). The first sample at the closest, where the spacing changes, cells per e-fold.
-_NEAREST, _APART, _DENSE = 1e-9, 0.04, 2.5
+_NEAREST, _APART, _DENSE = 1e-9, 0.2, 4.0
 NEAR = math.ceil(_DENSE * math.log(_APART / _NEAREST))
 _NEARER, _FELT = 0.3, 0.5
 _END = 1e8  # u, in place of infinity
@@ -389,7 +389,7 @@ def _add_branches(start, at_start, law, out, first, count, branch):
             low = start * (1.0 - below)
             at_low, below = _value(_REAL, low, law, 0.0), 3.0 * below
         if at_low < 0.0:
-            branch[0] = _zero(_REAL, low, at_low, high, at_high, law, 0.0)
+            branch[0] = low - at_low * (high - low) / (at_high - at_low)  # there is no piece there: about
         elif at_start < _FELT:  # beside the line of real u
             branch[0] = start
         known = 1
