@@ -216,11 +216,11 @@ def _sum_rows_kernel(density):
     return kernel(bind(_sum_rows_template, density=density))
 
 
-def _arrays(regime: Regime, laws: slice = slice(None)) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
+def _arrays(regime: Regime) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
     """Parameters (n, p), edges (n, m), branch (n, b) and whether that is two-sided, as the kernels take them."""
-    edges = np.ascontiguousarray(regime.edges[laws])
-    columns = [np.broadcast_to(column, len(regime.edges))[laws] for column in regime.parameters]
-    branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch[laws])
+    edges = np.ascontiguousarray(regime.edges)
+    columns = [np.broadcast_to(column, len(edges)) for column in regime.parameters]
+    branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch)
     two_sided = branch.ndim == 2
     branch = branch if two_sided else branch[:, None]
     # Not np.stack, which wants a column: a law may have no parameter at all (Hertz).
@@ -303,6 +303,10 @@ def _by_skeleton(regimes, h, heights, rows, sums) -> bool:
     # The load, which changes sign, is as good as the area beside it; all else is positive.
     positive = np.array([column for column, row in enumerate(rows) if row != 1])
     sum_rows = _sum_rows_kernel(heights.density)
+    placed = [
+        (_place_kernel(regime.along, regime.coordinate, heights.window, len(regime.parameters)), _arrays(regime))
+        for regime in regimes
+    ]
     room = sum((regime.edges.shape[1] - 1) * _LONGEST for regime in regimes)
     place, values = np.empty((_BLOCK, room)), np.empty((_BLOCK, 6, room))
     few, doubtful = np.empty((_BLOCK, 3, skeleton.size)), np.empty((_BLOCK, h.size), dtype=np.bool_)
@@ -310,10 +314,9 @@ def _by_skeleton(regimes, h, heights, rows, sums) -> bool:
     for start in range(0, len(sums), _BLOCK):
         block = slice(start, min(start + _BLOCK, len(sums)))
         used = np.zeros(block.stop - start, dtype=np.int64)
-        for regime in regimes:
-            parameters, edges, *branch = _arrays(regime, block)
-            put = _place_kernel(regime.along, regime.coordinate, heights.window, parameters.shape[1])
-            put(w_low, nearest, heights.shape, parameters, edges, *branch, _RULES, _COUNTS, place, values, used)
+        for put, (parameters, edges, branch, two_sided) in placed:
+            pieces = parameters[block], edges[block], branch[block], two_sided
+            put(w_low, nearest, heights.shape, *pieces, _RULES, _COUNTS, place, values, used)
         nodes = heights.shape, place, values, used, rows
         sum_rows(skeleton, reach, *nodes, every, few)
         _carry_over(few, carry, largest, values, used, rows[positive], positive, sums[block], doubtful)
