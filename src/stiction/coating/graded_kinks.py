@@ -1,8 +1,9 @@
 """Where the law of a graded film has kinks: the edges of its regimes.
 
-Each kind of kink is a zero of a smooth function of u: they are sampled together, sign changes are refined inside their
-bracket, and near misses of zero between samples are looked into. Where the load would fall although it is compressive, the
-asperity keeps it until it is reached again (S5.19): that plateau has two ends more.
+Each kind of kink is a zero of a function of u that is smooth but for a kink where the asperity begins to flow: they
+are sampled together, there too, sign changes are refined inside their bracket, and near misses of zero are looked
+into. Where the load would fall although it is compressive, the asperity keeps it until it is reached again (S5.19):
+that plateau has two ends more.
 """
 
 import math
