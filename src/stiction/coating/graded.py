@@ -128,6 +128,6 @@ RECORD = Record(
     verified="second implementation of six laws; bare at n_E = n_H = 1, substrate for tau -> 0, film for tau -> infinity",
     needs=("n_E", "n_H", "tau", "film_aspect"),
     load_falls=False,
-    accuracy=2e-9,  # the worst of 400 000 laws of the whole range; 1 in 30 000 is above 1e-10
+    accuracy=2e-9,  # the worst of 400 000 laws of the whole range; 1 in 10 000 is above 1e-10
     notes="This project's own composition. Where an asperity's load would fall with depth it is held: the asperity jumps in.",
 )
