@@ -28,7 +28,8 @@ from scipy.optimize import brentq  # noqa: E402
 import stiction as st  # noqa: E402
 from stiction.groups import Groups  # noqa: E402
 from stiction.heights import gaussian  # noqa: E402
-from stiction.registry import records, settle  # noqa: E402
+from stiction.problem import Choice, problem_of  # noqa: E402
+from stiction.registry import find, misfit, of_kind  # noqa: E402
 from stiction.summation import totals_on_grid  # noqa: E402
 
 HERE = Path(__file__).parent
@@ -132,9 +133,10 @@ def speed_on_grid(**extra) -> float:
     return count * SEPARATIONS.size / best(lambda: st.evaluate(SEPARATIONS, **laws, **extra))
 
 
-def speed_of_model(record, options: dict[str, str], film: bool) -> float:
-    """Evaluations per second of any registered law on the grid, from its groups to load, area and resistance."""
-    count = 4_000
+def speed_of_model(choice: Choice, film: bool) -> float:
+    """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
+    model = find(choice.model, "rough surface")
+    count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
     rng, ones = np.random.default_rng(4), np.ones(count)
     nu, k = 0.3 * ones, 2.8 * ones
     coating = {}
@@ -148,13 +150,17 @@ def speed_of_model(record, options: dict[str, str], film: bool) -> float:
             "film_nu": nu,
             "film_K_beta": 6.4762 * ones,
         }
-    groups = Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating)
-    settled = settle(record, options)
-    return (
-        count
-        * SEPARATIONS.size
-        / best(lambda: totals_on_grid(record.regimes(groups, **settled), SEPARATIONS, gaussian()), repeats=3)
-    )
+    others = {"tabor_parameter": 10 ** rng.uniform(-1, 1, count), "sharpness": 0.03 * ones, "density": 0.05 * ones}
+    others |= {"nominal_width": 2e4 * ones, "shear_strength": 0.1 * ones, "pressure_coefficient": 0.05 * ones}
+    groups = Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
+    if model.asperity:
+        seconds = best(lambda: totals_on_grid(problem_of(groups, choice).regimes, SEPARATIONS, gaussian()), repeats=3)
+    elif model.curve is not None:
+        seconds = best(lambda: problem_of(groups, choice).on_grid(SEPARATIONS), repeats=3)
+    else:
+        load = np.tile(10 ** np.linspace(-6.0, 0.0, SEPARATIONS.size), (count, 1))
+        seconds = best(lambda: problem_of(groups, choice).at_load(load), repeats=3)
+    return count * SEPARATIONS.size / seconds
 
 
 def processor_seconds(*command: str) -> float:
@@ -180,18 +186,39 @@ def peak_memory() -> float:
     return int(done.stdout) / 1e6
 
 
-def model_rows() -> list[tuple[str, float]]:
-    rows = []
-    for record in records().values():
-        if record.kind != "rough surface":
+def model_choices() -> list[tuple[str, Choice, bool]]:
+    """Every model by itself, on each branch; with films; and every other law in the place of a plain model's: name, choice and
+    whether there is a film."""
+    plain, taken, rows = "greenwood_williamson_1966", set(), []
+    laws, shears, models = of_kind("asperity"), of_kind("tangential"), of_kind("rough surface")
+    for record in models.values():
+        taken |= {record.asperity, record.tangential}
+        for branch in laws[record.asperity].own_options.get("branch", ("",)) if record.asperity else ("",):
+            rows.append((f"{record.key} {branch}".strip(), Choice(record.key, options={"branch": branch or None}), False))
+        for value, film in record.film_by_option.items():
+            name = next(name for name, values in record.own_options.items() if value in values)
+            rows.append((f"{record.key}, {value}, {film} film", Choice(record.key, options={name: value}), True))
+    rows += [(f"asperity law {key}", Choice(plain, asperity=key), False) for key in laws if key not in taken]
+    for key, shear in shears.items():
+        if key not in taken:
+            suited = next(law.key for law in laws.values() if not misfit(shear, law))
+            rows.append((f"tangential law {key} on {suited}", Choice(plain, suited, key), False))
+    usual = models["soft_coating_2015"]
+    interface = next(key for key, shear in shears.items() if shear.interfacial)
+    for key, film in of_kind("film").items():
+        if not film.interchangeable:
             continue
-        for branch in record.options.get("branch", ("",)):
-            rows.append((f"{record.key} {branch}".strip(), record, {"branch": branch} if branch else {}, False))
-        for film in record.options.get("coating_law", ()):
-            rows.append((f"{record.key}, {film} film", record, {"coating_law": film}, True))
-        if "published" in record.options.get("reading", ()):
-            rows.append((f"{record.key}, published, printed film", record, {"reading": "published"}, True))
-    return [(name, speed_of_model(*rest)) for name, *rest in track(rows, "models", console=Console(stderr=True))]
+        if key == usual.default_film or "2015" in film.wants:
+            rows.append((f"{usual.key}, {key} film", Choice(usual.key, coating_law=key), True))
+        else:
+            suited = next(law.key for law in laws.values() if not misfit(film, law))
+            rows.append((f"{key} film, asperity law {suited}, {interface}", Choice(plain, suited, interface, key), True))
+    return rows
+
+
+def model_rows() -> list[tuple[str, float]]:
+    rows = track(model_choices(), "models", console=Console(stderr=True))
+    return [(name, speed_of_model(choice, film)) for name, choice, film in rows]
 
 
 def machine() -> dict[str, str]:

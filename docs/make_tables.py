@@ -1,4 +1,4 @@
-"""Writes the generated tables of the documentation: models and films from the registry, materials from the presets.
+"""Writes the generated tables of the documentation: models and laws from the registry, materials from the presets.
 
     python docs/make_tables.py
 
@@ -6,12 +6,13 @@ Each table stands in its page between a line "<!-- NAME: begin, made by docs/mak
 """
 
 import re
+from functools import partial
 from pathlib import Path
 
 import stiction as st
 from stiction.materials import material_names
 from stiction.quantities import QUANTITIES
-from stiction.registry import GRADES
+from stiction.registry import CHOICES, GRADES, Criterion, FilmLaw, Record, records
 from stiction.units import show
 
 HERE = Path(__file__).parent
@@ -22,41 +23,113 @@ def grades() -> str:
     return table(("grade", "meaning"), [(f"**{grade}**", meaning) for grade, meaning in GRADES.items()])
 
 
+def of_kind(kind: str) -> list[dict]:
+    return [model for model in st.models() if model["kind"] == kind]
+
+
 def overview(kind: str) -> str:
     """One line for each model of a kind."""
-    rows = [
-        (f"[`{model['key']}`](#{model['key']})", model["title"], model["grade"], *answers(model))
-        for model in st.models()
-        if model["kind"] == kind
-    ]
-    head = ("key", "what it is", "grade", *(("friction", "film") if kind == "rough surface" else ()))
-    return table(head, rows)
+    names, cells = COLUMNS.get(kind, ((), lambda model: ()))
+    rows = [(f"[`{model['key']}`](#{anchor(model)})", model["title"], model["grade"], *cells(model)) for model in of_kind(kind)]
+    return table(("key", "what it is", "grade", *names), rows)
 
 
-def answers(model: dict) -> tuple[str, ...]:
-    """Whether a rough-surface model predicts friction and takes a film."""
-    if model["kind"] != "rough surface":
-        return ()
-    return tuple("yes" if model[name] else "no" for name in ("friction", "coating"))
+def record_of(model: dict) -> Record:
+    """The record that the row of `st.models()` is about."""
+    return next(one for one in records() if (one.key, one.kind) == (model["key"], model["kind"]))
+
+
+def takes(model: dict) -> tuple[str, ...]:
+    """The laws that a rough-surface model takes by itself."""
+    if not model["asperity"]:
+        return "closed form", "none", "none"
+    laws = {"asperity": model["asperity"], "tangential": model["tangential"], "film": model["default_film"]}
+    keys = {kind: key if key != "none" else "" for kind, key in laws.items()}
+    return tuple(f"[`{key}`](#{anchor({'key': key, 'kind': kind})})" if key else "none" for kind, key in keys.items())
+
+
+def asperities_of(model: dict) -> str:
+    """Which asperity laws a tangential or film law goes with."""
+    marked = f"those marked {', '.join(model['wants'])}" if model["wants"] else "any"
+    if not getattr(record_of(model), "own_asperity", False):
+        return marked
+    return f"its own, in place of {marked}" if model["wants"] else "its own"
+
+
+def friction_of(model: dict) -> str:
+    """Which tangential laws a film law goes with."""
+    known = {"": "any that suits the asperity law", "interface": "laws of the interface"}
+    return known.get(model["tangential"]) or f"its own, `{model['tangential']}`"
+
+
+# What the overview of a kind has beyond key, title and grade: heads, and the cells of a row.
+COLUMNS = {
+    "rough surface": (("asperity law", "tangential law", "film law"), takes),
+    "asperity": (("marked",), lambda model: (", ".join(model["traits"]),)),
+    "tangential": (
+        ("asperity laws", "of the interface"),
+        lambda model: (asperities_of(model), "yes" if model["interfacial"] else ""),
+    ),
+    "film": (("asperity laws", "tangential laws"), lambda model: (asperities_of(model), friction_of(model))),
+}
+
+
+def shares_its_key(model: dict) -> bool:
+    """Whether a model of an earlier kind has this key too."""
+    kinds = list(CHOICES)
+    earlier = kinds[: kinds.index(model["kind"])] if model["kind"] in kinds else kinds
+    return any(other["key"] == model["key"] and other["kind"] in earlier for other in st.models())
+
+
+def heading(model: dict) -> str:
+    return f"`{model['key']}` ({model['kind']} law)" if shares_its_key(model) else f"`{model['key']}`"
+
+
+def anchor(model: dict) -> str:
+    """What a link to the model's heading ends with."""
+    return re.sub(r"[^\w\- ]", "", heading(model).lower()).replace(" ", "-")
 
 
 def details(kind: str) -> str:
     """A section for each model of a kind."""
-    return "\n\n".join(section(model) for model in st.models() if model["kind"] == kind)
+    return "\n\n".join(section(model) for model in of_kind(kind))
 
 
 def section(model: dict) -> str:
     """All that the record of one model says."""
     options = [f"`{name}`: {', '.join(f'`{value}`' for value in values)}" for name, values in model["options"].items()]
-    lines = [f"### `{model['key']}`", "", f"{model['title']}. Grade {model['grade']}.", ""]
+    lines = [f"### {heading(model)}", "", f"{model['title']}. Grade {model['grade']}.", ""]
     lines += [f"- Source: {source}" for source in model["source"]]
+    lines += [f"- Missing: {model['unknown']}", f"- Nearest to it here: {model['nearest']}"] if "unknown" in model else []
     lines += [f"- Checked against: {model['verified']}"]
-    lines += [f"- Sums are good to: {model['accuracy']:.0e}"]
+    lines += [f"- Sums are good to: {model['accuracy']:.0e}"] if model["kind"] in CHOICES else []
+    lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
+    lines += [f"- Only with asperity laws marked {trait}: {why}" for trait, why in model.get("wants", {}).items()]
+    lines += [f"- Marked: {', '.join(model['traits'])}"] if model.get("traits") else []
+    lines += more(record_of(model))
     lines += [f"- Valid for: {rule}" for rule in model["validity"]]
     lines += [f"- Depends on: {', '.join(f'`{name}`' for name in model['needs'])}"] if model["needs"] else []
     lines += [f"- Options, the default first: {'; '.join(options)}"] if options else []
     lines += [f"- Note: {model['notes']}"] if model["notes"] else []
     return "\n".join(lines)
+
+
+def more(record: Record) -> list[str]:
+    """What is not in the rows of `st.models()`: what a film goes with, what a criterion says, and what a law becomes."""
+    lines = []
+    if isinstance(record, FilmLaw) and record.own_asperity:
+        lines.append("- Brings its own asperity law")
+    if isinstance(record, FilmLaw) and record.tangential:
+        others = "of the interface" if record.tangential == "interface" else f"`{record.tangential}`, which is built into it"
+        lines.append(f"- Only with the tangential law{'s' if record.tangential == 'interface' else ''} {others}")
+    if isinstance(record, Criterion):
+        lines += [f"- Below 1: {record.below}", f"- Above 1: {record.above}"]
+    for limit in record.limits:
+        values = [f"`{name}` = {value:g}" for name, value in limit.groups.items()]
+        chosen = [f"`{name}` `{value}`" for name, value in limit.options.items()]
+        where = f"at {', '.join(values + chosen)}" if values else "everywhere"
+        lines.append(f"- Becomes `{limit.parent}` {where}: {' and '.join(limit.quantities)} to {limit.within:.0e}")
+    return lines
 
 
 def materials() -> str:
@@ -89,13 +162,23 @@ def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
 
 
+# What the tables of each kind are called in the page.
+NAMES = {
+    "models": "rough surface",
+    "asperity laws": "asperity",
+    "tangential laws": "tangential",
+    "films": "film",
+    "composites": "composite",
+    "stiffness before sliding": "presliding",
+    "criteria": "criterion",
+    "models that are not available": "not available",
+}
+
 TABLES = {
     "models.md": {
         "grades": grades,
-        "models": lambda: overview("rough surface"),
-        "films": lambda: overview("film"),
-        "details of models": lambda: details("rough surface"),
-        "details of films": lambda: details("film"),
+        **{name: partial(overview, kind) for name, kind in NAMES.items()},
+        **{f"details of {name}": partial(details, kind) for name, kind in NAMES.items()},
     },
     "materials.md": {"materials": materials, "sources of materials": material_sources},
 }

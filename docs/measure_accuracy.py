@@ -11,8 +11,7 @@ import numpy as np
 
 from stiction import summation
 from stiction.heights import gaussian
-from stiction.models.soft_coating_2015 import RECORD
-from stiction.registry import settle
+from stiction.problem import Choice, problem_of
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "tests"))
@@ -53,7 +52,7 @@ def worst(found, expected, sizes):
 
 
 def regimes_of(group, reading):
-    return RECORD.regimes(group, **settle(RECORD, {"reading": reading}))
+    return problem_of(group, Choice(options={"reading": reading})).regimes
 
 
 def table_cases():
@@ -73,7 +72,7 @@ def random_cases(coated):
         h = rng.uniform(-6.0, 8.0, LAWS)
         regimes = regimes_of(group, reading)
         expected = totals(regimes, h, REFERENCE_NODES)
-        film = (group.film_theta, group.n_E) if coated else ()
+        film = (group.film().theta, group.n_E) if coated else ()
         yield regimes, h, expected, [load_size(*expected[:2], group.theta, *film), *expected[1:]]
 
 

@@ -42,14 +42,17 @@ def groups_of(rows: list[dict[str, str]]) -> Groups:
     return groups(**{name: column(rows, title) for name, title in GROUP_COLUMNS.items()}, **film_of(rows))
 
 
-def groups(theta=1.0, lam=1.0, nu=0.3, hardness_to_yield=2.8, **film) -> Groups:
+FILM_GROUPS = ("n_E", "n_H", "tau", "n_g", "film_aspect", "film_nu", "film_K_beta")
+
+
+def groups(theta=1.0, lam=1.0, nu=0.3, hardness_to_yield=2.8, **others) -> Groups:
     """Groups of arrays or numbers. K beta is that of bodies alike: (8/3)(2 - nu)/(1 - nu), docs/theory.md."""
     nu = np.asarray(nu, dtype=float)
     given = {"theta": theta, "lam": lam, "nu": nu, "hardness_to_yield": hardness_to_yield}
     given["K_beta"] = 8 / 3 * (2 - nu) / (1 - nu)
-    if film:
-        film = {"n_g": 1.0, "film_aspect": np.inf, "film_nu": nu, "film_K_beta": given["K_beta"]} | film
-    whole = given | film
+    if not others.keys().isdisjoint(FILM_GROUPS):
+        others = {"n_g": 1.0, "film_aspect": np.inf, "film_nu": nu, "film_K_beta": given["K_beta"]} | others
+    whole = given | others
     arrays = np.broadcast_arrays(*(np.atleast_1d(np.asarray(value, dtype=float)) for value in whole.values()))
     return Groups(**dict(zip(whole, map(np.ascontiguousarray, arrays), strict=True)))
 
@@ -77,6 +80,23 @@ def random_groups(rng: np.random.Generator, n: int, coated: bool) -> dict[str, n
         thickness = np.where(rng.random(n) < 0.5, rng.uniform(0.0, 8.0, n), decades(0, 3))
         drawn |= {"n_E": decades(-2, 2), "n_H": decades(-2, 2), "tau": thickness}
     return drawn
+
+
+def random_others(rng: np.random.Generator, n: int) -> dict[str, np.ndarray]:
+    """The groups that only some laws need, over the range in which they have a meaning."""
+
+    def decades(low, high):
+        return 10.0 ** rng.uniform(low, high, n)
+
+    return {
+        "tabor_parameter": decades(-2, 2),
+        "sharpness": decades(-3, -0.5),
+        "density": decades(-1.7, 0),
+        "nominal_width": decades(2, 6),
+        "shear_strength": decades(-4, -0.5),
+        "pressure_coefficient": decades(-3, -0.5),
+        "peeling": decades(-2, 0),
+    }
 
 
 def load_size(load, area, theta, theta_film=None, n_E=1.0):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .case import read_case as read_case
+    from .compare import compare as compare
     from .contact import Coating as Coating
     from .contact import Contact as Contact
     from .contact import Indices as Indices
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from .overview import models as models
     from .solve import solve as solve
     from .units import axis as axis
+    from .unloading import unload as unload
 
 _PLACES = {
     "Coating": "contact",
@@ -36,12 +38,14 @@ _PLACES = {
     "Roughness": "contact",
     "axis": "units",
     "cite": "overview",
+    "compare": "compare",
     "evaluate": "evaluate",
     "height_distribution": "heights",
     "material": "materials",
     "models": "overview",
     "read_case": "case",
     "solve": "solve",
+    "unload": "unloading",
     "work_of_adhesion": "contact",
 }
 __all__ = list(_PLACES)

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
+from stiction.choice import Choice
 from stiction.contact import Contact, Indices
 from stiction.errors import InputError
 from stiction.inputs import Input
@@ -28,19 +29,14 @@ class Case:
 
     subject: the Contact or the Indices. separation, load: points, one is an array (n,) and the other None;
     metres and newtons for a Contact, h = d/sigma and load per K R^(1/2) sigma^(3/2) and asperity for
-    Indices. model, reading, coating_law, branch, transition: names that the registry of models
-    knows, None for the default of the model.
+    Indices. choice: the model, other laws than its own, and options, as the registry knows them.
     """
 
     title: str
     subject: Contact | Indices
     separation: np.ndarray | None
     load: np.ndarray | None
-    model: str
-    reading: str | None
-    coating_law: str | None
-    branch: str | None
-    transition: str | None
+    choice: Choice
 
 
 def _point(value):
@@ -78,10 +74,14 @@ class _Solve(Input):
     separation: _Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
     load: _Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
     model: str = Field("soft_coating_2015", description="key of a model, see `stiction models`")
-    reading: str | None = Field(None, description="corrected or published, for a model with readings")
+    asperity: str | None = Field(None, description="key of an asperity law in place of the model's own, see `stiction models`")
+    tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
     coating_law: str | None = Field(None, description="key of a film law, see `stiction models`")
-    branch: str | None = Field(None, description="loading or unloading, for a model with branches")
+    presliding: str | None = Field(None, description="mindlin_1949: the tangential stiffness before sliding, too")
+    reading: str | None = Field(None, description="corrected or published, for a model with readings")
+    branch: str | None = Field(None, description="loading or unloading, for an asperity law with branches")
     transition: str | None = Field(None, description="jump or gradual: how a bare asperity turns plastic")
+    options: dict[str, str] = Field(default_factory=dict, description="any other option of the model or of a law, by name")
 
     @model_validator(mode="after")
     def _one_kind_of_points(self):
@@ -136,12 +136,18 @@ def parse_case(content: Mapping) -> Case:
         subject=subject,
         separation=_resolve(solve.separation, _separation, subject, "solve.separation"),
         load=_resolve(solve.load, _load, subject, "solve.load"),
-        model=solve.model,
-        reading=solve.reading,
-        coating_law=solve.coating_law,
-        branch=solve.branch,
-        transition=solve.transition,
+        choice=_choice(solve),
     )
+
+
+def _choice(solve: _Solve) -> Choice:
+    return Choice(solve.model, solve.asperity, solve.tangential, solve.coating_law, _options(solve), solve.presliding)
+
+
+def _options(solve: _Solve) -> dict[str, str | None]:
+    """Options that have keys of their own, where given, and all others."""
+    named = {name: getattr(solve, name) for name in ("reading", "branch", "transition")}
+    return {name: value for name, value in named.items() if value is not None} | solve.options
 
 
 def json_schema() -> dict:

@@ -84,8 +84,10 @@ def run(
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact and what to solve.")],
     out: _Out = None,
     model: Annotated[str | None, typer.Option(help="Key of a rough-surface model, see: stiction models.")] = None,
+    asperity: Annotated[str | None, typer.Option(help="Asperity law in place of its own.")] = None,
+    tangential: Annotated[str | None, typer.Option(help="Tangential law in place of its own; none: contact only.")] = None,
+    coating_law: Annotated[str | None, typer.Option(help="Film law in place of its own.")] = None,
     reading: _Reading = None,
-    coating_law: Annotated[str | None, typer.Option(help="Film law, see: stiction models. Default: sequential.")] = None,
     branch: Annotated[str | None, typer.Option(help="loading (default) or unloading.")] = None,
     transition: Annotated[str | None, typer.Option(help="How a bare asperity turns plastic: jump (default), gradual.")] = None,
     json: _Json = False,
@@ -102,21 +104,20 @@ def run(
         from .case import read_case
 
         chosen = read_case(case)
-    given = {"reading": reading, "coating_law": coating_law, "branch": branch, "transition": transition}
-    data = _solve(chosen, model, given)
+    laws = {"model": model, "asperity": asperity, "tangential": tangential, "coating_law": coating_law}
+    data = _solve(chosen, laws, {"reading": reading, "branch": branch, "transition": transition})
     if out is not None:
         _write_run(out, chosen, data)
     _print_run(chosen, data, out, json)
 
 
-def _solve(case: "Case", model: str | None, given: dict[str, str | None]) -> "xarray.Dataset":
+def _solve(case: "Case", laws: dict[str, str | None], options: dict[str, str | None]) -> "xarray.Dataset":
     with _busy(_solving()):
         from .output import groups_of
         from .solve import solve
 
-        model = model or case.model
-        options = {name: value or getattr(case, name) for name, value in given.items()}
-        data = solve(case.subject, separation=case.separation, load=case.load, model=model, **options)
+        choice = case.choice.with_changes(laws, options)
+        data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
         title = {"case": case.title} if case.title else {}
         return data.assign_attrs(title, program=f"stiction {__version__}", **groups_of(case.subject))
 
@@ -153,6 +154,60 @@ def _print_run(case: "Case", data: "xarray.Dataset", out: Path | None, json: boo
         console.print(beyond)
     if out is not None:
         console.print(f"written to {out}: curve.csv, curve.nc, curve.png", highlight=False, markup=False, soft_wrap=True)
+
+
+@app.command()
+def compare(
+    case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact.")],
+    load: Annotated[str | None, typer.Option(help='Working load, e.g. "1 N"; default: the middle load of the case.')] = None,
+    out: _Out = None,
+    json: _Json = False,
+) -> None:
+    """Every applicable model on one contact: friction of each, their spread at the working load, and which to trust.
+
+    A contact that states an interfacial_shear_strength gets a friction coefficient from models of contact only, too.
+    With --out: compare.csv, compare.nc (netCDF4) and compare.png.
+    """
+    from .output import as_json, check_folder
+
+    if out is not None:
+        check_folder(out)
+    with _busy("Reading the case"):
+        from .case import read_case
+        from .compare import compare as compare_models
+        from .compare import comparison, working_load
+
+        chosen = read_case(case)
+        at = working_load(chosen, load)
+    data = compare_models(chosen.subject, load=at, progress=_bar("Asking the models"))
+    data = data.assign_attrs({"case": chosen.title} if chosen.title else {}, program=f"stiction {__version__}")
+    if out is not None:
+        _write_comparison(out, data, chosen.title)
+    if json:
+        print(as_json(comparison(data)))
+        return
+    from .tables import comparison_summary, comparison_table
+
+    console = _console()
+    console.print(comparison_table(data))
+    for line in comparison_summary(data):
+        console.print(line)
+    if out is not None:
+        console.print(f"written to {out}: compare.csv, compare.nc, compare.png", highlight=False, markup=False, soft_wrap=True)
+
+
+def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> None:
+    with _busy("Drawing"):
+        from .compare import comparison_rows
+        from .output import write_folder, write_netcdf, write_picture, write_rows
+        from .plot import comparison_figure
+
+        files = {
+            "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),
+            "compare.nc": lambda path: write_netcdf(data, path),
+            "compare.png": lambda path: write_picture(comparison_figure(data, title), path),
+        }
+        write_folder(out, files)
 
 
 @app.command()

@@ -83,7 +83,8 @@ class Indices(Input):
 
     Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
-    out is nu, film_K_beta left out follows from film_nu, or is K_beta. Raises InputError.
+    out is nu, film_K_beta left out follows from film_nu, or is K_beta. The last seven are needed by some laws only.
+    Raises InputError.
     """
 
     theta: Number
@@ -98,6 +99,13 @@ class Indices(Input):
     K_beta: OptionalNumber = None
     film_nu: OptionalNumber = None
     film_K_beta: OptionalNumber = None
+    tabor_parameter: OptionalNumber = None
+    sharpness: OptionalNumber = None
+    density: OptionalNumber = None
+    nominal_width: OptionalNumber = None
+    shear_strength: OptionalNumber = None
+    pressure_coefficient: OptionalNumber = None
+    peeling: OptionalNumber = None
 
     @model_validator(mode="after")
     def _film_is_whole(self):
@@ -139,26 +147,25 @@ class Indices(Input):
         if not self.has_film:
             raise InputError("tau", None, "n_E, n_H and tau: there is no film")
         whole = self.resolved()
-        return Indices(
+        strength, tabor = whole.shear_strength, whole.tabor_parameter
+        return whole.substrate()._with(
             theta=whole.theta * whole.n_E / whole.n_g,
             lam=whole.lam * whole.n_H**4 / (whole.n_E * whole.n_g) ** 2,
             nu=whole.film_nu,
-            hardness_to_yield=whole.hardness_to_yield,
             K_beta=whole.film_K_beta,
+            shear_strength=None if strength is None else strength / whole.n_H,
+            tabor_parameter=None if tabor is None else tabor * (whole.n_g / whole.n_E) ** (2 / 3),
         )
 
     def substrate(self) -> "Indices":
         """The groups of the same contact without its film."""
-        return Indices(
-            theta=self.theta,
-            lam=self.lam,
-            nu=self.nu,
-            hardness_to_yield=self.hardness_to_yield,
-            K_beta=self.K_beta,
-        )
+        return self._with(n_g=1.0, **dict.fromkeys(_FILM))
 
     def _with(self, **changes) -> "Indices":
         return Indices(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
+
+
+_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta")
 
 
 class Contact(Input):
@@ -166,7 +173,9 @@ class Contact(Input):
 
     first, second: Material, name of a preset, or dict of numbers. work_of_adhesion: of the bodies'
     surfaces, see the function of that name. hardness_to_yield: H/Y; left out, it is hardness over
-    yield_stress of the softer body, or 2.8 if that has no yield_stress. Every number may be an array with a
+    yield_stress of the softer body, or 2.8 if that has no yield_stress. interfacial_shear_strength and
+    pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
+    tangential energy release that peels an adhesive asperity (Savkoor and Briggs: all). Every number may be an array with a
     named dimension (`stiction.axis`). Raises InputError.
     """
 
@@ -177,6 +186,9 @@ class Contact(Input):
     nominal_area: Number
     coating: Coating | None = None
     hardness_to_yield: OptionalNumber = None
+    interfacial_shear_strength: OptionalNumber = None
+    pressure_coefficient: OptionalNumber = None
+    peeling: OptionalNumber = None
 
     @model_validator(mode="after")
     def _dimensions_agree(self):
@@ -207,7 +219,15 @@ class Contact(Input):
             "nu": bare.nu,
             "hardness_to_yield": bare.k if self.hardness_to_yield is None else self.hardness_to_yield,
             "K_beta": bare.K * bare.beta,
+            "tabor_parameter": self.tabor_parameter(),
+            "sharpness": (sigma / radius) ** 0.5,
+            "density": self.roughness.asperity_density * radius * sigma,
+            "nominal_width": self.nominal_area**0.5 / sigma,
+            "pressure_coefficient": self.pressure_coefficient,
+            "peeling": self.peeling,
         }
+        if self.interfacial_shear_strength is not None:
+            groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
         if self.coating is not None:
             film = _pair(self.coating.material, self._against_film(self.coating))
             film_gamma = self.coating.work_of_adhesion

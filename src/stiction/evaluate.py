@@ -5,13 +5,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .asperity.chowdhury_ghosh_1994 import stiffness_group
+from .choice import Choice
 from .errors import InputError
-from .groups import Groups
+from .groups import Groups, stiffness_group
 from .heights import gaussian
-from .models.soft_coating_2015 import RECORD
+from .problem import problem_of
 from .quantities import QUANTITIES
-from .registry import settle
 from .summation import FARTHEST, scattered, totals_on_grid
 
 _CHUNK = 4096  # points, or laws on a grid, at a time: bounds the memory
@@ -54,7 +53,7 @@ def evaluate(
         raise InputError(missing[0], None, "n_E, n_H and tau together, or none of them")
     if not missing:
         given |= film
-    options = settle(RECORD, {"reading": reading})
+    choice = Choice(options={"reading": reading})
     columns = [_separations(h), *(_checked(name, value) for name, value in given.items())]
     try:
         shape = np.broadcast_shapes(*(column.shape for column in columns))
@@ -66,8 +65,8 @@ def evaluate(
     law_shape = np.broadcast_shapes(*(column.shape for column in laws.values()))
     own_axes = all(one == 1 or other == 1 for one, other in zip(separation.shape, law_shape, strict=True))
     if own_axes and separation.size > 1:
-        return _on_grid(separation, laws, law_shape, shape, options)
-    return _scattered(separation, laws, shape, options)
+        return _on_grid(separation, laws, law_shape, shape, choice)
+    return _scattered(separation, laws, shape, choice)
 
 
 def _checked(name: str, value) -> np.ndarray:
@@ -120,22 +119,22 @@ def _chunks(columns: list[np.ndarray]) -> Iterator[tuple[slice, list[np.ndarray]
         start = stop
 
 
-def _scattered(separation, laws, shape, options) -> Evaluation:
+def _scattered(separation, laws, shape, choice) -> Evaluation:
     out = Evaluation(*(np.empty(shape) for _ in Evaluation._fields))
     flat = [array.reshape(-1) for array in out]
     for where, (h, *pieces) in _chunks([separation, *laws.values()]):
-        regimes = RECORD.regimes(_groups(dict(zip(laws, pieces, strict=True))), **options)
+        regimes = problem_of(_groups(dict(zip(laws, pieces, strict=True))), choice).regimes
         _, load, area, slip, tear = scattered(regimes, h, gaussian()).sum(axis=0).T
         for column, total in zip(flat, (load, area, slip + tear), strict=True):
             column[where] = total
     return out
 
 
-def _on_grid(separation, laws, law_shape, shape, options) -> Evaluation:
+def _on_grid(separation, laws, law_shape, shape, choice) -> Evaluation:
     h = separation.reshape(-1)
     table = np.empty((int(np.prod(law_shape)), len(Evaluation._fields), h.size))
     for where, pieces in _chunks(list(laws.values())):
-        regimes = RECORD.regimes(_groups(dict(zip(laws, pieces, strict=True))), **options)
+        regimes = problem_of(_groups(dict(zip(laws, pieces, strict=True))), choice).regimes
         totals_on_grid(regimes, h, gaussian(), out=table[where])
     # The table has laws and separations flattened; every axis of the result belongs to one of the two.
     of_laws = [axis for axis, length in enumerate(separation.shape) if length == 1]

@@ -12,13 +12,11 @@ import numpy as np
 
 from .compiled import formula
 from .errors import InputError
+from .vectorised import exponential
 
 # Where the density has fallen by exp(-NEGLIGIBLE) below its largest value on a piece, the rest of the piece is left out.
 NEGLIGIBLE = 36.0
 
-_LOG2E = 1.4426950408889634
-_LN2_HIGH = 6.93147180369123816490e-01  # ln 2 in two parts, so that k * high is exact (W. J. Cody and W. Waite 1980)
-_LN2_LOW = 1.90821492927058770002e-10
 _INV_SQRT_2PI = 0.3989422804014327
 
 
@@ -38,30 +36,6 @@ class Heights:
     shape: np.ndarray = field(default_factory=lambda: np.zeros(1))
     knots: np.ndarray = field(default_factory=lambda: np.zeros(0))
     entire: bool = False
-
-
-@formula
-def exponential(x):
-    """exp(x) for x <= 0 to 2e-16, as a polynomial that the compiler can vectorise; below -708 it is zero."""
-    k = max(math.floor(x * _LOG2E + 0.5), -1022.0)
-    r = (x - k * _LN2_HIGH) - k * _LN2_LOW
-    # Taylor polynomial of exp on |r| <= ln(2)/2, degree 13: remainder 4e-18.
-    p = 1.6059043836821613e-10
-    p = p * r + 2.08767569878681e-09
-    p = p * r + 2.505210838544172e-08
-    p = p * r + 2.755731922398589e-07
-    p = p * r + 2.7557319223985893e-06
-    p = p * r + 2.48015873015873e-05
-    p = p * r + 1.984126984126984e-04
-    p = p * r + 1.388888888888889e-03
-    p = p * r + 8.333333333333333e-03
-    p = p * r + 4.1666666666666664e-02
-    p = p * r + 1.6666666666666666e-01
-    p = p * r + 0.5
-    p = p * r + 1.0
-    p = p * r + 1.0
-    power = np.int64((np.int64(k) + np.int64(1023)) << np.int64(52)).view(np.float64)
-    return p * power if x > -708.0 else 0.0
 
 
 @formula

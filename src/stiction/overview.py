@@ -1,9 +1,9 @@
 """What the program knows and where a result comes from: the registry and the bibliography for users."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from .registry import records
+from .registry import Record, records
 from .sources import bibliography, bibtex
 
 if TYPE_CHECKING:
@@ -11,28 +11,41 @@ if TYPE_CHECKING:
 
 
 def models() -> list[dict[str, Any]]:
-    """One dict for each model and film law, with at least key, kind, title, grade, source, validity, needs, options,
-    verified and notes; texts and lists of texts."""
-    rows = []
-    for record in records().values():
-        rows.append(
-            {
-                "key": record.key,
-                "kind": record.kind,
-                "title": record.title,
-                "grade": record.grade,
-                "source": [str(source) for source in record.sources],
-                "validity": [f"{rule.quantity} {rule.range}: {rule.why}" for rule in record.validity],
-                "needs": list(record.needs),
-                "options": {name: list(values) for name, values in record.options.items()},
-                "friction": record.friction,
-                "coating": record.coating,
-                "accuracy": record.accuracy,
-                "verified": record.verified,
-                "notes": record.notes,
-            }
-        )
-    return rows
+    """One dict for each record of the registry, with at least key, kind, title, grade, source, validity, needs, options,
+    verified and notes; texts and lists of texts. Those of kind "not available" say under `unknown` what is missing."""
+    return [_row(record) for record in records()]
+
+
+def _row(record: Record) -> dict[str, Any]:
+    row: dict[str, Any] = {
+        "key": record.key,
+        "kind": record.kind,
+        "title": record.title,
+        "grade": record.grade,
+        "source": [str(source) for source in record.sources],
+        "validity": [f"{rule.quantity} {rule.range}: {rule.why}" for rule in record.validity],
+        "needs": list(record.needs),
+        "options": {name: list(values) for name, values in record.own_options.items()},
+        "accuracy": record.accuracy,
+        "verified": record.verified,
+        "notes": record.notes,
+    }
+    return row | {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}
+
+
+# What the kinds of records have beyond the common columns, and how it is put.
+_MORE: dict[str, Callable[[Any], Any]] = {
+    "traits": sorted,
+    "wants": dict,
+    "jumps": lambda jumps: [f"{jump.where}: load times {jump.load:g}, contact area times {jump.area:g}" for jump in jumps],
+    "asperity": str,
+    "tangential": str,
+    "default_film": str,
+    "interfacial": bool,
+    "property": str,
+    "unknown": str,
+    "nearest": str,
+}
 
 
 def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
@@ -42,12 +55,13 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
     Raises InputError for an unknown key.
     """
     known = records()
-    more = {key: entry for record in known.values() for key, entry in record.entries.items()}
+    more = {key: entry for record in known for key, entry in record.entries.items()}
     if what is None:
         return bibtex([*bibliography(), *more], more)
     if hasattr(what, "attrs"):
         return bibtex(what.attrs["sources"].split(), more)
     keys: list[str] = []
     for key in [what] if isinstance(what, str) else what:
-        keys += [source.key for source in known[key].sources] if key in known else [key]
+        named = [source.key for record in known if record.key == key for source in record.sources]
+        keys += named or [key]
     return bibtex(keys, more)

@@ -250,3 +250,54 @@ def _wrapped(text: str, width: int = 36) -> str:
     import textwrap
 
     return "\n".join(textwrap.wrap(text, width))
+
+
+# Beyond this many lines colours repeat, with another dash.
+_DASHES = ("-", "--", ":", "-.")
+
+
+def comparison_figure(data: "xarray.Dataset", title: str = "") -> Figure:
+    """Friction coefficient against load of every model of a comparison: faint where it is outside its validity, with what it
+    says at the working load in the legend; the recommended one is black."""
+    from matplotlib.colors import TABLEAU_COLORS
+
+    figure = Figure(figsize=(12, 7), layout="constrained")
+    axes = figure.subplots()
+    colours = list(TABLEAU_COLORS.values())
+    judged = "friction_coefficient_at_load" in data
+    at_load = data["friction_coefficient_at_load"].values if judged else np.full(data.sizes["model"], np.nan)
+    drawn = 0
+    for at in np.argsort(-np.nan_to_num(at_load)):
+        one = data.isel(model=int(at))
+        name = str(one["model"].item())
+        if not np.any(np.nan_to_num(one["friction_coefficient"].values) > 0.0):
+            continue
+        best, inside = name == data.attrs.get("recommended"), not one["outside_validity"].item()
+        look: dict[str, Any] = {"color": "black" if best else colours[drawn % 10], "linestyle": _DASHES[drawn // 10 % 4]}
+        look |= {"linewidth": 3.0 if best else 1.8, "alpha": 1.0 if inside or best else 0.45}
+        said = f": $\\mu$ = {at_load[at]:.3g}" if np.isfinite(at_load[at]) else ""
+        _friction_line(axes, one, label=f"{name}{said}" + ("" if inside else " (outside its validity)"), **look)
+        drawn += 1
+    axes.set(xscale="log", yscale="log", xlabel=label(data["load"]))
+    axes.set_ylabel(f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
+    if "working_load" in data.attrs:
+        axes.axvline(data.attrs["working_load"], color=_GREY, linestyle="--", linewidth=1.0)
+        axes.annotate("working load", (data.attrs["working_load"], 0.01), xycoords=("data", "axes fraction"), rotation=90,
+                      color=_GREY, fontsize=8, ha="right", va="bottom")  # fmt: skip
+    axes.set_title(title or "Static friction after every applicable model", fontsize=11)
+    if drawn:
+        _in_sight(axes)
+        axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    else:
+        _say(axes, "no model says anything of friction here:\ngive the contact an interfacial_shear_strength")
+    _finish(axes)
+    return figure
+
+
+def _in_sight(axes: Axes) -> None:
+    """The axes of a bundle of lines: not more than eight decades of load and five of friction below the largest."""
+    x = np.concatenate([np.asarray(line.get_xdata(), dtype=float) for line in axes.lines])
+    y = np.concatenate([np.asarray(line.get_ydata(), dtype=float) for line in axes.lines])
+    for values, decades, limit in ((x, 8.0, axes.set_xlim), (y, 5.0, axes.set_ylim)):
+        good = values[np.isfinite(values) & (values > 0.0)]
+        limit(max(good.min() / 1.5, good.max() / 10.0**decades), good.max() * 1.5)

@@ -1,26 +1,24 @@
 """Load, contact area and static friction of a contact, as a labelled dataset."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .asperity.regime import Regime
+from .choice import Choice
 from .contact import Contact, Indices
 from .errors import InputError
 from .heights import Heights
 from .inversion import Inversion, Unreachable, pull_off, separations_at
-from .problem import Problem, make_problem, spread
+from .problem import ClosedForm, Problem, make_problem, spread
 from .quantities import QUANTITIES
-from .registry import Record
 from .summation import FARTHEST
 from .units import axis, show, to_si
+from .validity import breaches
 
 if TYPE_CHECKING:
     import xarray
 
-_COUNT, _LOAD, _AREA, _SLIP, _TEAR = range(5)  # as summation.QUANTITIES
 _SUMS_AT_ONCE = 200_000  # pairs of a law and a separation at once: bounds the memory
 
 
@@ -30,11 +28,12 @@ def solve(
     separation: Any = None,
     load: Any = None,
     model: str = "soft_coating_2015",
-    reading: str | None = None,
+    asperity: str | None = None,
+    tangential: str | None = None,
     coating_law: str | None = None,
-    branch: str | None = None,
-    transition: str | None = None,
+    presliding: str | None = None,
     heights: Heights | str | None = None,
+    **options: str | None,
 ) -> "xarray.Dataset":
     """Solve a contact at given mean separations, or at given loads.
 
@@ -42,45 +41,66 @@ def solve(
     separation: mean separation, m for a Contact (text with a unit is fine), over sigma for Indices; or load: net normal
     load, N or normalised. A number, a 1-D sequence, or an xarray.DataArray with named dimensions. Any number of the
     contact may be an array with a named dimension (stiction.axis): the result carries all dimensions.
-    model: key of a rough-surface model (stiction.models()). reading, coating_law, branch, transition: options of that model,
-    None for its default. heights: a height distribution, or its name; by default the contact's own, or Gaussian.
+    model: key of a rough-surface model (stiction.models()). asperity, tangential, coating_law: keys of other laws in place of
+    those that the model takes by itself; tangential="none" for contact only. presliding: "mindlin_1949" adds
+    tangential_stiffness, that of the contact before anything slides. heights: a height distribution, or its name; by
+    default the contact's own, or Gaussian. options: those of the model or of these laws, by name, such as
+    reading="published", branch="unloading", transition="gradual"; None for a default.
 
     Returns an xarray.Dataset with units and long names: load, contact_area, friction_force, friction_coefficient (not a
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
     touching_asperities, their parts by state, body and limit, and pull_off_force. Its attributes name model, options,
     sources, and, under `outside_validity`, what is used beyond the claims of its authors.
-    Raises InputError for bad input and for a load that is nowhere carried.
+    Raises InputError for bad input, for laws that do not go together, and for a load that is nowhere carried.
     """
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
-    options = {"reading": reading, "coating_law": coating_law, "branch": branch, "transition": transition}
-    problem = make_problem(contact, model, options, heights)
-    units = _units(contact)
+    problem = make_problem(contact, Choice(model, asperity, tangential, coating_law, options, presliding), heights)
+    units = units_of(contact)
     given = "load" if separation is None else "mean_separation"
     point = _points(contact, given, load if separation is None else separation)
     dims = _all_dims(problem, [point, *units.values()])
     shape = tuple(dims.values())
     wanted = spread(point, dims) / spread(units[_unit_of(given)], dims)
-    extra, convergence = {}, {}
-    if given == "load":
-        found = _invert(contact, problem, np.broadcast_to(wanted, shape), spread(units["N"], dims))
-        wanted = found.h.reshape(shape)
-        extra = {"load_residual": (found.residual.reshape(shape), "load found less load asked for, over the latter")}
-        convergence = {"convergence": f"all separations converged in at most {found.evaluations} evaluations"}
-    elif not np.abs(wanted).max(initial=0.0) <= FARTHEST:
-        raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
     coords = problem.coords | _coords([point, *units.values()])
-    data = _labelled(contact, {"mean_separation": wanted} | _sum(problem, wanted, shape), units, dims, coords)
-    tension, where = pull_off(problem.on_branch("unloading"))
-    dims_of_contact = _all_dims(problem, units.values())
-    each = problem.shape + (1,) * (len(dims_of_contact) - len(problem.shape))
-    tables = {"pull_off_force": tension.reshape(each), "pull_off_separation": where.reshape(each)}
-    data = data.merge(_labelled(contact, tables, units, dims_of_contact, {}))
+    extra, convergence = {}, {}
+    if isinstance(problem, ClosedForm) and problem.needs_load:
+        if given != "load":
+            raise InputError("separation", separation, f"a load in its place: {model} knows no separation")
+        tables = _at_load(problem, np.broadcast_to(wanted, shape))
+    else:
+        if given == "load":
+            found = _invert(contact, problem, np.broadcast_to(wanted, shape), spread(units["N"], dims))
+            wanted = found.h.reshape(shape)
+            extra = {"load_residual": (found.residual.reshape(shape), "load found less load asked for, over the latter")}
+            convergence = {"convergence": f"all separations converged in at most {found.evaluations} evaluations"}
+        elif not np.abs(wanted).max(initial=0.0) <= FARTHEST:
+            raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
+        tables = {"mean_separation": wanted} | _sum(problem, wanted, shape)
+    data = labelled(contact, tables, units, dims, coords)
+    if "mean_separation" in tables:
+        data = data.merge(_pull_off(contact, problem, units))
     if given in getattr(point, "dims", ()):
         data = data.drop_vars(given).assign_coords({given: (given, point.values, data[given].attrs)})
     for name, (values, meaning) in extra.items():
         data[name] = (tuple(dims), values, {"long_name": meaning})
-    return data.assign_attrs(_summary(contact, problem, data) | convergence)
+    return data.assign_attrs(_summary(contact, problem, tables) | convergence)
+
+
+def _pull_off(contact, problem: Problem, units: dict[str, Any]) -> "xarray.Dataset":
+    """The largest tension of each contact, and where it is."""
+    tension, where = pull_off(problem.on_branch("unloading"))
+    dims = _all_dims(problem, units.values())
+    each = problem.shape + (1,) * (len(dims) - len(problem.shape))
+    return labelled(
+        contact, {"pull_off_force": tension.reshape(each), "pull_off_separation": where.reshape(each)}, units, dims, {}
+    )
+
+
+def _at_load(problem: ClosedForm, load: np.ndarray) -> dict[str, np.ndarray]:
+    """Results of the full shape at normalised loads, of a theory that knows no separation."""
+    tables = problem.at_load(load.reshape(len(problem.groups), -1))
+    return {name: table.reshape(load.shape) for name, table in tables.items()}
 
 
 def _unit_of(name: str) -> str:
@@ -88,16 +108,17 @@ def _unit_of(name: str) -> str:
     return "count" if name == "touching_asperities" else QUANTITIES[name].unit
 
 
-def _units(contact: Contact | Indices) -> dict[str, Any]:
+def units_of(contact: Contact | Indices) -> dict[str, Any]:
     """What normalised results are multiplied by, for each SI unit: numbers or arrays with named dimensions."""
     if isinstance(contact, Indices):
-        return {"N": 1.0, "m^2": 1.0, "m": 1.0, "count": 1.0}
+        return dict.fromkeys(("N", "m^2", "m", "count", "N/m"), 1.0)
     scales = contact.scales()
     return {
         "N": scales.load * scales.asperities,
         "m^2": scales.contact_area * scales.asperities,
         "m": scales.separation,
         "count": scales.asperities,
+        "N/m": scales.load * scales.asperities / scales.separation,
     }
 
 
@@ -161,60 +182,12 @@ def _sum(problem: Problem, h: np.ndarray, shape: tuple[int, ...]) -> dict[str, n
     parts = []
     for start in range(0, laws, step):
         rows = slice(start, start + step)
-        some = replace(problem, groups=problem.groups[rows])
-        if shared:
-            sums = some.by_regime_on_grid(common)
-        else:
-            law = np.repeat(np.arange(len(some.groups)), points)
-            sums = some.by_regime(table[rows].reshape(-1), law)
-            sums = sums.reshape(len(sums), -1, points, sums.shape[-1])
-        parts.append(_by_name(some, sums))
+        some = problem.with_groups(rows)
+        parts.append(some.on_grid(common) if shared else some.at(table[rows]))
     return {name: np.concatenate([part[name] for part in parts]).reshape(shape) for name in parts[0]}
 
 
-def _by_name(problem: Problem, sums: np.ndarray) -> dict[str, np.ndarray]:
-    """Results (n, m) from the sums (regimes, n, m, 5) by what the regimes are labelled."""
-    regimes = problem.regimes
-    total = sums.sum(axis=0)
-    grip = sums[..., _SLIP] + sums[..., _TEAR]
-    results = {
-        "load": total[..., _LOAD],
-        "contact_area": total[..., _AREA],
-        "touching_asperities": sums[[regime.touching for regime in regimes], ..., _COUNT].sum(axis=0),
-    }
-    for state in ("elastic", "plastic"):
-        chosen = [regime.state == state for regime in regimes]
-        results[f"load_{state}"] = sums[chosen, ..., _LOAD].sum(axis=0)
-        results[f"contact_area_{state}"] = sums[chosen, ..., _AREA].sum(axis=0)
-    bodies = ("film", "substrate") if problem.groups.coated else ()
-    for body in bodies:
-        results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., _LOAD].sum(axis=0)
-    if not all(regime.in_half_space for regime in regimes):
-        results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., _LOAD])
-    if not problem.record.friction:
-        return results
-    results["friction_force"] = grip.sum(axis=0)
-    compressed = results["load"] > 0.0
-    ratio = np.divide(results["friction_force"], results["load"], where=compressed, out=np.full(compressed.shape, np.nan))
-    results["friction_coefficient"] = ratio
-    results["friction_slip_limited"] = total[..., _SLIP]
-    results["friction_yield_limited"] = total[..., _TEAR]
-    for body in bodies:
-        results[f"friction_{body}"] = grip[[regime.body == body for regime in regimes]].sum(axis=0)
-    if "load_share_beyond_film" in results:
-        results["friction_share_beyond_film"] = _share_beyond(regimes, grip)
-    return results
-
-
-def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
-    """Share (n, m) of the sizes of `parts` (regimes, n, m) that is beyond the film's half-space; 0 where all is nothing."""
-    sizes = np.abs(parts)
-    whole = sizes.sum(axis=0)
-    beyond = sizes[[not regime.in_half_space for regime in regimes]].sum(axis=0)
-    return np.divide(beyond, whole, where=whole > 0.0, out=np.zeros_like(whole))
-
-
-def _labelled(contact, tables, units, dims, coords) -> "xarray.Dataset":
+def labelled(contact, tables, units, dims, coords) -> "xarray.Dataset":
     """Tables (shape of dims or broadcasting to it), normalised, as a dataset in the units of the contact."""
     import xarray
 
@@ -234,45 +207,20 @@ def _attributes(contact: Contact | Indices, name: str) -> dict[str, str]:
     return attributes
 
 
-def _summary(contact: Contact | Indices, problem: Problem, data: "xarray.Dataset") -> dict[str, str]:
+def _summary(contact: Contact | Indices, problem: Problem, tables: dict[str, np.ndarray]) -> dict[str, str]:
     """What was used, where it comes from, and where it goes beyond the claims of its authors."""
     records = problem.records()
     used = dict.fromkeys(source.key for record in records for source in record.sources)
+    laws = {kind: next((one.key for one in records if one.kind == kind), "none") for kind in ("asperity", "tangential", "film")}
     return {
         "title": f"Static friction after {problem.record.key}",
         "model": problem.record.key,
+        **laws,
         **problem.options,
-        "film": records[1].key if len(records) > 1 else "none",
+        "options": " ".join(problem.options),
         "heights": problem.heights.key,
         "grade": max(record.grade for record in records),
         "sources": " ".join(used),
-        "outside_validity": "; ".join(outside_validity(contact, records, data)),
-        "friction_law": "included" if problem.record.friction else "none: this model is of contact only",
+        "outside_validity": "; ".join(map(str, breaches(contact, records, tables))),
+        "friction_law": "included" if problem.friction else "none: this model is of contact only",
     }
-
-
-def outside_validity(contact: Contact | Indices, records: list[Record], data: "xarray.Dataset") -> list[str]:
-    """One line for each range of validity that the results leave."""
-    lines = []
-    for rule in (rule for record in records for rule in record.validity):
-        values = _known(contact, data, rule.quantity)
-        if values is None or not np.any(outside := (values < rule.low) | (values > rule.high)):
-            continue
-        ends = dict.fromkeys((f"{values[outside].min():.3g}", f"{values[outside].max():.3g}"))
-        where = f"in {outside.sum()} of {outside.size} points" if outside.size > 1 else "here"
-        lines.append(
-            f"{QUANTITIES[rule.quantity].meaning} is {' to '.join(ends)} {where}, claimed is {rule.range}: {rule.why}"
-        )
-    return lines
-
-
-def _known(contact: Contact | Indices, data: "xarray.Dataset", name: str) -> np.ndarray | None:
-    """Values of a quantity that a range of validity speaks of, as far as this contact decides it."""
-    if name == "mean_separation":
-        sigma = contact.scales().separation if isinstance(contact, Contact) else 1.0
-        return np.atleast_1d(np.asarray(data["mean_separation"] / sigma))
-    if name in data:
-        return np.atleast_1d(data[name].values)
-    known = contact if hasattr(contact, name) or isinstance(contact, Indices) else contact.indices()
-    value = getattr(known, name, None)
-    return None if value is None else np.atleast_1d(np.asarray(value() if callable(value) else value, dtype=float))

@@ -27,6 +27,8 @@ QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
 # Nodes on a piece that is short or long against sigma. Errors are below 1e-10 over all inputs the package is made for, with and
 # without a film: docs/measure_accuracy.py measures them, docs/numerics.md shows them.
 _SHORT = 1.0
+# A piece that is longer, over sigma, is cut: that of asperities that hold on below w = 0 is, seen from many separations.
+_WIDEST = 17.0
 # Separations beyond this, over sigma, have no meaning, and their squares no digits.
 FARTHEST = 1e6
 # Multiples of eight, which the loops over nodes spell out: the compiler then leaves out its loop over a remainder.
@@ -49,7 +51,7 @@ _RULES = _make_rules(_COUNTS)
 
 
 # The functions named _*_template are compiled anew for each kind of regime and of heights, with these names bound.
-along = coordinate = density = window = _cuts = None
+along = coordinate = density = window = _cuts = _put_nodes = None
 PARAMETERS = 0
 
 
@@ -123,6 +125,23 @@ def _scattered_template(h, law, heights, knots, parameters, edges, branch, two_s
         out[i, 4] = tear
 
 
+def _put_nodes_template(low, high, row, branch, two_sided, rule, count, scratch):
+    """Displacements at the nodes of one piece, and its weights times the five quantities and times the resistance, one after
+    another: an array at fixed distances, in which the compiler sees that rows do not overlap, and vectorises."""
+    linear, square = _map_piece(low, high, branch, two_sided)
+    for node in range(count):
+        t = rule[0, node]
+        state = along(low + t * (linear + square * t), *row)
+        weight = rule[1, node] * (linear + 2.0 * square * t) * state[1]
+        scratch[node] = state[0]
+        scratch[_LONGEST + node] = weight
+        scratch[2 * _LONGEST + node] = weight * state[2]
+        scratch[3 * _LONGEST + node] = weight * state[3]
+        scratch[4 * _LONGEST + node] = weight * state[4]
+        scratch[5 * _LONGEST + node] = weight * state[5]
+        scratch[6 * _LONGEST + node] = weight * (state[4] + state[5])
+
+
 def _place_template(w_low, nearest, heights, parameters, edges, branch, two_sided, rules, counts, place, values, used):
     """Append to the table of each law i the nodes of one regime, from the displacement w_low on.
 
@@ -130,7 +149,6 @@ def _place_template(w_low, nearest, heights, parameters, edges, branch, two_side
     all others. place[i]: displacements; values[i, row]: weights times the five quantities, and times the resistance;
     used[i]: how many nodes there are.
     """
-    # One array at fixed distances: the compiler then sees that the rows do not overlap, and vectorises.
     scratch = np.empty(7 * _LONGEST)
     for i in range(edges.shape[0]):
         row = to_fixed_tuple(parameters[i], PARAMETERS)
@@ -148,23 +166,17 @@ def _place_template(w_low, nearest, heights, parameters, edges, branch, two_side
             if not high > low:
                 continue
             rule = 0 if w_high - w_left <= _SHORT else 1
-            linear, square = _map_piece(low, high, branch[i], two_sided)
-            for node in range(8 * (counts[rule] // 8)):
-                t = rules[rule, 0, node]
-                state = along(low + t * (linear + square * t), *row)
-                weight = rules[rule, 1, node] * (linear + 2.0 * square * t) * state[1]
-                scratch[node] = state[0]
-                scratch[_LONGEST + node] = weight
-                scratch[2 * _LONGEST + node] = weight * state[2]
-                scratch[3 * _LONGEST + node] = weight * state[3]
-                scratch[4 * _LONGEST + node] = weight * state[4]
-                scratch[5 * _LONGEST + node] = weight * state[5]
-                scratch[6 * _LONGEST + node] = weight * (state[4] + state[5])
-            first, last = used[i], used[i] + counts[rule]
-            place[i, first:last] = scratch[: counts[rule]]
-            for q in range(6):
-                values[i, q, first:last] = scratch[(q + 1) * _LONGEST : (q + 1) * _LONGEST + counts[rule]]
-            used[i] = last
+            parts = 1 + int((w_high - w_left) / _WIDEST)
+            end, step = high, (w_high - w_left) / parts
+            for part in range(parts):
+                last = end if part == parts - 1 else coordinate(w_left + (part + 1) * step, *row)
+                _put_nodes(low, last, row, branch[i], two_sided, rules[rule], 8 * (counts[rule] // 8), scratch)
+                first = used[i]
+                used[i] += counts[rule]
+                place[i, first : used[i]] = scratch[: counts[rule]]
+                for q in range(6):
+                    values[i, q, first : used[i]] = scratch[(q + 1) * _LONGEST : (q + 1) * _LONGEST + counts[rule]]
+                low = last
 
 
 def _sum_rows_template(h, reach, heights, place, values, used, rows, wanted, out):
@@ -208,7 +220,9 @@ def _density_kernel(density):
 
 @cache
 def _place_kernel(along, coordinate, window, parameters: int):
-    return kernel(bind(_place_template, along=along, coordinate=coordinate, window=window, PARAMETERS=parameters))
+    put = formula(bind(_put_nodes_template, along=along))
+    bound = {"along": along, "coordinate": coordinate, "window": window, "_put_nodes": put, "PARAMETERS": parameters}
+    return kernel(bind(_place_template, **bound))
 
 
 @cache
@@ -253,7 +267,7 @@ _MANY = 4000
 _SKELETONS = (16, 20, 24, 28, 32, 40, 48, 64)
 _RESIDUAL = 5e-15
 # A sum smaller than this times its size (see _carry_over) may have lost too many digits.
-_CANCELLED = 2e-5
+_CANCELLED = 6e-5
 _BLOCK = 256  # laws at a time: their nodes stay in the processor's cache
 
 
@@ -307,7 +321,8 @@ def _by_skeleton(regimes, h, heights, rows, sums) -> bool:
         (_place_kernel(regime.along, regime.coordinate, heights.window, len(regime.parameters)), _arrays(regime))
         for regime in regimes
     ]
-    room = sum((regime.edges.shape[1] - 1) * _LONGEST for regime in regimes)
+    parts = 1 + int((w_high - w_low) / _WIDEST)
+    room = sum((regime.edges.shape[1] - 1) * parts * _LONGEST for regime in regimes)
     place, values = np.empty((_BLOCK, room)), np.empty((_BLOCK, 6, room))
     few, doubtful = np.empty((_BLOCK, 3, skeleton.size)), np.empty((_BLOCK, h.size), dtype=np.bool_)
     every, everywhere = np.ones((_BLOCK, skeleton.size), dtype=np.bool_), np.full(h.size, np.inf)

@@ -10,7 +10,7 @@ from rich.text import Text
 
 from .output import groups_of
 from .quantities import QUANTITIES
-from .registry import GRADES, records
+from .registry import GRADES, find
 from .units import show
 
 if TYPE_CHECKING:
@@ -82,14 +82,14 @@ def _rows(pairs: Iterable[tuple[str, str]]) -> Table:
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
     """What was solved: contact, groups, model with its options and grade, and the pull-off force."""
     used = data.attrs
-    options = [f"{name.replace('_', ' ')} {used[name]}" for name in records()[used["model"]].options]
-    film = [] if used["film"] == "none" else [f"film law {used['film']}"]
+    laws = [f"{kind} law {used[kind]}" for kind in ("asperity", "tangential", "film") if used[kind] != "none"]
+    options = [f"{name} {used[name]}" for name in used["options"].split()]
     return _rows(
         [
             ("case", case.title),
             *_contact(case.subject),
             ("groups", _groups(groups_of(case.subject))),
-            ("model", ", ".join([used["model"], *film, *options, f"{used['heights']} heights"])),
+            ("model", ", ".join([used["model"], *laws, *options, f"{used['heights']} heights"])),
             ("grade", f"{used['grade']}: {GRADES[used['grade']]}"),
             ("pull-off force", _pull_off(data)),
         ]
@@ -144,9 +144,10 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
         notes.append(f"friction: {used['friction_law']}")
     elif bool((data["load"] <= 0.0).any()):
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
-    for key in (used["model"], used["film"]):
-        if key in records() and records()[key].notes:
-            notes.append(f"{key}: {records()[key].notes}")
+    kinds = {"rough surface": "model", "asperity": "asperity", "tangential": "tangential", "film": "film"}
+    for kind, name in kinds.items():
+        if used[name] != "none" and (text := find(used[name], kind).notes):
+            notes.append(f"{used[name]} ({kind}): {text}" if name != "model" else f"{used[name]}: {text}")
     return notes
 
 
@@ -156,6 +157,48 @@ def outside_validity(data: "xarray.Dataset") -> Text | None:
     if not lines:
         return None
     return Text("\n".join(["outside the range of validity", *(f"  {line}" for line in lines)]), style="bold yellow")
+
+
+def comparison_table(data: "xarray.Dataset") -> Table:
+    """What each model says at the working load, or along its curve if there is none; the recommended one is bold."""
+    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
+    table.add_column("model", no_wrap=True)
+    table.add_column("grade")
+    table.add_column("mu", justify="right")
+    table.add_column("contact area", justify="right")
+    table.add_column("within its validity?", ratio=1, overflow="fold")
+    judged = "friction_coefficient_at_load" in data
+    order = np.argsort(data["friction_coefficient_at_load"].values) if judged else range(data.sizes["model"])
+    for at in order:
+        one = data.isel(model=int(at))
+        mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
+        unit = one["contact_area"].attrs.get("units", "1")
+        size = _short(area) if unit == "1" or not np.isfinite(area) else _squared(show(float(f"{area:.3g}"), "contact_area"))
+        outside = [line for line in one["outside_validity"].item().split("; ") if line]
+        doubts = "; ".join([*([one["why_not"].item()] if one["why_not"].item() else []), *outside]) or "yes"
+        name = str(one["model"].item())
+        look = "bold green" if name == data.attrs.get("recommended") else ("dim" if doubts != "yes" else "")
+        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), size, doubts)), style=look)
+    return table
+
+
+def comparison_summary(data: "xarray.Dataset") -> list[Text]:
+    """The working load, the spread, the recommendation with its reason, and what is left out."""
+    used = data.attrs
+    lines = []
+    if "working_load" in used:
+        plain = data["load"].attrs.get("units", "1") == "1"
+        load = f"{used['working_load']:.4g}" if plain else show(float(f"{used['working_load']:.4g}"), "load")
+        lines.append(Text(f"working load {load}: mu {_range(used['spread'])} over all models, "
+                          f"{_range(used['spread_within_validity'])} within their validity"))
+        lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
+    lines += [Text(line) for line in used["criteria"].splitlines()]
+    lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]
+    return lines
+
+
+def _range(ends: list[float]) -> str:
+    return f"{ends[0]:.3g} to {ends[1]:.3g}" if len(ends) else "of none"
 
 
 def models_table(rows: Iterable[Mapping[str, Any]]) -> Table:

@@ -10,19 +10,28 @@ import pytest
 from numpy.testing import assert_allclose
 
 from stiction.asperity import chang_etsion_bogy_1987 as ceb
-from stiction.asperity import chowdhury_ghosh_1994 as plastic
 from stiction.asperity import dmt, hertz, jkr
-from stiction.friction.adhesive_asperity import Asperity, coordinate_at, onset_of_plasticity
-from tables import column, groups_of, read
+from stiction.asperity import roy_chowdhury_ghosh_1994 as plastic
+from stiction.friction import soft_coating_2015
+from stiction.groups import hardness_group, stiffness_group
+from stiction.law import Law, coordinates, states
+from tables import column, groups, groups_of, read
 
 ROWS = read("asperity.csv")
 RNG = np.random.default_rng(19)
 
 
-def asperity_of(rows, **changes):
-    groups = groups_of([row | {"n_E": ""} for row in rows])
-    given = {"theta": groups.theta, "lam": groups.lam, "K_beta": groups.K_beta, "nu": groups.nu, "k": groups.hardness_to_yield}
-    return Asperity(**given | changes)
+def bare(rows):
+    return groups_of([row | {"n_E": ""} for row in rows])
+
+
+def joined(given, branch="loading"):
+    """The asperity of the 2015 paper, normal and tangential: its elastic and its plastic regime."""
+    return Law(plastic.RECORD, soft_coating_2015.RECORD, {"branch": branch}).regimes(given)
+
+
+def plastic_load(w, theta, eta):
+    return plastic.plastic(w, theta, eta)[2]
 
 
 def test_rounded_constants_have_closed_forms():
@@ -31,15 +40,15 @@ def test_rounded_constants_have_closed_forms():
     # w = x - 2.89441 x^(1/4) at theta = 1, x = 1
     assert 1.0 - jkr.displacement(1.0, jkr.adhesion(1.0)) == pytest.approx(2.89441, abs=5e-6)
     assert jkr.coordinate(0.0, jkr.adhesion(1.0)) ** 4 == pytest.approx(4.12489, abs=5e-6)
-    assert plastic.hardness_group(1.0, 1.0) == pytest.approx(3.65084, abs=5e-6)
-    eta = float(plastic.hardness_group(1.0, 1.0))
-    assert plastic.plastic_load(2.0, 1.0, eta) - plastic.plastic_load(1.0, 1.0, eta) == pytest.approx(7.30168, abs=1e-5)
-    assert plastic.plastic_load(0.0, 1.0, eta) == pytest.approx(-6.28319, abs=5e-6)
+    assert hardness_group(1.0, 1.0) == pytest.approx(3.65084, abs=5e-6)
+    eta = float(hardness_group(1.0, 1.0))
+    assert plastic_load(2.0, 1.0, eta) - plastic_load(1.0, 1.0, eta) == pytest.approx(7.30168, abs=1e-5)
+    assert plastic_load(0.0, 1.0, eta) == pytest.approx(-6.28319, abs=5e-6)
 
 
 def test_hardness_group_scales_as_printed():
     """eta = 3.65084 lambda^(1/4) theta^(-1/2) (eq. 2 of the paper)."""
-    assert_allclose(plastic.hardness_group(np.array([4.0, 100.0]), np.array([16.0, 1e4])), [3.65084, 3.65084], rtol=2e-6)
+    assert_allclose(hardness_group(np.array([4.0, 100.0]), np.array([16.0, 1e4])), [3.65084, 3.65084], rtol=2e-6)
 
 
 JKR_POINTS = [  # x theta^(2/3), w theta^(2/3), P theta: section 0.1, five or six digits
@@ -117,18 +126,24 @@ def test_jkr_coordinate_inverts_displacement(theta):
 def test_hertz():
     """P = (4/3) E* R^(1/2) omega^(3/2), a^2 = R omega (section A1)."""
     for w in (0.0, 1e-8, 0.25, 4.0, 1e6):
-        displacement, slope, load, area, slip, tear = hertz.along(hertz.coordinate(w))
+        displacement, slope, load, area = hertz.normal(hertz.coordinate(w))
         assert (displacement, load, area) == (pytest.approx(w), pytest.approx(w**1.5), pytest.approx(w))
-        assert slope == pytest.approx(2.0 * math.sqrt(w)) and slip == tear == 0.0
+        assert slope == pytest.approx(2.0 * math.sqrt(w))
     assert hertz.load(4.0) == 8.0
+
+
+@pytest.mark.parametrize("law", (hertz, dmt, ceb), ids=lambda law: law.RECORD.key)
+def test_nothing_resists_without_a_tangential_law(law):
+    for regime in Law(law.RECORD).regimes(groups(3.0, np.ones(4))):
+        assert not states(regime, regime.edges[:, 0] + np.array([0.0, 0.1, 0.3, 2.0]))[:, 4:].any()
 
 
 def test_dmt():
     """Hertz less 2 pi gamma R (section A3): its pull-off is 4/3 of JKR's."""
-    displacement, _, load, area, *_ = dmt.along(dmt.coordinate(0.0, 5.0), 5.0)
+    displacement, _, load, area = dmt.normal(dmt.coordinate(0.0, 5.0), 5.0)
     assert (displacement, area) == (0.0, 0.0)
     assert load == pytest.approx(4.0 / 3.0 * -4.71239 / 5.0, abs=1e-5)
-    assert dmt.along(2.0, 5.0)[2] == pytest.approx(8.0 - 2.0 * math.pi / 5.0)
+    assert dmt.normal(2.0, 5.0)[2] == pytest.approx(8.0 - 2.0 * math.pi / 5.0)
 
 
 FIRST_YIELD = [  # nu, z/a, p0/Y: table A5
@@ -163,9 +178,8 @@ def test_chang_etsion_bogy_1987(w_ratio, load, area):
     """P/P_c and A/A_c at w/w_c (cross-model table, column CEB): P_c = w_c^(3/2), A_c = pi R w_c."""
     eta, K_H = 2.3, float(ceb.hardness_coefficient(0.3))
     w_c = float(ceb.critical_interference(eta, K_H))
-    _, _, found_load, found_area, *resistance = ceb.plastic_along(w_ratio * w_c, w_c, eta, K_H)
+    _, _, found_load, found_area = ceb.plastic(w_ratio * w_c, w_c, eta, K_H)
     assert (found_load / w_c**1.5, found_area / w_c) == (pytest.approx(load, rel=1e-12), pytest.approx(area, rel=1e-12))
-    assert resistance == [0.0, 0.0]
 
 
 def test_critical_interference():
@@ -178,27 +192,32 @@ def test_critical_interference():
 
 def test_elastic_range():
     """tests/reference/asperity.csv: first contact x0, yield x1 and w1, and the load just plastic: 1e-13."""
-    asperity = asperity_of(ROWS)
-    edges, _ = asperity.kinks()
+    given = bare(ROWS)
+    elastic, flow = joined(given)
+    edges = elastic.edges
     assert np.all(np.diff(edges, axis=1) >= 0.0)
     assert_allclose(edges[:, 0] ** 4, column(ROWS, "x0"), rtol=1e-13)
     assert_allclose(edges[:, -1] ** 4, column(ROWS, "x1"), rtol=1e-13)
-    w1 = onset_of_plasticity(asperity, edges)
+    u1, w1 = plastic.onset(given)
     assert_allclose(w1, column(ROWS, "w1"), rtol=1e-12)
-    found = [plastic.plastic_load(*one) for one in zip(w1, asperity.theta, asperity.eta, strict=True)]
+    assert np.array_equal(edges[:, -1], u1) and np.array_equal(flow.edges, np.stack([w1, np.full_like(w1, np.inf)], axis=1))
+    found = [plastic_load(*one) for one in zip(w1, given.theta, given.eta, strict=True)]
     assert_allclose(found, column(ROWS, "plastic_load_at_w1"), rtol=1e-12)
-    assert_allclose(plastic.stiffness_group(asperity.nu), column(ROWS, "K_beta"), rtol=1e-14)
+    assert_allclose(stiffness_group(given.nu), column(ROWS, "K_beta"), rtol=1e-14)
 
 
 def test_elastic_points():
     """The same table: displacement and load at five places of the elastic range."""
-    S = asperity_of(ROWS).S
+    given = bare(ROWS)
+    S = np.array([jkr.adhesion(theta) for theta in given.theta])
     x, w, P = (column(ROWS, name) for name in ("x", "w", "load"))
     u = x**0.25
     near_zero = np.maximum(np.abs(w), x)
     assert np.all(np.abs([jkr.displacement(*one) for one in zip(u, S, strict=True)] - w) < 1e-14 * near_zero)
     assert np.all(np.abs([jkr.load(*one) for one in zip(u, S, strict=True)] - P) < 1e-14 * np.maximum(np.abs(P), x**1.5))
-    assert_allclose(coordinate_at(asperity_of(ROWS), w), u, rtol=1e-12)
+    piece = plastic.pieces(given, "loading")[0]
+    assert_allclose(coordinates(piece, w), u, rtol=1e-12)
+    assert_allclose(states(joined(given)[0], u)[:, :4], np.stack([w, 4.0 * u**3 - 2.0 / 3.0 * S, P, x], axis=1), rtol=1e-11)
 
 
 @pytest.mark.parametrize(("theta", "lam", "x1", "w1", "jump"), [  # section 0.2.5
@@ -208,26 +227,22 @@ def test_elastic_points():
 ])  # fmt: skip
 def test_load_jumps_where_it_becomes_plastic(theta, lam, x1, w1, jump):
     """P_pl(w1)/P_el(x1), a property of the published model that is kept; its mean elastic pressure there is the hardness."""
-    values = {"theta": theta, "lam": lam, "K_beta": 6.4762, "nu": 0.3, "k": 2.8}
-    asperity = Asperity(**{name: np.array([float(value)]) for name, value in values.items()})
-    edges, _ = asperity.kinks()
-    found_x1, found_w1 = edges[0, -1] ** 4, float(onset_of_plasticity(asperity, edges)[0])
+    given = groups(float(theta), float(lam))
+    u1, found_w1 = (float(one[0]) for one in plastic.onset(given))
+    found_x1, eta = u1**4, float(given.eta[0])
     if x1 is not None:
         assert (found_x1, found_w1) == (pytest.approx(x1, abs=5.1e-5), pytest.approx(w1, abs=5.1e-5))
-    elastic_load = jkr.load(edges[0, -1], float(asperity.S[0]))
+    elastic_load = jkr.load(u1, jkr.adhesion(float(theta)))
     # P/(pi a^2) = H is P = eta x: loads are over K R^(1/2) sigma^(3/2), and eta = pi H sqrt(R/sigma)/K.
-    assert elastic_load == pytest.approx(float(asperity.eta[0]) * found_x1, rel=1e-12)
-    plastic_load = plastic.plastic_load(found_w1, float(theta), float(asperity.eta[0]))
-    assert plastic_load / elastic_load == pytest.approx(jump, abs=5.1e-4)
+    assert elastic_load == pytest.approx(eta * found_x1, rel=1e-12)
+    assert plastic_load(found_w1, float(theta), eta) / elastic_load == pytest.approx(jump, abs=5.1e-4)
 
 
 def test_jump_without_adhesion_is_two():
     """Section 0.2.5: tends to exactly 2, from below."""
-    values = {"theta": 1e10, "lam": 1e16, "K_beta": 6.4762, "nu": 0.3, "k": 2.8}
-    asperity = Asperity(**{name: np.array([value]) for name, value in values.items()})
-    edges, _ = asperity.kinks()
-    w1 = float(onset_of_plasticity(asperity, edges)[0])
-    ratio = plastic.plastic_load(w1, 1e10, float(asperity.eta[0])) / jkr.load(edges[0, -1], float(asperity.S[0]))
+    given = groups(1e10, 1e16)
+    u1, w1 = (float(one[0]) for one in plastic.onset(given))
+    ratio = plastic_load(w1, 1e10, float(given.eta[0])) / jkr.load(u1, jkr.adhesion(1e10))
     assert 1.999 < ratio < 2.0
 
 
@@ -236,7 +251,7 @@ def test_plastic_range_starts_above_touch():
     n = 20000
     theta, lam = 10.0 ** RNG.uniform(-3, 8, n), 10.0 ** RNG.uniform(-6, 8, n)
     nu, k = RNG.uniform(0, 0.499, n), RNG.uniform(1.5, 4.0, n)
-    asperity = Asperity(theta, lam, 8 / 3 * (2 - nu) / (1 - nu), nu, k)
-    edges, branch = asperity.kinks()
-    assert np.all(edges[:, -1] > edges[:, 0]) and np.all(onset_of_plasticity(asperity, edges) > 0.0)
-    assert np.all(branch < edges[:, -1])
+    given = groups(theta, lam, nu, k)
+    elastic, flow = joined(given)
+    assert np.all(elastic.edges[:, -1] > elastic.edges[:, 0]) and np.all(flow.edges[:, 0] > 0.0)
+    assert np.all(elastic.branch < elastic.edges[:, -1])

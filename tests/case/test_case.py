@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from stiction.case import json_schema, read_case
+from stiction.choice import Choice
 from stiction.contact import Contact, Indices
 from stiction.errors import InputError
 
@@ -61,9 +62,10 @@ def refused(read):
 def test_examples_are_valid(path):
     case = read_case(path)
     assert case.title and (case.separation is None) != (case.load is None)
-    assert case.model == "soft_coating_2015" and case.reading is None
+    assert case.choice == Choice("soft_coating_2015", options={})
     if isinstance(case.subject, Contact):
-        assert case.subject.indices().has_film
+        indices = case.subject.indices()
+        assert indices.has_film or indices.shear_strength is not None  # what the example is about
 
 
 def test_paper_figure():
@@ -93,7 +95,12 @@ def test_settings(read):
     case = read(
         INDICES + 'separation = [1]\nreading = "published"\ncoating_law = "graded"\nbranch = "unloading"'
     )
-    assert (case.reading, case.coating_law, case.branch) == ("published", "graded", "unloading")
+    options = {"reading": "published", "branch": "unloading"}
+    assert case.choice == Choice("soft_coating_2015", coating_law="graded", options=options)
+    laws = 'model = "greenwood_williamson_1966"\nasperity = "jkr"\ntangential = "none"\ntransition = "jump"\n'
+    case = read(INDICES + "separation = [1]\n" + laws + 'options = { some_option = "one" }')
+    options = {"transition": "jump", "some_option": "one"}
+    assert case.choice == Choice("greenwood_williamson_1966", "jkr", "none", None, options)
 
 
 @pytest.mark.parametrize(

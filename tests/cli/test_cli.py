@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 from stiction import cli
 from stiction.case import json_schema, read_case
 from stiction.quantities import QUANTITIES
-from stiction.registry import find
+from stiction.registry import find, misfit, of_kind
 from stiction.solve import solve
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -95,7 +95,7 @@ def test_run_prints_table_summary_and_what_is_outside_validity():
     assert "Silver film" in text and "E = 210 GPa" in text and "theta = 228.8" in text
     assert "separation" in text and "touching" in text
     assert "outside the range of validity" in text
-    assert "jumps where it becomes plastic" in text.replace("\n", " ")
+    assert "jumps where it becomes plastic" in " ".join(text.split())
     rows = [line for line in text.splitlines() if "µN" in line or "mN" in line or " N " in line]
     assert 10 <= len(rows) <= 16
 
@@ -160,9 +160,24 @@ def test_options_override_the_case_and_a_model_without_them_is_not_asked(tmp_pat
     assert other["attrs"]["model"] == "greenwood_williamson_1966"
     assert "friction_coefficient" not in other["variables"]
     assert "contact only" in command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966").stdout
-    for law in find("soft_coating_2015", "rough surface").options["coating_law"]:
-        read = strict(command("run", PAPER, "--coating-law", law, "--json").stdout)["attrs"]
-        assert (read["coating_law"], read["film"]) == (law, law)
+    asperity = find(find("soft_coating_2015", "rough surface").asperity, "asperity")
+    suitable = [law for law in of_kind("film").values() if law.interchangeable and "2015" in law.wants]
+    assert suitable and not any(misfit(law, asperity) for law in suitable)
+    for key in ["sequential", *(law.key for law in suitable)]:
+        read = strict(command("run", PAPER, "--coating-law", key, "--json").stdout)["attrs"]
+        assert (read["film"], read["model"]) == (key, "soft_coating_2015")
+
+
+def test_laws_in_place_of_the_models_own(tmp_path):
+    laws = "--model", "greenwood_williamson_1966", "--asperity", "jkr", "--branch", "unloading"
+    read = strict(command("run", adhesive(tmp_path), *laws, "--tangential", "soft_coating_2015", "--json").stdout)
+    used = [read["attrs"][name] for name in ("model", "asperity", "tangential", "film", "branch")]
+    assert used == ["greenwood_williamson_1966", "jkr", "soft_coating_2015", "none", "unloading"]
+    assert "friction_coefficient" in read["variables"]
+    alone = strict(command("run", adhesive(tmp_path), "--tangential", "none", "--json").stdout)
+    assert alone["attrs"]["tangential"] == "none" and "friction_coefficient" not in alone["variables"]
+    refused = command("run", adhesive(tmp_path), "--asperity", "hertz", code=2)
+    assert "asperity: 'soft_coating_2015'" in refused.stderr and len(refused.stderr.splitlines()) == 1
 
 
 def test_a_curve_over_loads_is_written_too(tmp_path):
@@ -271,7 +286,7 @@ def test_models_as_records_and_as_a_table():
 def test_cite_prints_entries():
     text = command("cite", "soft_coating_2015").stdout
     assert "{soft_coating_2015," in text and "{savkoor_briggs_1977," in text
-    assert "{greenwood_williamson_1966," not in text
+    assert "{greenwood_williamson_1966," in text and "{fuller_tabor_1975," not in text
     assert command("cite").stdout.count("\n@") > text.count("\n@")
     assert "{hamilton_1983," in command("cite", "hamilton_1983").stdout
 

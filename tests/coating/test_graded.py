@@ -9,19 +9,21 @@ import numpy as np
 import pytest
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
-from stiction import heights, summation
+from stiction import heights, summation, vectorised
+from stiction.asperity import roy_chowdhury_ghosh_1994
+from stiction.choice import Choice
 from stiction.coating import graded, graded_law
 from stiction.errors import InputError
-from stiction.friction.adhesive_asperity import Asperity, bare_regimes
+from stiction.friction import soft_coating_2015
+from stiction.law import Law
+from stiction.problem import problem_of
+from tables import groups
 
 GAUSSIAN = heights.gaussian()
 ALONG = graded_law.along
+SHARP = Law(roy_chowdhury_ghosh_1994.RECORD, soft_coating_2015.RECORD, {"branch": "loading"})  # with the jump at yield
 MANY = 20  # parameters of the law
 END = 9.0  # u; depths of more than 6000 sigma are of no use
-
-
-def asperity(theta, lam, nu, k):
-    return Asperity(theta, lam, 8 / 3 * (2 - nu) / (1 - nu), nu, k)
 
 
 def random_laws(count, seed):
@@ -32,8 +34,8 @@ def random_laws(count, seed):
     n_E, n_H = 10 ** rng.uniform(-2, 2, count), 10 ** rng.uniform(-2, 2, count)
     tau = np.where(rng.random(count) < 0.03, 0.0, 10 ** rng.uniform(-6, 3, count))
     film_aspect = np.where(tau > 0, 10 ** rng.uniform(-3, 3, count), 0.0)
-    film = asperity(theta * n_E, lam * n_H**4 / n_E**2, rng.uniform(0, 0.499, count), rng.uniform(1.5, 4, count))
-    return asperity(theta, lam, nu, k), film, n_E, n_H, tau, film_aspect
+    film = groups(theta * n_E, lam * n_H**4 / n_E**2, rng.uniform(0, 0.499, count), rng.uniform(1.5, 4, count))
+    return groups(theta, lam, nu, k), film, n_E, n_H, tau, film_aspect
 
 
 def separations(count, seed):
@@ -80,12 +82,12 @@ def pieces(regimes, law):
 
 def test_arctangent_and_logarithm():
     v = np.concatenate([[0.0], np.logspace(-12, 12, 2001), [np.tan(np.pi / 8), 1.0]])
-    found = np.array([graded_law._arctan(value) for value in v])
+    found = np.array([vectorised.arctan(value) for value in v])
     assert np.abs(found - np.arctan(v)).max() < 4e-16
     z = np.concatenate([np.logspace(-20, 200, 3001), np.linspace(0.3, 3.0, 500)])
-    found = np.array([graded_law._log_quotient(value) for value in z])
+    found = np.array([vectorised.log_quotient(value) for value in z])
     np.testing.assert_allclose(found, np.log1p(z) / z, rtol=1e-15)
-    assert graded_law._log_quotient(0.0) == 1.0
+    assert vectorised.log_quotient(0.0) == 1.0
 
 
 def test_gao_modulus_in_numbers():
@@ -143,7 +145,8 @@ def test_great_thickness_is_the_film_in_its_own_indices():
 def test_other_work_of_adhesion_of_a_thick_film():
     substrate, _, n_E, n_H, _, _ = random_laws(500, 4)
     n_g, never = np.full(500, 1.7), np.full(500, np.inf)
-    film = asperity(substrate.theta * n_E / n_g, substrate.lam * n_H**4 / (n_E * n_g) ** 2, substrate.nu, substrate.k)
+    theta, lam = substrate.theta * n_E / n_g, substrate.lam * n_H**4 / (n_E * n_g) ** 2
+    film = groups(theta, lam, substrate.nu, substrate.hardness_to_yield)
     regimes = graded.graded_regimes(substrate, film, n_E, n_H, never, never, n_g)
     factors = np.stack([np.ones(500), n_E, np.ones(500), n_E], axis=1)
     assert_same(regimes, graded.bare_regimes_with_transition(film), separations(500, 4), 1e-9, factors)
@@ -152,10 +155,11 @@ def test_other_work_of_adhesion_of_a_thick_film():
 def test_bare_with_transition_is_the_published_law_at_both_ends():
     """The same elastic asperity; deep enough, the same plastic one."""
     substrate = random_laws(1000, 5)[0]
-    hard = asperity(substrate.theta, 1e8 * np.maximum(substrate.theta, 1.0) ** 2, substrate.nu, substrate.k)
+    lam = 1e8 * np.maximum(substrate.theta, 1.0) ** 2
+    hard = groups(substrate.theta, lam, substrate.nu, substrate.hardness_to_yield)
     h = separations(1000, 5)
-    assert_same(graded.bare_regimes_with_transition(hard)[:1], bare_regimes(hard)[:1], np.maximum(h, -2.0), 1e-9)
-    soft = asperity(10 ** np.linspace(0, 8, 50), np.full(50, 1e-3), np.full(50, 0.3), np.full(50, 2.8))
+    assert_same(graded.bare_regimes_with_transition(hard)[:1], SHARP.regimes(hard)[:1], np.maximum(h, -2.0), 1e-9)
+    soft = groups(10 ** np.linspace(0, 8, 50), 1e-3)
     regimes = graded.bare_regimes_with_transition(soft)
     deep = states(regimes, np.full((50, 1), 8.0))[:, 0]
     np.testing.assert_allclose(deep[:, 2], 2 * soft.eta * deep[:, 0] - 2 * np.pi / soft.theta, rtol=1e-12)
@@ -166,7 +170,7 @@ def test_area_without_adhesion_is_that_of_zhao_maietta_and_chang():
     """A/w = 1 + 3 xi^2 - 2 xi^3 over omega/omega_1 from 1/0.16 (mean pressure = H) to 54."""
     eta = 0.7
     theta = np.array([1e8])
-    law = asperity(theta, eta**4 * theta**2 / (18 * np.pi**2), np.array([0.3]), np.array([2.8]))
+    law = groups(theta, eta**4 * theta**2 / (18 * np.pi**2))
     w = np.linspace(1.001, 0.999 * 54 * 0.16, 40) * eta**2
     found = states(graded.bare_regimes_with_transition(law), w[None, :] ** 0.25)[0]
     xi = (w / eta**2 - 1.0) / (54 * 0.16 - 1.0)
@@ -208,7 +212,7 @@ def test_sums_are_finite_and_areas_positive_everywhere():
 def test_soft_film_on_a_hard_substrate_goes_through_the_four_stages_of_the_paper():
     theta, lam, n_E, n_H, tau = np.array([[1e4], [1e7], [0.5], [0.1], [0.35]])
     nu, k = np.array([0.3]), np.array([2.8])
-    substrate, film = asperity(theta, lam, nu, k), asperity(theta * n_E, lam * n_H**4 / n_E**2, nu, k)
+    substrate, film = groups(theta, lam, nu, k), groups(theta * n_E, lam * n_H**4 / n_E**2, nu, k)
     regimes = graded.graded_regimes(substrate, film, n_E, n_H, tau, 0.05 * tau)
     order = []
     for _, _, state, body in pieces(regimes, 0):
@@ -266,9 +270,9 @@ def test_grid_agrees_with_single_separations():
 
 
 def test_bad_input_is_refused():
-    substrate, film, *groups = random_laws(3, 10)
+    substrate, film, *others = random_laws(3, 10)
     with pytest.raises(InputError, match="m_soft: 3; allowed: 1 or 2"):
-        graded.graded_regimes(substrate, film, *groups, m_soft=3)
-    printed = Asperity(substrate.theta, substrate.lam, substrate.K_beta, substrate.nu, substrate.k, printed=True)
-    with pytest.raises(InputError, match="published"):
-        graded.bare_regimes_with_transition(printed)
+        graded.graded_regimes(substrate, film, *others, m_soft=3)
+    problem = problem_of(substrate, Choice(options={"reading": "published", "transition": "gradual"}))
+    with pytest.raises(InputError, match="transition: 'gradual'; allowed: jump"):
+        assert problem.regimes

@@ -6,7 +6,7 @@ import pytest
 
 from stiction import heights, summation
 from stiction.coating import graded
-from stiction.friction.adhesive_asperity import Asperity
+from tables import groups
 
 # theta, lambda, nu_s, nu_c, k_s, k_c, n_E, n_H, tau, t/sqrt(R sigma), n_g
 LAWS = {
@@ -76,7 +76,7 @@ def by_hand(law, h):
 def test_sums(name, h):
     theta, lam, nu_s, nu_c, k_s, k_c, n_E, n_H, tau, aspect, n_g = (np.array([value]) for value in LAWS[name])
     bodies = [(theta, lam, nu_s, k_s), (theta * n_E / n_g, lam * n_H**4 / (n_E * n_g) ** 2, nu_c, k_c)]
-    substrate, film = (Asperity(th, la, 8 / 3 * (2 - nu) / (1 - nu), nu, k) for th, la, nu, k in bodies)
+    substrate, film = (groups(*body) for body in bodies)
     regimes = graded.graded_regimes(substrate, film, n_E, n_H, tau, aspect, n_g)
     found = summation.scattered(regimes, np.array([h]), heights.gaussian()).sum(axis=0)[0]
     load, area, resistance = by_hand(LAWS[name], h)

@@ -136,12 +136,20 @@ def test_groups_do_not_change_with_the_units_of_length_and_force():
             roughness=rough,
             nominal_area=1e-6 * length**2,
             work_of_adhesion=force / length,
+            interfacial_shear_strength=2e7 * pressure,
+            pressure_coefficient=0.1,
+            peeling=0.5,
             coating=Coating(material=film, thickness=2e-7 * length),
-        ).indices()
+        )
 
     one, other = rescaled(1.0, 1.0), rescaled(a, b)
-    for name in type(one).model_fields:
-        assert getattr(one, name) == pytest.approx(getattr(other, name), rel=1e-12), name
+    groups, others = one.indices(), other.indices()
+    for name in type(groups).model_fields:
+        if name != "tabor_parameter":
+            assert getattr(groups, name) == pytest.approx(getattr(others, name), rel=1e-12), name
+    # The range of the attraction is a length of matter: to keep the Tabor parameter it has to be rescaled too.
+    assert groups.tabor_parameter == one.tabor_parameter()
+    assert other.tabor_parameter(0.165e-9 * a) == pytest.approx(one.tabor_parameter(0.165e-9), rel=1e-12)
 
 
 def test_arrays_broadcast_by_the_name_of_their_dimension():

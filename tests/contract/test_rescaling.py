@@ -28,6 +28,7 @@ def contact(length=1.0, force=1.0, coated=True):
     roughness = {"asperity_height_deviation": 48e-9, "asperity_radius": 50e-6, "asperity_density": 1.7e10}
     film = {"thickness": 200e-9, "work_of_adhesion": 0.4}
     given = {"work_of_adhesion": 0.7, "nominal_area": 1e-6, "hardness_to_yield": 2.8}
+    given |= {"interfacial_shear_strength": 2e7, "pressure_coefficient": 0.1, "peeling": 0.5}
     return Contact(
         first=body(youngs_modulus=210e9, poissons_ratio=0.29, hardness=7e9),
         second=body(youngs_modulus=120e9, poissons_ratio=0.34, hardness=4e9),
@@ -44,11 +45,17 @@ def contact(length=1.0, force=1.0, coated=True):
 @pytest.mark.parametrize("coated", (False, True))
 @pytest.mark.parametrize(("length", "force"), [(1e3, 1.0), (1.0, 1e3), (1e-2, 0.3), (7.0, 1e-5)])
 def test_groups_have_no_unit(length, force, coated):
-    plain, other = contact(coated=coated).indices(), contact(length, force, coated).indices()
+    one, two = contact(coated=coated), contact(length, force, coated)
+    plain, other = one.indices(), two.indices()
     names = [name for name in type(plain).model_fields if getattr(plain, name) is not None]
-    assert len(names) == (12 if coated else 5) + (0 if coated else 1)  # bare: n_g is 1 by default
+    needed_by_some = 7
+    assert len(names) == (12 if coated else 5) + (0 if coated else 1) + needed_by_some  # bare: n_g is 1 by default
     for name in names:
-        assert getattr(other, name) == pytest.approx(getattr(plain, name), rel=1e-12), name
+        if name != "tabor_parameter":
+            assert getattr(other, name) == pytest.approx(getattr(plain, name), rel=1e-12), name
+    # This one compares with the range of the attraction, a length of matter: it keeps its value if that is rescaled too.
+    assert (plain.tabor_parameter, other.tabor_parameter) == (one.tabor_parameter(), two.tabor_parameter())
+    assert two.tabor_parameter(2e-10 * length) == pytest.approx(one.tabor_parameter(2e-10), rel=1e-12)
     assert other.theta != 1.0
 
 

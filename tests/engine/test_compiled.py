@@ -6,14 +6,17 @@ import sys
 from stiction.compiled import _decides, bind
 
 NAME_OF_A_KERNEL = """
-from stiction.friction.slip_or_yield import fill_edges
-from stiction.models.soft_coating_2015 import RECORD
-from stiction.friction.adhesive_asperity import elastic, elastic_coordinate
+from stiction.friction.slip_or_yield import fill_kinks
+from stiction.asperity.roy_chowdhury_ghosh_1994 import RECORD, plastic, plastic_coordinate
+from stiction.friction.soft_coating_2015 import resistance
 from stiction.heights import gaussian
+from stiction.law import _joined, _kernel, _states_template
 from stiction.summation import _scattered_kernel
 heights = gaussian()
-print(fill_edges.py_func.__qualname__)
-print(_scattered_kernel(elastic, elastic_coordinate, heights.density, heights.window, 9).py_func.__qualname__)
+print(fill_kinks.py_func.__qualname__)
+along, coordinate = _joined(plastic, plastic_coordinate, resistance, False, 2, 5)
+print(_scattered_kernel(along, coordinate, heights.density, heights.window, 12).py_func.__qualname__)
+print(_kernel(_states_template, along, coordinate, 12).py_func.__qualname__)
 """
 
 
@@ -43,4 +46,4 @@ def test_names_are_the_same_in_every_process():
         subprocess.run([sys.executable, "-c", NAME_OF_A_KERNEL], check=True, capture_output=True, text=True).stdout
         for _ in range(2)
     ]
-    assert names[0] == names[1] and len(names[0].split()) == 2
+    assert names[0] == names[1] and len(names[0].split()) == 3

@@ -10,15 +10,21 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 
-from stiction.asperity import jkr
-from stiction.asperity.chowdhury_ghosh_1994 import hardness_group, stiffness_group
+from stiction.asperity import jkr, roy_chowdhury_ghosh_1994
+from stiction.coating import printed as to_the_letter
 from stiction.friction import chang_etsion_bogy_1988 as ceb
-from stiction.friction.adhesive_asperity import Asperity, elastic, elastic_printed
+from stiction.friction import soft_coating_2015
 from stiction.friction.edge_yield import yield_resistance
 from stiction.friction.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
+from stiction.groups import hardness_group, stiffness_group
+from stiction.law import Law, states
 from tables import column, groups_of, read
 
 ROWS = read("asperity.csv")
+LAWS = {
+    "corrected": Law(roy_chowdhury_ghosh_1994.RECORD, soft_coating_2015.RECORD, {"branch": "loading"}),
+    "published": to_the_letter.LAW,
+}
 
 
 @pytest.mark.parametrize(
@@ -109,7 +115,7 @@ def test_slip_and_yield(formulation):
     groups = groups_of([row | {"n_E": ""} for row in rows])
     x, P, slip, tear = (column(rows, name) for name in ("x", "load", "slip", "yield"))
     eta = hardness_group(groups.theta, groups.lam)
-    law = elastic if formulation == "corrected" else elastic_printed
+    found_states = states(LAWS[formulation].regimes(groups)[0], x**0.25)
     for i in range(len(rows)):
         theta, K_beta, nu, k = (float(one[i]) for one in (groups.theta, groups.K_beta, groups.nu, groups.hardness_to_yield))
         if formulation == "corrected":
@@ -119,9 +125,8 @@ def test_slip_and_yield(formulation):
         # Near its own zero the slip force is the square root of a rounded difference.
         assert found == pytest.approx(slip[i], rel=1e-12, abs=1e-7 / theta)
         assert yield_resistance(P[i], eta[i] * x[i] / (math.pi * k), nu) == pytest.approx(tear[i], rel=1e-9)
-        state = law(x[i] ** 0.25, theta, eta[i], K_beta, nu, k, 0.0, 1.0, 1.0, 1.0)
         smaller = [slip[i], 0.0] if slip[i] <= tear[i] else [0.0, tear[i]]
-        assert state[4:] == (pytest.approx(smaller[0], rel=1e-9), pytest.approx(smaller[1], rel=1e-9))
+        assert tuple(found_states[i, 4:]) == (pytest.approx(smaller[0], rel=1e-9), pytest.approx(smaller[1], rel=1e-9))
 
 
 def test_crossings_of_slip_and_yield():
@@ -129,10 +134,9 @@ def test_crossings_of_slip_and_yield():
     for row in {tuple(row[name] for name in list(row)[:11]): row for row in ROWS}.values():
         groups = groups_of([row | {"n_E": ""}])
         printed = row["formulation"] == "published"
-        asperity = Asperity(groups.theta, groups.lam, groups.K_beta, groups.nu, groups.hardness_to_yield, printed)
-        edges, _ = asperity.kinks()
+        edges = LAWS[row["formulation"]].regimes(groups)[0].edges
         theta, eta, K_beta, nu, k = (
-            float(one[0]) for one in (groups.theta, asperity.eta, groups.K_beta, groups.nu, groups.hardness_to_yield)
+            float(one[0]) for one in (groups.theta, groups.eta, groups.K_beta, groups.nu, groups.hardness_to_yield)
         )
 
         def excess(u):

@@ -13,10 +13,11 @@ from numpy.polynomial.legendre import leggauss
 from numpy.testing import assert_allclose
 from scipy.optimize import minimize_scalar
 
+from stiction.choice import Choice
 from stiction.evaluate import evaluate
 from stiction.heights import empirical, exponential_heights, gaussian, weibull
 from stiction.models import chang_etsion_bogy_1988, fuller_tabor_1975, greenwood_williamson_1966, rough_dmt, soft_coating_2015
-from stiction.registry import settle
+from stiction.problem import problem_of
 from stiction.summation import on_grid, scattered
 from tables import FILM_COLUMNS, assert_near, column, groups, groups_of, read
 
@@ -24,9 +25,13 @@ pytestmark = pytest.mark.usefixtures("always_grid")
 WAYS = ("scattered", "on_grid")
 
 
+def regimes_of(module, given, **options):
+    return problem_of(given, Choice(module.RECORD.key, options=options)).regimes
+
+
 def sums(module, given, h, way="scattered", heights=None, **options):
     """Sums of each regime (regimes, n, 5): law i at h[i], whichever way it is computed."""
-    regimes = module.RECORD.regimes(given, **settle(module.RECORD, options))
+    regimes = regimes_of(module, given, **options)
     heights = heights or gaussian()
     h = np.asarray(h, dtype=float)
     if way == "scattered":
@@ -208,7 +213,7 @@ def test_parts(coated, way):
     rows = [row for row in read("parts.csv") if bool(row["n_E"]) == coated]
     assert len(rows) == (6 if coated else 5)
     given, h = groups_of(rows), column(rows, "h")
-    regimes = soft_coating_2015.RECORD.regimes(given, **settle(soft_coating_2015.RECORD, {}))
+    regimes = regimes_of(soft_coating_2015, given)
     found = sums(soft_coating_2015, given, h, way)
     whole = np.abs(column(rows, "load")) + sum(np.abs(column(rows, f"{name}_load")) for name in GROUPS_OF_ASPERITIES)
     for name, (body, state) in GROUPS_OF_ASPERITIES.items():
@@ -241,7 +246,7 @@ def test_parts(coated, way):
 
 def _beyond(regime, given) -> bool:
     """Whether a film regime lies beyond the film's thickness: there its force is multiplied by nothing."""
-    force = regime.parameters[-3] if regime.state == "elastic" else regime.parameters[-2]
+    *_, force, _, _ = regime.parameters  # of joined regimes the last five are those of a Share
     return regime.state != "held" and not np.any(force)
 
 
@@ -255,7 +260,7 @@ def test_parts_are_not_counted_twice():
     areas = []
     for aspect in (np.inf, 0.3):
         limited = groups(given.theta, given.lam, given.nu, **film, film_aspect=aspect)
-        regimes = soft_coating_2015.RECORD.regimes(limited, **settle(soft_coating_2015.RECORD, {}))
+        regimes = regimes_of(soft_coating_2015, limited)
         touching = np.array([regime.touching for regime in regimes])
         found = scattered(regimes, h, gaussian())
         assert_near(found[touching, :, 0].sum(axis=0), np.array([math.erfc(z / math.sqrt(2.0)) / 2.0 for z in h]), 1e-10)
@@ -289,7 +294,7 @@ def test_friction_coefficients_of_the_figures(film, published, corrected):
 def test_elastic_and_plastic_loads(theta, lam, h, literal, consistent):
     for reading, expected in (("published", literal), ("corrected", consistent)):
         given = groups(float(theta), float(lam))
-        regimes = soft_coating_2015.RECORD.regimes(given, **settle(soft_coating_2015.RECORD, {"reading": reading}))
+        regimes = regimes_of(soft_coating_2015, given, reading=reading)
         found = sums(soft_coating_2015, given, [h], reading=reading)[:, 0, 1]
         by_state = [sum(found[[regime.state == state for regime in regimes]]) for state in ("elastic", "plastic")]
         for value, printed in zip([*by_state, sum(by_state)], expected, strict=True):

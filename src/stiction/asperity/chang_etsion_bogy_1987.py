@@ -3,7 +3,16 @@
 Chang, Etsion & Bogy 1987. Loads over K R^(1/2) sigma^(3/2), areas over pi R sigma, displacements over sigma.
 """
 
+import math
+
+import numpy as np
+
 from ..compiled import formula
+from ..groups import Groups
+from ..registry import AsperityLaw, Jump, Limit, Validity
+from ..sources import Source
+from . import hertz
+from .piece import Piece
 
 
 def hardness_coefficient(nu):
@@ -18,12 +27,36 @@ def critical_interference(eta, K_H):
 
 
 @formula
-def plastic_along(w, w_c, eta, K_H):
-    """A = pi R w (2 - w_c/w), P = A K_H H; the load jumps by 1.5 at w_c. A plastic asperity bears no tangential force."""
+def plastic(w, w_c, eta, K_H):
+    """A = pi R w (2 - w_c/w), P = A K_H H."""
     area = 2.0 * w - w_c
-    return w, 1.0, K_H * eta * area, area, 0.0, 0.0
+    return w, 1.0, K_H * eta * area, area
 
 
 @formula
 def plastic_coordinate(w, w_c, eta, K_H):
     return w
+
+
+def pieces(groups: Groups) -> list[Piece]:
+    eta, K_H = groups.eta, hardness_coefficient(groups.nu)
+    w_c = critical_interference(eta, K_H)
+    flow = np.stack([w_c, np.full_like(w_c, np.inf)], axis=1)
+    return [hertz.elastic(w_c), Piece(plastic, plastic_coordinate, (w_c, eta, K_H), flow, "plastic")]
+
+
+RECORD = AsperityLaw(
+    key="chang_etsion_bogy_1987",
+    title="Sphere elastic to first yield, then of conserved volume at K_H H",
+    grade="B",
+    sources=(Source("chang_etsion_bogy_1987", "critical interference, plastic load and area"),),
+    pieces=pieces,
+    traits=frozenset({"no adhesion", "Hertz"}),
+    jumps=(Jump(1, 1.5, 1.0, "at the critical interference"),),
+    verified="independent integrals at 30 digits",
+    needs=("theta", "lam", "nu"),
+    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    load_falls=False,
+    notes="The mean pressure jumps from (2/3) K_H H to K_H H at the critical interference.",
+)

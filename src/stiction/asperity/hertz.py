@@ -2,7 +2,13 @@
 
 import math
 
+import numpy as np
+
 from ..compiled import formula
+from ..groups import Groups
+from ..registry import AsperityLaw, Validity
+from ..sources import Source
+from .piece import Piece
 
 
 @formula
@@ -12,15 +18,24 @@ def load(w):
 
 
 @formula
-def along(u):
-    """Displacement w = u^2, its slope, load w^(3/2), area w (over pi R sigma); no tangential law."""
+def normal(u):
+    """Displacement w = u^2, its slope, load w^(3/2), area w (over pi R sigma)."""
     w = u * u
-    return w, 2.0 * u, w * u, w, 0.0, 0.0
+    return w, 2.0 * u, w * u, w
 
 
 @formula
 def coordinate(w):
     return math.sqrt(max(w, 0.0))
+
+
+def elastic(last: np.ndarray) -> Piece:
+    """Hertz's piece from first touch to the displacements `last` (n,), where some law takes over."""
+    return Piece(normal, coordinate, (), np.stack([np.zeros_like(last), np.sqrt(last)], axis=1), "elastic")
+
+
+def pieces(groups: Groups) -> list[Piece]:
+    return [elastic(np.full(len(groups), np.inf))]
 
 
 def first_yield(nu: float) -> tuple[float, float]:
@@ -39,3 +54,18 @@ def first_yield(nu: float) -> tuple[float, float]:
     z = brentq(slope, 0.0, 1.0, xtol=1e-14)
     largest = 1.5 / (1.0 + z * z) - (1.0 + nu) * (1.0 - z * math.atan2(1.0, z))
     return 1.0 / largest, z
+
+
+RECORD = AsperityLaw(
+    key="hertz",
+    title="Elastic sphere without adhesion",
+    grade="B",
+    sources=(Source("hertz_1882", "load and contact area of two elastic spheres"),),
+    pieces=pieces,
+    traits=frozenset({"no adhesion", "Hertz"}),
+    verified="closed forms; sums F_n(h) at 30 digits",
+    validity=(
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
+        Validity("theta", 10.0, np.inf, "adhesion is left out"),
+    ),
+)

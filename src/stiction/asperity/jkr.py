@@ -6,7 +6,13 @@ S = sqrt(6 pi / theta) measures adhesion.
 
 import math
 
+import numpy as np
+
 from ..compiled import formula
+from ..groups import Groups
+from ..registry import AsperityLaw, Limit, Validity
+from ..sources import Source
+from .piece import Piece
 
 
 @formula
@@ -56,3 +62,52 @@ def coordinate(w, S):
         if step <= 1e-12 * u:
             break
     return u
+
+
+@formula
+def normal(u, theta):
+    """The same four at once: displacement, its slope, load, area."""
+    S = adhesion(theta)
+    return displacement(u, S), stretch(u, S), load(u, S), area(u)
+
+
+@formula
+def normal_coordinate(w, theta):
+    return coordinate(w, adhesion(theta))
+
+
+def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
+    """u (n,) at which an asperity first holds: loading, where w = 0 (4 u^3 = 4 s); unloading, where dw/du = 0 (4 u^3 = s)."""
+    s = 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta)
+    return np.cbrt(s if branch == "loading" else s / 4.0)
+
+
+def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> Piece:
+    """JKR's piece from first contact to the coordinates `last` (n,), where some law takes over."""
+    first = first_contact(theta, branch)
+    lowest = 0.0 if branch == "loading" else float(np.min(-3.0 * first**4, initial=0.0))  # w = u (u^3 - s), s = 4 u^3
+    edges = np.stack([first, np.maximum(last, first)], axis=1)
+    return Piece(normal, normal_coordinate, (theta,), edges, "elastic", lowest)
+
+
+def pieces(groups: Groups, branch: str) -> list[Piece]:
+    return [elastic(groups.theta, branch, np.full(len(groups), np.inf))]
+
+
+RECORD = AsperityLaw(
+    key="jkr",
+    title="Elastic sphere, adhesion inside the contact",
+    grade="A",
+    sources=(Source("johnson_kendall_roberts_1971", "load and displacement of one contact"),),
+    pieces=pieces,
+    traits=frozenset({"JKR"}),
+    verified="points of the source in closed form; integrals at 30 digits; Hertz without adhesion",
+    needs=("theta",),
+    validity=(
+        Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
+    ),
+    limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-4),),
+    load_falls=False,
+    own_options={"branch": ("loading", "unloading")},
+)

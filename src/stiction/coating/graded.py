@@ -10,9 +10,9 @@ import numpy as np
 
 from ..asperity.regime import Regime
 from ..errors import InputError
-from ..friction.adhesive_asperity import Asperity
 from ..groups import Groups
-from ..registry import Record
+from ..law import Law
+from ..registry import FilmLaw
 from ..sources import Source
 from .graded_kinks import find_kinks, gather
 from .graded_law import along, coordinate
@@ -38,8 +38,8 @@ PARTS = (("elastic", "film"), ("plastic", "film"), ("elastic", "substrate"), ("p
 
 
 def graded_regimes(
-    substrate: Asperity,
-    film: Asperity,
+    substrate: Groups,
+    film: Groups,
     n_E: np.ndarray,
     n_H: np.ndarray,
     tau: np.ndarray,
@@ -53,7 +53,7 @@ def graded_regimes(
     substrate, film: their Poisson's ratio, K beta and hardness over yield stress, and the substrate's adhesion indices; the
     film's follow from n_E, n_H, n_g. tau = t/sigma, film_aspect = t/sqrt(R sigma), 0 to infinity both. m_soft, m_hard: the
     exponent of (S5.13), 1 or 2. An asperity counts as film while w < tau, as plastic where its elastic mean pressure
-    exceeds the hardness at its depth. Raises InputError for the published reading, which has no graded film.
+    exceeds the hardness at its depth.
     """
     laws = len(substrate.theta)
     n_E, n_H, tau, film_aspect, n_g = (
@@ -61,24 +61,22 @@ def graded_regimes(
     )
     n_E = np.where(film_aspect > 0.0, n_E, 1.0)  # no thickness, no film
     n_H = np.where(tau > 0.0, n_H, 1.0)
-    n_Y = n_H * substrate.k / film.k
-    film_k = np.where(tau > 0.0, film.k, substrate.k)
+    n_Y = n_H * substrate.hardness_to_yield / film.hardness_to_yield
+    film_k = np.where(tau > 0.0, film.hardness_to_yield, substrate.hardness_to_yield)
     linear, square = fading_rates(n_E, n_H, n_Y, tau, m_soft, m_hard)
     parameters = _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, linear, square)
     return _regimes(parameters, tau, PARTS)
 
 
-def bare_regimes_with_transition(asperity: Asperity) -> list[Regime]:
+def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
     """Regimes of the bare surface that turns plastic by degrees, in place of the load jump of (S2.9)."""
     one, never = np.ones(len(asperity.theta)), np.full(len(asperity.theta), np.inf)
-    parameters = _parameters(asperity, asperity, asperity.k, one, one, never, one, 0.0, 0.0)
+    parameters = _parameters(asperity, asperity, asperity.hardness_to_yield, one, one, never, one, 0.0, 0.0)
     return _regimes(parameters, never, (("elastic", "bare"), ("plastic", "bare")))
 
 
 def _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, linear, square) -> np.ndarray:
     """Parameters (n, 14) of the law, in the order that `along` takes them."""
-    if substrate.printed or film.printed:
-        raise InputError("reading", "published", "corrected, for the graded film and for the transition to plasticity")
     columns = (
         math.pi * n_g / substrate.theta,
         substrate.eta,
@@ -92,7 +90,7 @@ def _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, linear, squ
         film.nu,
         substrate.K_beta,
         film.K_beta,
-        1.0 / (math.pi * substrate.k),
+        1.0 / (math.pi * substrate.hardness_to_yield),
         n_H / (math.pi * film_k),
     )
     return np.stack(np.broadcast_arrays(*columns), axis=1)
@@ -108,14 +106,15 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
     ]
 
 
-def regimes(substrate: Asperity, film: Asperity, groups: Groups) -> list[Regime]:
-    """Regimes of a coated surface, as film laws give them."""
-    return graded_regimes(substrate, film, groups.n_E, groups.n_H, groups.tau, groups.film_aspect, groups.n_g)
+def regimes(groups: Groups, law: Law) -> list[Regime]:
+    """Regimes of a coated surface, as film laws give them; the asperity law is the film's own."""
+    return graded_regimes(
+        groups.substrate(), groups.film(), groups.n_E, groups.n_H, groups.tau, groups.film_aspect, groups.n_g
+    )
 
 
-RECORD = Record(
+RECORD = FilmLaw(
     key="graded",
-    kind="film",
     title="One asperity law whose modulus and hardness depend on depth",
     grade="C",
     sources=(
@@ -127,6 +126,9 @@ RECORD = Record(
     regimes=regimes,
     verified="second implementation of six laws; bare at n_E = n_H = 1, substrate for tau -> 0, film for tau -> infinity",
     needs=("n_E", "n_H", "tau", "film_aspect"),
+    wants={"2015": "it is that asperity with properties that change with depth"},
+    own_asperity=True,
+    tangential="soft_coating_2015",
     load_falls=False,
     accuracy=2e-9,  # the worst of 400 000 laws of the whole range; 1 in 10 000 is above 1e-10
     notes="This project's own composition. Where an asperity's load would fall with depth it is held: the asperity jumps in.",

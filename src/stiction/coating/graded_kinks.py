@@ -14,7 +14,7 @@ from numba.np.unsafe.ndarray import to_fixed_tuple
 from ..asperity.transition import FULLY_PLASTIC, plastic_share
 from ..compiled import formula, kernel
 from ..friction.edge_yield import coefficients
-from ..heights import exponential
+from ..vectorised import exponential
 from .graded_law import contact, depth_coordinate, fading
 
 PARAMETERS = 14  # of the law, before the plateaus

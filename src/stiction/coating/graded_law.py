@@ -11,75 +11,22 @@ the substrate.
 
 import math
 
-import numpy as np
-
 from ..asperity.transition import plastic_share
 from ..compiled import formula
 from ..friction.edge_yield import yield_resistance
 from ..friction.savkoor_briggs_1977 import slip_resistance
-from ..heights import exponential
+from ..vectorised import arctan, exponential, log_quotient
 
 _PI = math.pi
-_LN2 = math.log(2.0)
-_NEAR, _FAR, _BORDER = math.tan(_PI / 16.0), math.tan(3.0 * _PI / 16.0), math.tan(_PI / 8.0)
-_SQRT2 = math.sqrt(2.0)
-_SQRT_HALF_BITS = int(np.float64(math.sqrt(0.5)).view(np.int64))
-
-
-@formula
-def _arctan(v):
-    """arctan v for v >= 0 to 2e-16, without a call, so that loops over it vectorise."""
-    r = 1.0 / v if v > 1.0 else v
-    center = _FAR if r > _BORDER else _NEAR
-    r = (r - center) / (1.0 + r * center)  # within tan(pi/16) of zero: the Taylor series needs 12 terms
-    z = -r * r
-    p = 1.0 / 23.0
-    p = p * z + 1.0 / 21.0
-    p = p * z + 1.0 / 19.0
-    p = p * z + 1.0 / 17.0
-    p = p * z + 1.0 / 15.0
-    p = p * z + 1.0 / 13.0
-    p = p * z + 1.0 / 11.0
-    p = p * z + 1.0 / 9.0
-    p = p * z + 1.0 / 7.0
-    p = p * z + 1.0 / 5.0
-    p = p * z + 1.0 / 3.0
-    p = p * z + 1.0
-    angle = (3.0 * _PI / 16.0 if center == _FAR else _PI / 16.0) + r * p
-    return 0.5 * _PI - angle if v > 1.0 else angle
-
-
-@formula
-def _log_quotient(z):
-    """ln(1 + z)/z for z >= 0 (1 at z = 0), to 4e-16, without a call."""
-    small = z < _SQRT2 - 1.0
-    bits = np.float64(1.0 + z).view(np.int64)
-    k = (bits - np.int64(_SQRT_HALF_BITS)) >> np.int64(52)
-    f = z if small else np.int64(bits - (k << np.int64(52))).view(np.float64) - 1.0  # 1 + z = 2^k (1 + f)
-    s = f / (2.0 + f)
-    t = s * s
-    p = 1.0 / 23.0  # ln(1 + f) = 2 artanh s, |s| < 0.172
-    p = p * t + 1.0 / 21.0
-    p = p * t + 1.0 / 19.0
-    p = p * t + 1.0 / 17.0
-    p = p * t + 1.0 / 15.0
-    p = p * t + 1.0 / 13.0
-    p = p * t + 1.0 / 11.0
-    p = p * t + 1.0 / 9.0
-    p = p * t + 1.0 / 7.0
-    p = p * t + 1.0 / 5.0
-    p = p * t + 1.0 / 3.0
-    p = p * t + 1.0
-    return 2.0 / (2.0 + z) * p if small else (np.float64(k) * _LN2 + 2.0 * s * p) / z
 
 
 @formula
 def modulus_share(v, nu):
     """I0 of Gao, Chiu & Lee 1992 (S5.12) at t/a = 1/v, and its derivative by ln v: the film's share in the modulus."""
     r = 1.0 / (1.0 + v * v)
-    quotient = _log_quotient(v * v)
+    quotient = log_quotient(v * v)
     b, c = 1.0 / (2.0 * _PI * (1.0 - nu)), 1.0 - 2.0 * nu
-    share = 1.0 - 2.0 / _PI * _arctan(v) + b * v * (c * quotient - r)
+    share = 1.0 - 2.0 / _PI * arctan(v) + b * v * (c * quotient - r)
     slope = v * (-2.0 / _PI * r + b * (c * (2.0 * r - quotient) - r * (2.0 * r - 1.0)))
     return min(max(share, 0.0), 1.0), slope
 

@@ -6,10 +6,9 @@ import numpy as np
 
 from ..asperity.regime import Regime
 from ..compiled import formula
-from ..friction import adhesive_asperity as asperities
-from ..friction.adhesive_asperity import Asperity, Share
 from ..groups import Groups
-from ..registry import Record, Validity
+from ..law import Law, Share, coordinates, normal_states, states
+from ..registry import FilmLaw, Validity
 from ..sources import Source
 from .film import film_regimes
 
@@ -25,26 +24,40 @@ def at_rest_coordinate(w, load, slip, tear):
     return w
 
 
-def regimes(substrate: Asperity, film: Asperity, groups: Groups) -> list[Regime]:
+def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Regimes of a coated surface, loads and resistances in units of the substrate.
 
-    substrate and film: each in its own adhesion indices. The area is the film's at the full displacement: the outer
-    contact is always on it.
+    The area is the film's at the full displacement: the outer contact is always on it. A resistance of the interface goes with
+    that area and the whole load; any other is that of the film, kept, and of the substrate.
     """
     tau, n_E = groups.tau, groups.n_E
-    u_tau = asperities.coordinate_at(film, tau)
-    before, after = Share(force=n_E, grip=n_E), Share(force=0.0, grip=0.0)
-    deforming = film_regimes(film, groups.film_aspect, (u_tau, tau), (before, after), (before, after))
-    kept = n_E[:, None] * asperities.held(film, tau, u_tau)
+    before, after = Share(unit=n_E), Share(unit=n_E, force=0.0, grip=0.0)
+    deforming = film_regimes(law, groups, tau, lambda piece: (before, after))
+    load, slip, tear = _kept(law, groups)
     edges = np.stack([tau, np.full(len(tau), np.inf)], axis=1)
-    rest = Regime(at_rest, at_rest_coordinate, tuple(kept.T), edges, "held", "film", touching=False)
+    rest = Regime(at_rest, at_rest_coordinate, (load, slip, tear), edges, "held", "film", touching=False)
     below = Share(shift=tau, cover=0.0)
-    return [*deforming, rest, *asperities.bare_regimes(substrate, share=below, body="substrate", touching=False)]
+    return [*deforming, rest, *law.regimes(groups.substrate(), below, body="substrate", touching=False)]
 
 
-RECORD = Record(
+def _kept(law: Law, groups: Groups) -> np.ndarray:
+    """Load, slip- and yield-limited resistance (3, n) of the film at the displacement tau. Of a resistance of the interface,
+    what goes with the area is counted where the area is."""
+    film, share = groups.film(), Share(unit=groups.n_E, cover=0.0 if law.interfacial else 1.0)
+    kept = np.zeros((3, len(groups)))
+    for piece in law.pieces(film):
+        regime = law.join(piece, film, share)
+        u = coordinates(piece, groups.tau)
+        at_first, at_last = piece.edges[:, 0], piece.edges[:, -1]
+        start, _, _, width = normal_states(piece, at_first).T
+        # First touch is at no displacement, to rounding: a film of no thickness is there.
+        there = (u >= at_first) & (u < at_last) & (groups.tau >= start - 1e-14 * width)
+        kept[:, there] = states(regime, np.where(there, u, at_first))[there][:, [2, 4, 5]].T
+    return kept
+
+
+RECORD = FilmLaw(
     key="sequential",
-    kind="film",
     title="Soft film deforming alone until it is pressed by its own thickness, then the substrate",
     grade="C",
     sources=(Source("soft_coating_2015", "eqs. (6) and (15)", "corrected: D4, D5, D8, D9, D10"),),
@@ -52,5 +65,6 @@ RECORD = Record(
     verified="independent evaluation at 30 digits; the film's own law for a thick film",
     needs=("n_E", "n_H", "tau"),
     validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),),
-    notes="At zero thickness the adhesion of first touch on the film remains: -4 pi/(3 theta) for each touching asperity.",
+    load_falls=False,
+    notes="At zero thickness the adhesion of first touch on the film remains: -4 pi/(3 theta) for each touching JKR asperity.",
 )

@@ -7,7 +7,13 @@ import math
 
 import numpy as np
 
+from ..asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
+from ..asperity.piece import Grip, Piece
 from ..compiled import formula, kernel
+from ..groups import Groups
+from ..law import coordinates
+from ..registry import TangentialLaw, Validity
+from ..sources import Source
 
 # Both come from Y/H = 0.354 and are kept as rounded in print: 0.354/sqrt(3) and 4.5 (0.354)^2 would be 0.20438 and 0.56392.
 _ON_AXIS, _AT_EDGE = 0.2045, 0.56
@@ -56,7 +62,45 @@ def _fill_first_on_axis(nu, K_H, out):
 
 
 def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
-    """omega/omega_c (n,) from which the axis yields before the edge: 0.9506 for nu = 0.3. Bisection; there is one."""
+    """omega/omega_c (n,) from which the axis yields before the edge: 0.9512 for nu = 0.3. Bisection; there is one."""
     out = np.empty_like(nu)
     _fill_first_on_axis(nu, K_H, out)
     return out
+
+
+@formula
+def resistance(u, w, load, area, w_c, nu, K_H):
+    """mu P, all of it limited by yield; nothing before first touch, where mu has no bound, nor from w_c on."""
+    return 0.0, load * friction_coefficient(w / w_c, nu, K_H) if 0.0 < w < w_c else 0.0
+
+
+def grip(piece: Piece, groups: Groups) -> Grip | None:
+    """On any piece that starts elastic: the condition is on Hertz's stresses, and nothing withstands beyond first yield."""
+    if piece.state == "plastic":
+        return None
+    K_H = hardness_coefficient(groups.nu)
+    w_c = critical_interference(groups.eta, K_H)
+    # The yielding place moves from the edge to the axis; there the resistance ends like a square root of w_c - w.
+    kinks = [coordinates(piece, w) for w in (first_on_axis(groups.nu, K_H) * w_c, w_c)]
+    return Grip(resistance, (w_c, groups.nu, K_H), np.stack(kinks, axis=1), kinks[1][:, None])
+
+
+RECORD = TangentialLaw(
+    key="chang_etsion_bogy_1988",
+    title="First yield of a Hertz contact under load and shear, on its axis or at its trailing edge",
+    grade="B",
+    sources=(
+        Source("chang_etsion_bogy_1988", "", "stress criteria as restated by Eriten, Polycarpou & Bergman 2010"),
+        Source("hamilton_1983", "stresses on the axis and at the edge"),
+    ),
+    grip=grip,
+    wants={
+        "Hertz": "the stresses are those of a Hertz contact",
+        "no adhesion": "adhesion of the 1988 papers is left out",
+    },
+    verified="friction of single asperities tabulated independently; evaluation at 30 digits",
+    needs=("theta", "lam", "nu"),
+    validity=(Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above"),),
+    notes="The critical interference is that of Chang, Etsion and Bogy, whichever law carries the load; from there on an "
+    "asperity resists nothing. Only two places are asked whether they yield: the axis at one depth, and the trailing edge.",
+)

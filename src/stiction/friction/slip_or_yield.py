@@ -9,13 +9,15 @@ its crossings are bracketed between its own turning points: none can be missed.
 
 import math
 
-from ..asperity.chowdhury_ghosh_1994 import largest_root
+from ..asperity.roy_chowdhury_ghosh_1994 import largest_root
 from ..compiled import formula, kernel
 from .edge_yield import coefficients
 
+# An elastic asperity without end ends here, in v: y^(8/3) still has all its digits.
+_FARTHEST = 1e12
 # y where loading starts (w = 0), where the slip resistance vanishes, and where unloading ends (dw/du = 0).
 _TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
-LOADING_EDGES, UNLOADING_EDGES = 7, 13
+LOADING_KINKS, UNLOADING_KINKS = 5, 11
 
 
 @formula
@@ -136,48 +138,36 @@ def _unloading_kinks(out, level, nu, K_beta):
     out[5] = _crossing(right, touch, level, nu, K_beta, False)
 
 
-@formula
-def _sort(values):
-    for at in range(1, values.size):
-        value, place = values[at], at
-        while place > 0 and values[place - 1] > value:
-            values[place] = values[place - 1]
-            place -= 1
-        values[place] = value
-
-
 @kernel
-def fill_edges(S, eta, K_beta, nu, k, printed, unloading, edges, branch):
-    """Edges (n, 7 or 13) in u of the elastic regime of n laws, and the branch point (n,) of its yield resistance.
+def fill_kinks(S, eta, K_beta, nu, k, last, printed, unloading, kinks, branch):
+    """Kinks (n, 5 or 11) in u of the resistance of n laws, and the branch point (n,) of their yield resistance.
 
-    S, eta, K_beta, nu, k: arrays (n,). printed: the slip resistance of eq (10) of the 2015 paper to the letter.
-    unloading: from the smallest stable contact on, with UNLOADING_EDGES edges, not from the touching point.
+    S, eta, K_beta, nu, k: arrays (n,). last: where the elastic asperity ends, (n,). printed: the slip resistance of eq (10) of
+    the 2015 paper to the letter. unloading: from the smallest stable contact on, with UNLOADING_KINKS kinks, not from the
+    touching point. A kink that is not there lies at an end, or outside.
     """
-    start = (_LOST if unloading else _TOUCH) ** (1.0 / 3.0)
     touch = _TOUCH ** (1.0 / 3.0)
     down = up = touch
     for i in range(S.size):
         n, p, q = coefficients(nu[i])
-        e = eta[i] / S[i] ** (2.0 / 3.0)
+        scale = S[i] ** (1.0 / 3.0)
+        e = eta[i] / (scale * scale)
         level = (e / (math.pi * k[i])) ** 2
-        end = largest_root(-e, 1.0)  # the mean pressure reaches the hardness: u^3 - eta u - S = 0 (eq 2)
+        end = min(last[i] / scale, _FARTHEST)
         # The yield condition has a real root from here on, and a positive one up to there.
         positive = 1.0 / (math.sqrt(3.0) * n * math.pi * k[i])
         real = 2.0 * math.sqrt(p * p + q * q - p * q) / (p + q) * positive
-        first = largest_root(real * e, 1.0)
-        last = largest_root(-positive * e, 1.0) if positive < 1.0 else end
         if i == 0 or nu[i] != nu[i - 1] or K_beta[i] != K_beta[i - 1]:
             down, up = _dip(nu[i], K_beta[i], printed)
             down, up = down ** (1.0 / 3.0), up ** (1.0 / 3.0)
-        out = edges[i]
-        out[0], out[1], out[2], out[3] = start, first, last, end
-        out[4] = _crossing(touch, min(down, end), level, nu[i], K_beta[i], printed)
-        out[5] = _crossing(down, min(up, end), level, nu[i], K_beta[i], printed)
-        out[6] = _crossing(up, end, level, nu[i], K_beta[i], printed)
+        out = kinks[i]
+        out[0] = largest_root(real * e, 1.0)
+        out[1] = largest_root(-positive * e, 1.0)
+        out[2] = _crossing(touch, min(down, end), level, nu[i], K_beta[i], printed)
+        out[3] = _crossing(down, min(up, end), level, nu[i], K_beta[i], printed)
+        out[4] = _crossing(up, end, level, nu[i], K_beta[i], printed)
         if unloading:
-            _unloading_kinks(out[7:], level, nu[i], K_beta[i])
-        scale = S[i] ** (1.0 / 3.0)
+            _unloading_kinks(out[5:], level, nu[i], K_beta[i])
+        branch[i] = out[0] * scale
         for at in range(out.size):
-            out[at] = min(max(out[at], start), end) * scale
-        _sort(out)
-        branch[i] = first * scale
+            out[at] *= scale

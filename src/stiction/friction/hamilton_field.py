@@ -1,0 +1,130 @@
+"""Stresses in a half-space under a Hertz contact that is pressed and sheared, and where they first reach yield: Hamilton 1983.
+
+Everything over the contact radius a and the largest pressure p0. Hamilton's equations divide by powers of the distance from the
+axis and lose their digits there. Here they are rearranged in oblate spheroidal coordinates M >= 0, 0 <= N <= 1 with
+    z = M N,   r^2 = (1 + M^2)(1 - N^2),
+in which every such power cancels: the contact is M = 0, the free surface N = 0, the axis N = 1. What is left is
+exact everywhere.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+Stress = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+
+
+def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLike) -> Stress:
+    """The six stresses (x, y, z, xy, yz, xz) over p0 below a contact that carries the pressure p0 sqrt(1 - r^2) and is dragged
+    in the direction +x by mu times that.
+
+    x, y, z: place over a, z >= 0 into the half-space; mu: tangential over normal force, any sign; nu: Poisson's ratio, 0 to
+    0.5. Arrays that broadcast. Tension is positive. Source: Hamilton (1983); `pressed` and `dragged` are the two parts.
+    """
+    normal, tangential = pressed(x, y, z, nu), dragged(x, y, z, nu)
+    xx, yy, zz, xy, yz, xz = (one + mu * other for one, other in zip(normal, tangential, strict=True))
+    return xx, yy, zz, xy, yz, xz
+
+
+def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
+    """Stresses over p0 under the pressure p0 sqrt(1 - r^2) alone; arguments and order as in `stress`.
+
+    Source: Hamilton (1983), the stresses of the normal load; in r, theta and z they are Huber's of 1904.
+    """
+    x, y, z, nu = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in (x, y, z, nu)))
+    M, N, S, phi, cos, sin = _spheroidal(x, y, z)
+    m = 1.0 + M * M
+    spread = (1.0 - 2.0 * nu) / 3.0 * (1.0 + N + N * N) / ((1.0 + N) * m)  # (1 - 2 nu)(1 - N^3)/(3 r^2)
+    sink = (1.0 + nu) * M * phi
+    radial = spread + N * N * N / S + N * ((1.0 - nu) * M * M / m + sink - 2.0)
+    hoop = -spread - N * (2.0 * nu + (1.0 - nu) * M * M / m - sink)
+    shear = -np.hypot(x, y) * N * N * M / (S * m)
+    return (
+        radial * cos * cos + hoop * sin * sin,
+        radial * sin * sin + hoop * cos * cos,
+        -N * N * N / S,
+        (radial - hoop) * cos * sin,
+        shear * sin,
+        shear * cos,
+    )
+
+
+def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
+    """Stresses over q0 under the traction q0 sqrt(1 - r^2) in the direction +x alone; arguments and order as in `stress`.
+
+    Source: Hamilton (1983), the stresses of the tangential load.
+    """
+    x, y, z, nu = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in (x, y, z, nu)))
+    M, N, S, phi, cos, sin = _spheroidal(x, y, z)
+    m = 1.0 + M * M
+    b = M / (12.0 * m * m)
+    g = phi / 4.0 - b * (3.0 * M * M + 5.0)
+    E = 4.0 * (1.0 - 2.0 * nu)
+    e = E / ((1.0 + N) * (1.0 + N))
+    # In r, theta, z: sigma_r = x radial, sigma_theta = x hoop, tau_r,theta = y twist.
+    radial = b * (e - 12.0 * M * M * (1.0 - N * N) / S) - (4.0 + nu) * g
+    hoop = b * (E - e) - 3.0 * nu * g
+    twist = b * e + (2.0 - nu) * g
+    along = 1.5 * M * N * phi - N * (3.0 * M**4 + M * M * N * N + 4.0 * M * M + 2.0 * N * N) / (2.0 * m * S)  # tau_xz at y = 0
+    # The difference of tau_xz at x = 0 and at y = 0, so that no angle is needed on the axis.
+    across = -M * M * N * (1.0 - N * N) / (m * S)
+    return (
+        x * (radial * cos * cos + (hoop - 2.0 * twist) * sin * sin),
+        x * (radial * sin * sin + hoop * cos * cos + 2.0 * twist * sin * sin),
+        -x * M * N * N / (m * S),
+        y * ((radial - hoop) * cos * cos + twist * (cos * cos - sin * sin)),
+        across * cos * sin,
+        along - across * sin * sin,
+    )
+
+
+def von_mises(stress: Stress) -> np.ndarray:
+    """The von Mises stress of six stresses in the order of `stress`: the yield stress of a test in tension where it yields."""
+    x, y, z, xy, yz, xz = stress
+    return np.sqrt(0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) + 3.0 * (xy * xy + yz * yz + xz * xz))
+
+
+def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
+    """The load at which a dragged contact first yields anywhere, after von Mises, and where.
+
+    mu: tangential over normal force, 0 or more; nu: Poisson's ratio, 0 to 0.5. Returns p0/Y and the place (x, z) over a, in the
+    plane y = 0, where the largest stress always is; x < 0 is behind. p0/Y is good to 1e-12.
+    """
+    # The trailing edge, a cusp, is a place of this grid; so is the axis.
+    x, z = np.linspace(-1.1, 1.1, 221), np.linspace(0.0, 0.8, 81)
+    coarse = von_mises(stress(x[:, None], 0.0, z, mu, nu))
+    at = np.unravel_index(coarse.argmax(), coarse.shape)
+    best_x, best_z, least = least_over(
+        lambda x, z: -von_mises(stress(x, 0.0, z, mu, nu)), x[at[0]], z[at[1]], x[1] - x[0], z[1] - z[0]
+    )
+    return float(-1.0 / least), (float(best_x), float(best_z))
+
+
+def least_over(
+    function: Callable, x: ArrayLike, z: ArrayLike, reach_x: float, reach_z: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The least of function(x, z) near each of the places x, z (arrays that broadcast), by ever finer grids around the best
+    place so far; z >= 0. Returns x, z, good to 1e-7 at best, and the value there, good to the square of that."""
+    x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
+    step_x, step_z = (one.ravel() for one in np.meshgrid((-1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)))
+    while max(reach_x, reach_z) > 1e-7:
+        near_x, near_z = x[..., None] + reach_x * step_x, np.maximum(z[..., None] + reach_z * step_z, 0.0)
+        best = function(near_x, near_z).argmin(axis=-1)[..., None]
+        x, z = (np.take_along_axis(near, best, axis=-1)[..., 0] for near in (near_x, near_z))
+        reach_x, reach_z = 0.6 * reach_x, 0.6 * reach_z
+    return x, z, function(x[..., None], z[..., None])[..., 0]
+
+
+def _spheroidal(x, y, z):
+    """M, N, S = M^2 + N^2, arctan(1/M), and cosine and sine of the angle in the plane (1 and 0 on the axis)."""
+    r = np.hypot(x, y)
+    A = (r - 1.0) * (r + 1.0) + z * z
+    S = np.hypot(A, 2.0 * z)
+    larger = np.sqrt((S + np.abs(A)) / 2.0)  # of M and N; their product is z
+    smaller = np.divide(z, larger, out=np.zeros_like(z), where=larger > 0.0)
+    M, N = np.where(A >= 0.0, larger, smaller), np.where(A >= 0.0, smaller, larger)
+    cos = np.divide(x, r, out=np.ones_like(r), where=r > 0.0)
+    sin = np.divide(y, r, out=np.zeros_like(r), where=r > 0.0)
+    # At the edge itself M = N = S = 0 and all that is divided by S vanishes.
+    return M, N, np.where(S > 0.0, S, 1.0), np.arctan2(1.0, M), cos, sin
