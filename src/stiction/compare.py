@@ -12,7 +12,7 @@ from .errors import InputError
 from .groups import Groups
 from .inversion import Unreachable, separations_at
 from .problem import ClosedForm, Problem, make_problem, problem_of
-from .registry import GRADES, Criterion, RoughSurface, misfit, of_kind
+from .registry import GRADES, Criterion, FilmLaw, RoughSurface, of_kind
 from .solve import labelled, units_of
 from .units import to_si
 from .validity import breaches
@@ -60,35 +60,35 @@ class Answer:
 
 
 def candidates(contact: Contact | Indices) -> list[Candidate]:
-    """Every rough-surface model; every asperity law that none of them takes by itself, under Greenwood & Williamson's sum; and
-    on a coated contact every film law under each model that suits it."""
+    """Every rough-surface model, and every asperity law that none of them takes, under Greenwood & Williamson's sum. On
+    a coated contact those with their own film law, or the one that suits all; and every other film law by itself."""
     coated = contact.coating is not None if isinstance(contact, Contact) else contact.has_film
     models: dict[str, Any] = of_kind("rough surface")
     taken = {model.asperity for model in models.values()}
     found = [Candidate(key, Choice(key)) for key in models]
-    sum_of = "greenwood_williamson_1966"
-    found += [Candidate(key, Choice(sum_of, asperity=key)) for key in of_kind("asperity") if key not in taken]
-    if coated:
-        found = [one for candidate in found for one in _with_films(candidate, models[candidate.choice.model])]
-    return found
-
-
-def _with_films(candidate: Candidate, model: RoughSurface) -> Iterator[Candidate]:
-    if not model.asperity:
-        yield candidate  # it will say itself that it knows no films
-        return
-    asperity: Any = of_kind("asperity")[candidate.choice.asperity or model.asperity]
+    found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind("asperity") if key not in taken]
+    if not coated:
+        return found
+    found = [_with_film(candidate, models[candidate.choice.model]) for candidate in found]
     films: dict[str, Any] = of_kind("film")
-    for key, film in films.items():
-        # A film with an asperity law of its own is the same under every model: once is enough.
-        repeated = film.own_asperity and candidate.name != _home(film)
-        if film.interchangeable and not misfit(film, asperity) and not repeated:
-            yield Candidate(f"{candidate.name} + {key}", replace(candidate.choice, coating_law=key))
+    return found + [_alone(film) for film in films.values() if film.interchangeable and film.key != _SUITS_ALL]
 
 
-def _home(film: Any) -> str:
-    """The model under which a film with its own asperity law is shown: the 2015 paper's if it is of that kind."""
-    return "soft_coating_2015" if film.tangential == "soft_coating_2015" else "greenwood_williamson_1966"
+_SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
+
+
+def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
+    if not model.asperity:
+        return candidate  # it will say itself that it knows no films
+    film = model.default_film or _SUITS_ALL
+    return Candidate(f"{candidate.name} + {film}", replace(candidate.choice, coating_law=film))
+
+
+def _alone(film: FilmLaw) -> Candidate:
+    """A film law with the asperity law of its source, under the model whose friction it has, if it has one."""
+    models: dict[str, Any] = of_kind("rough surface")
+    model = next((key for key, one in models.items() if one.asperity and one.tangential == film.tangential), _SUM)
+    return Candidate(film.key, Choice(model, asperity=film.asperity or None, coating_law=film.key))
 
 
 def compare(
@@ -157,7 +157,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         problem = make_problem(situation.contact, choice)
         answer.curve = _curve(problem, situation)
     except InputError as error:
-        answer.why_not = str(error)
+        answer.why_not = _reason(error)
         return answer
     records = problem.records()
     answer.grade = max(record.grade for record in records)
@@ -173,6 +173,11 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     answer.effects = _effects(problem)
     answer.of_interface = problem.law.interfacial
     return answer
+
+
+def _reason(error: InputError) -> str:
+    """Why a model cannot be asked: what is missing, or what it wants in place of what there is."""
+    return f"{error.field} is not given: {error.allowed}" if error.value is None else error.allowed
 
 
 def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
@@ -195,7 +200,7 @@ def _at_working_load(problem: Problem, target: float, answer: Answer) -> None:
         answer.why_not = f"carries loads up to {error.high:.4g} of those asked for" if target > error.high else "no such load"
         return
     except InputError as error:
-        answer.why_not = str(error)
+        answer.why_not = _reason(error)
         return
     answer.at_load = {name: float(table[0, 0]) for name, table in results.items()}
 

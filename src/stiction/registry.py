@@ -151,8 +151,8 @@ class FilmLaw(Record):
     regimes(groups, law, **own options) -> list of Regime; law: a stiction.law.Law, the asperity of either body. wants: trait
     of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
     `law` is not used. tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with
-    laws of the interface, or the key of the one that is built into it. interchangeable: False for a film that belongs to one
-    reading only.
+    laws of the interface, or the key of the one that is built into it. asperity: key of the asperity law that its source
+    takes; any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
     """
 
     kind = "film"
@@ -160,6 +160,7 @@ class FilmLaw(Record):
     wants: Mapping[str, str] = field(default_factory=dict)
     own_asperity: bool = False
     tangential: str = ""
+    asperity: str = ""
     interchangeable: bool = True
 
 

@@ -209,7 +209,8 @@ def models_table(rows: Iterable[Mapping[str, Any]]) -> Table:
     table.add_column("validity", ratio=1, overflow="fold")
     for row in rows:
         head = Text.assemble((row["key"], "bold"), f"\n{row['kind']}, grade {row['grade']}")
-        table.add_row(head, *(Text("\n".join(row[name]) or "-") for name in ("source", "validity")))
+        said = [f"not known: {row['unknown']}", f"nearest: {row['nearest']}"] if "unknown" in row else row["validity"]
+        table.add_row(head, Text("\n".join(row["source"])), Text("\n".join(said) or "-"))
     return table
 
 

@@ -92,6 +92,7 @@ RECORD = FilmLaw(
         Source("chang_etsion_bogy_1987", "", "the substrate, if its asperity law is chosen"),
     ),
     regimes=regimes,
+    asperity="chang_etsion_bogy_1987",
     wants=NO_ADHESION,
     verified="independent quadrature; load and area at the depth of the film; trends of the abstract",
     needs=("theta", "lam", "n_H", "tau"),

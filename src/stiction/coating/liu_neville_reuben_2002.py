@@ -29,6 +29,7 @@ RECORD = FilmLaw(
         Source("chang_etsion_bogy_1988", "", "friction of the substrate's asperities, if its tangential law is chosen"),
     ),
     regimes=regimes,
+    asperity="chang_etsion_bogy_1987",
     wants=NO_ADHESION,
     verified="independent quadrature; chang_1997 without adhesion; trends of the abstract, see the notes",
     needs=("theta", "lam", "n_H", "n_g", "tau"),
