@@ -26,9 +26,10 @@ from scipy.integrate import quad  # noqa: E402
 from scipy.optimize import brentq  # noqa: E402
 
 import stiction as st  # noqa: E402
+from stiction.choice import Choice  # noqa: E402
 from stiction.groups import Groups  # noqa: E402
 from stiction.heights import gaussian  # noqa: E402
-from stiction.problem import Choice, problem_of  # noqa: E402
+from stiction.problem import problem_of  # noqa: E402
 from stiction.registry import find, misfit, of_kind  # noqa: E402
 from stiction.summation import totals_on_grid  # noqa: E402
 
@@ -221,6 +222,21 @@ def model_rows() -> list[tuple[str, float]]:
     return [(name, speed_of_model(choice, film)) for name, choice, film in rows]
 
 
+def comparison_rows() -> list[tuple[str, float]]:
+    """Seconds of a full comparison, working load included, on a bare and on a coated contact, once kernels are loaded."""
+    rows = []
+    surface = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
+    steel = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2"}
+    sheared = {"work_of_adhesion": "0.1 J/m^2", "interfacial_shear_strength": "200 MPa"}
+    film = st.Coating(material="silver", thickness="200 nm", bodies="first")
+    for name, coating in (("bare", None), ("coated", film)):
+        contact = st.Contact(roughness=surface, coating=coating, **steel, **sheared)
+        count = st.compare(contact, load="1 N").sizes["model"]
+        seconds = best(lambda contact=contact: st.compare(contact, load="1 N"))
+        rows.append((f"compare, {name}: {count} models, 80 separations and the working load, processor s", seconds))
+    return rows
+
+
 def machine() -> dict[str, str]:
     cpuinfo = Path("/proc/cpuinfo")
     lines = cpuinfo.read_text().splitlines() if cpuinfo.exists() else []
@@ -263,6 +279,7 @@ def main() -> None:
             ("scattered, sequential film, evaluations/s", speed_scattered(**film)),
             ("grid, sequential film, evaluations/s", speed_on_grid(**film)),
             *((f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()),
+            *comparison_rows(),
             ("stiction --help, processor s", processor_seconds(command, "--help")),
             ("stiction run, fresh process, kernels cached, processor s", processor_seconds(command, "run", case)),
             (

@@ -91,11 +91,12 @@ def random_others(rng: np.random.Generator, n: int) -> dict[str, np.ndarray]:
     return {
         "tabor_parameter": decades(-2, 2),
         "sharpness": decades(-3, -0.5),
-        "density": decades(-1.7, 0),
+        "density": decades(-1.3, 0),
         "nominal_width": decades(2, 6),
         "shear_strength": decades(-4, -0.5),
         "pressure_coefficient": decades(-3, -0.5),
         "peeling": decades(-2, 0),
+        "hardening": decades(-4, -0.3),
     }
 
 

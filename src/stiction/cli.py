@@ -269,18 +269,26 @@ def _write_figures(out: Path, panels: "list[PanelCurves]", claims: "ClaimMap", h
 
 
 @app.command()
-def models(json: _Json = False) -> None:
-    """Every model and film law: key, kind, provenance grade, source, range of validity."""
+def models(
+    keys: Annotated[list[str] | None, typer.Argument(metavar="[KEY]...", help="Say all of these; else a line of each.")] = None,
+    json: _Json = False,
+) -> None:
+    """Every model and law: key, kind, provenance grade, source, range of validity; what is missing where there is none."""
     from .overview import models as all_models
 
+    rows = all_models(keys or None)
     if json:
         from .output import as_json
 
-        print(as_json(all_models()))
+        print(as_json(rows))
         return
-    from .tables import grades, models_table
+    from .tables import grades, model_in_full, models_tables
 
-    _console().print(models_table(all_models()), grades())
+    console = _console()
+    for row in rows if keys else ():
+        console.print(model_in_full(row), "")
+    if not keys:
+        console.print(models_tables(rows), grades())
 
 
 @app.command()

@@ -3,17 +3,29 @@
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from .registry import Record, records
+from .errors import InputError
+from .inputs import nearest
+from .registry import Limit, Record, records
 from .sources import bibliography, bibtex
 
 if TYPE_CHECKING:
     import xarray
 
 
-def models() -> list[dict[str, Any]]:
+def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
     """One dict for each record of the registry, with at least key, kind, title, grade, source, validity, needs, options,
-    verified and notes; texts and lists of texts. Those of kind "not available" say under `unknown` what is missing."""
-    return [_row(record) for record in records()]
+    verified and notes; texts and lists of texts. Those of kind "not available" say under `unknown` what is missing.
+
+    keys: only records with these keys. Raises InputError for one that is not known.
+    """
+    if keys is None:
+        return [_row(record) for record in records()]
+    wanted = list(keys)
+    known = {record.key for record in records()}
+    for key in wanted:
+        if key not in known:
+            raise InputError("key", key, nearest(key, sorted(known)))
+    return [_row(record) for record in records() if record.key in wanted]
 
 
 def _row(record: Record) -> dict[str, Any]:
@@ -28,9 +40,17 @@ def _row(record: Record) -> dict[str, Any]:
         "options": {name: list(values) for name, values in record.own_options.items()},
         "accuracy": record.accuracy,
         "verified": record.verified,
+        "limits": [_limit(limit) for limit in record.limits],
         "notes": record.notes,
     }
     return row | {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}
+
+
+def _limit(limit: Limit) -> str:
+    """A limit in words."""
+    values = ", ".join(f"{name} = {value:g}" for name, value in limit.groups.items())
+    options = "".join(f", {name} {value}" for name, value in limit.options.items())
+    return f"{limit.parent} at {values}{options}: {' and '.join(limit.quantities)} within {limit.within:.0e}"
 
 
 # What the kinds of records have beyond the common columns, and how it is put.
@@ -41,7 +61,11 @@ _MORE: dict[str, Callable[[Any], Any]] = {
     "asperity": str,
     "tangential": str,
     "default_film": str,
+    "own_asperity": bool,
+    "interchangeable": bool,
     "interfacial": bool,
+    "below": str,
+    "above": str,
     "property": str,
     "unknown": str,
     "nearest": str,

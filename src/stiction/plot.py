@@ -35,6 +35,7 @@ _VARYING: tuple[dict[str, Any], ...] = (
 _PARTS: dict[str, tuple[str, dict[str, Any]]] = {
     "": ("total", {"color": "black", "linewidth": 5.0, "alpha": 0.3}),
     "_elastic": ("elastic asperities", {"color": _BLUE, "linestyle": "--"}),
+    "_elastic_plastic": ("elastic-plastic asperities", {"color": _GREEN, "linestyle": "-."}),
     "_plastic": ("plastic asperities", {"color": _RED, "linestyle": "-"}),
     "_slip_limited": ("slip before they yield", {"color": _BLUE, "linestyle": "--"}),
     "_yield_limited": ("yield before they slip", {"color": _RED, "linestyle": "-"}),

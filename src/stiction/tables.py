@@ -1,10 +1,12 @@
 """What the command line prints: rich tables and text, made from results and records."""
 
+import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.box import SIMPLE_HEAD
+from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
@@ -160,26 +162,37 @@ def outside_validity(data: "xarray.Dataset") -> Text | None:
 
 
 def comparison_table(data: "xarray.Dataset") -> Table:
-    """What each model says at the working load, or along its curve if there is none; the recommended one is bold."""
+    """What each model says at the working load, or along its curve if there is none, from the least friction up; the
+    recommended one is green. Doubts are numbered as in `doubts`."""
     table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
-    table.add_column("model", no_wrap=True)
-    table.add_column("grade")
-    table.add_column("mu", justify="right")
-    table.add_column("contact area", justify="right")
-    table.add_column("within its validity?", ratio=1, overflow="fold")
+    table.add_column("model", overflow="fold")
+    for head in ("grade", "mu", "contact area", "doubts"):
+        table.add_column(head, justify="left" if head in ("grade", "doubts") else "right", no_wrap=True)
     judged = "friction_coefficient_at_load" in data
+    known = doubts(data)
     order = np.argsort(data["friction_coefficient_at_load"].values) if judged else range(data.sizes["model"])
     for at in order:
         one = data.isel(model=int(at))
         mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
         unit = one["contact_area"].attrs.get("units", "1")
         size = _short(area) if unit == "1" or not np.isfinite(area) else _squared(show(float(f"{area:.3g}"), "contact_area"))
-        outside = [line for line in one["outside_validity"].item().split("; ") if line]
-        doubts = "; ".join([*([one["why_not"].item()] if one["why_not"].item() else []), *outside]) or "yes"
+        numbers = ", ".join(str(1 + known.index(line)) for line in _doubts_of(one))
         name = str(one["model"].item())
-        look = "bold green" if name == data.attrs.get("recommended") else ("dim" if doubts != "yes" else "")
-        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), size, doubts)), style=look)
+        look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
+        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), size, numbers or "-")), style=look)
     return table
+
+
+def _doubts_of(one: "xarray.Dataset") -> list[str]:
+    """Why one model says nothing of friction, and the ranges of validity that it leaves, without by how much."""
+    lines = [line for line in (one["why_not"].item(), *one["outside_validity"].item().split("; ")) if line]
+    return [re.sub(r" = [^,:]*, not ", " is not ", line) for line in lines]
+
+
+def doubts(data: "xarray.Dataset") -> list[str]:
+    """All doubts of a comparison, each once."""
+    every = (_doubts_of(data.isel(model=at)) for at in range(data.sizes["model"]))
+    return list(dict.fromkeys(line for lines in every for line in lines))
 
 
 def comparison_summary(data: "xarray.Dataset") -> list[Text]:
@@ -193,6 +206,7 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
                           f"{_range(used['spread_within_validity'])} within their validity"))
         lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
     lines += [Text(line) for line in used["criteria"].splitlines()]
+    lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts(data), start=1)]
     lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]
     return lines
 
@@ -201,17 +215,41 @@ def _range(ends: list[float]) -> str:
     return f"{ends[0]:.3g} to {ends[1]:.3g}" if len(ends) else "of none"
 
 
-def models_table(rows: Iterable[Mapping[str, Any]]) -> Table:
-    """The registry, a row for each model and film law."""
-    table = Table(header_style="bold", show_lines=True)
-    table.add_column("key\nkind, grade", no_wrap=True)
-    table.add_column("source", ratio=1, overflow="fold")
-    table.add_column("validity", ratio=1, overflow="fold")
+def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
+    """The registry, a table for each kind: key, grade, what it is, and for what it is valid."""
+    by_kind: dict[str, list[Mapping[str, Any]]] = {}
     for row in rows:
-        head = Text.assemble((row["key"], "bold"), f"\n{row['kind']}, grade {row['grade']}")
-        said = [f"not known: {row['unknown']}", f"nearest: {row['nearest']}"] if "unknown" in row else row["validity"]
-        table.add_row(head, Text("\n".join(row["source"])), Text("\n".join(said) or "-"))
-    return table
+        by_kind.setdefault(row["kind"], []).append(row)
+    tables = []
+    for kind, some in by_kind.items():
+        table = Table(box=SIMPLE_HEAD, title=kind, title_style="bold", title_justify="left", pad_edge=False, expand=True)
+        table.add_column("key", no_wrap=True, width=31)
+        table.add_column("grade", no_wrap=True)
+        table.add_column("what is not known" if "unknown" in some[0] else "what it is, and for what it is valid", ratio=1)
+        for row in some:
+            said = row.get("unknown") or "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
+            table.add_row(Text(row["key"]), Text(row["grade"]), Text(said))
+        tables.append(table)
+    return Group(*tables)
+
+
+# What a record says in full, besides its options: the name of the entry and how it is called.
+_IN_FULL = {
+    "source": "source", "unknown": "not known", "nearest": "nearest to it", "verified": "checked against", "jumps": "jumps",
+    "traits": "marked", "validity": "valid for", "limits": "becomes", "needs": "depends on", "notes": "note",
+}  # fmt: skip
+
+
+def model_in_full(row: Mapping[str, Any]) -> Table:
+    """All that one record says."""
+    pairs = [(row["key"], f"{row['title']} ({row['kind']}, grade {row['grade']})")]
+    for name, head in _IN_FULL.items():
+        value = row.get(name) or []
+        lines = [value] if isinstance(value, str) else [", ".join(value)] if name in ("needs", "traits") else value
+        pairs += [(head if number == 0 else "", line) for number, line in enumerate(lines)]
+    pairs += [("only with", f"asperity laws marked {trait}: {why}") for trait, why in row.get("wants", {}).items()]
+    pairs += [("option", f"{name}: {', '.join(values)}") for name, values in row["options"].items()]
+    return _rows(pairs)
 
 
 def grades() -> Table:

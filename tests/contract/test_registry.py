@@ -11,8 +11,8 @@ from stiction import registry, summation
 from stiction.choice import Choice
 from stiction.errors import InputError
 from stiction.groups import Groups
-from stiction.heights import gaussian
-from stiction.law import normal_states
+from stiction.heights import gaussian, height_distribution
+from stiction.law import coordinates, normal_states
 from stiction.problem import problem_of
 from stiction.quantities import QUANTITIES
 from stiction.registry import CHOICES, GRADES, KINDS, TRAITS, find, misfit, of_kind, own, records, settle
@@ -287,6 +287,31 @@ def test_any_asperity_law_with_any_tangential_law(asperity, tangential):
     assert_near(sums[..., :3].sum(axis=0), alone[..., :3].sum(axis=0), 1e-9, np.abs(sums[..., :3]).sum(axis=0) + 1e-12)
 
 
+SAMPLES = np.random.default_rng(7).gamma(6.0, size=4000)
+HEIGHTS = {"exponential": {}, "weibull": {"exponent": 2.5}, "empirical": {"samples": SAMPLES}}
+
+
+@pytest.mark.parametrize("key", HEIGHTS)
+@pytest.mark.parametrize("asperity", ASPERITIES, ids=lambda law: law.key)
+def test_any_asperity_law_with_any_heights(asperity, key):
+    """Load and area against trapezoidal sums over the displacement, which know nothing of knots, windows and nodes."""
+    given, heights = draw(6, False, 103, theta=100.0, lam=10.0), height_distribution(key, **HEIGHTS[key])
+    h = np.linspace(-1.5, 1.5, 6)
+    found = scattered(problem_of(given, Choice(PLAIN, asperity.key)).regimes, h, heights).sum(axis=0)
+    expected = np.zeros((6, 2))
+    for piece in asperity.pieces(given, **settle([asperity], {})):
+        for i in range(6):
+            end = coordinates(replace(piece, edges=piece.edges[:, [0, -1]]), 12.0)[i]  # no height is farther than that
+            u = np.linspace(piece.edges[i, 0], max(end, piece.edges[i, 0]), 20001)
+            one = replace(piece, parameters=tuple(np.broadcast_to(p, 6)[i] * np.ones(u.size) for p in piece.parameters),
+                          edges=np.zeros((u.size, 2)))  # fmt: skip
+            w, slope, load, area = normal_states(one, u).T
+            dense = np.array([heights.density(z, heights.shape) for z in h[i] + w])
+            expected[i] += np.trapezoid(load * slope * dense, u), np.trapezoid(area * slope * dense, u)
+    size = np.abs(expected) + 1e-3
+    assert_near(found[:, 1:3], expected, 3e-4, size)
+
+
 @pytest.mark.parametrize("film", FILMS, ids=lambda film: film.key)
 @pytest.mark.parametrize("asperity", ASPERITIES, ids=lambda law: law.key)
 def test_any_film_with_any_asperity_law(film, asperity):
@@ -334,8 +359,10 @@ def test_a_thick_film_hides_its_substrate(film):
 
 @pytest.mark.parametrize("record", CLOSED, ids=lambda record: record.key)
 def test_theories_in_closed_form(record):
-    """Load and area that grow together, from nothing; a shear strength of the interface times the area is their friction."""
-    given = draw(30, False, 101, theta=1e6, density=np.geomspace(0.02, 0.3, 30))
+    """Load (where the record says so) and area that grow together, from nothing; a shear strength of the interface times the area
+    is their friction."""
+    low, high = next(((one.low, one.high) for one in record.validity if one.quantity == "density"), (0.0, np.inf))
+    given = draw(30, False, 101, theta=1e6, density=np.geomspace(max(0.02, 1.01 * low), min(0.3, high), 30))
     choice = Choice(record.key, tangential=OF_THE_INTERFACE)
     problem = problem_of(given, choice)
     if record.curve is None:
@@ -346,7 +373,8 @@ def test_theories_in_closed_form(record):
         single = problem.at(np.tile([0.0, 1.0, 2.0], (30, 1)))["load"]
         np.testing.assert_allclose(pairs, [single[3, 1], single[0, 0], single[3, 2]], rtol=1e-9)
     load, area = results["load"], results["contact_area"]
-    assert np.isfinite(load).all() and (load > 0.0).all() and (np.diff(load, axis=1) > 0.0).all()
+    assert np.isfinite(load).all() and (load > 0.0).all()
+    assert not record.load_falls or (np.diff(load, axis=1) > 0.0).all()
     assert (area > 0.0).all() and (np.diff(area, axis=1) >= 0.0).all()
     expected = given.eta[:, None] * given.shear_strength[:, None] * area
     np.testing.assert_allclose(results["friction_force"], expected, rtol=1e-12)

@@ -101,3 +101,12 @@ def test_numbers_of_nodes_are_those_of_the_engine():
     """docs/numerics.md speaks of them."""
     short, long = _COUNTS
     assert f"{short} nodes, or {long}" in (ROOT / "docs" / "numerics.md").read_text(encoding="utf-8")
+
+
+def test_every_reference_table_says_where_it_comes_from():
+    folder = ROOT / "tests" / "reference"
+    text = (folder / "README.md").read_text(encoding="utf-8")
+    missing = [table.name for table in folder.glob("*.csv") if f"`{table.stem}`" not in text and f"`{table.name}`" not in text]
+    assert not missing, missing
+    for name in re.findall(r"`(make_\w+\.py)`", text):
+        assert (folder / name).exists(), name

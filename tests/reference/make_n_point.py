@@ -1,12 +1,13 @@
 """Writes hariri_zu_ben_mrad_2006.csv (see README.md): n-point asperities counted on simulated profiles, with standard errors.
 
-Only numpy and scipy. Gaussian profiles with exponential autocorrelation, 20 blocks of 1e6 points with fixed seeds; an error is
+Only numpy and scipy. Gaussian profiles with exponential autocorrelation, 100 blocks of 1e6 points with fixed seeds; an error is
 that of the mean of the blocks. Loads and areas are sums over the asperities found, in metres and pascals, of Hertz's formulas;
 spacing and correlation of the points come from the peaks of the surface's profile by adaptive integrals and root finding.
 """
 
 import csv
 import math
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ from scipy.optimize import brentq
 from scipy.signal import lfilter
 
 HERE = Path(__file__).parent
-BLOCKS, POINTS = 20, 1_000_000
+BLOCKS, POINTS = 100, 1_000_000
 HEADER = ("quantity", "density", "correlation", "level", "points", "height", "value", "error")
 
 
@@ -63,8 +64,10 @@ def peaks(rho):
 
 
 def sampling(sigma, R, N):
-    """Deviation of the surface, and correlation and spacing of the points: the profile's peaks per length and their mean curvature
-    (Rice; Nayak), from sigma, R, N in McCool's way, 0.8968 as printed."""
+    """Deviation of the surface, correlation and spacing of the points, and height of the summits' mean over the mean plane.
+
+    From the peaks of a profile per length and their mean curvature (Rice; Nayak); moments in McCool's way, 0.8968 as printed.
+    """
     m4 = (3.0 / (8.0 * R)) ** 2 * math.pi
     m2 = m4 / (6.0 * math.pi * math.sqrt(3.0) * N)
     m0 = sigma**2 + 0.8968 * m2**2 / m4
@@ -79,49 +82,51 @@ def sampling(sigma, R, N):
     return math.sqrt(m0), rho, peaks(rho)[0] / per_length, 4.0 * m2 / math.sqrt(math.pi * m4)
 
 
+def found_on(y):
+    """Rates per point on a profile of deviation 1: (quantity, level, n, largest height) -> value."""
+    drop = 2.0 * y[1:-1] - y[:-2] - y[2:]
+    top = (y[1:-1] > y[:-2]) & (y[1:-1] > y[2:])
+    found = {("peaks", "", "", ""): top.mean(), ("peak_curvature", "", "", ""): drop[top].mean()}
+    for level in (-1.0, 0.0, 1.0, 2.0):
+        m, t = rows_of(y, level)
+        found["rows", level, "", ""] = len(m) / POINTS
+        found["points_above", level, "", ""] = m.sum() / POINTS
+        found["mean_height", level, "", ""] = t.mean()
+        for n in (3, 4, 7):
+            found["rows_of_n", level, n, ""] = (m == n - 2).sum() / POINTS
+            found["rows_of_n_up_to", level, n, 0.5] = ((m == n - 2) & (t < 0.5)).sum() / POINTS
+    return found
+
+
+SIGMA, RADIUS, MODULUS = 48e-9, 50e-6, 115e9  # the last is E*
+
+
+def carried_by(y, N, deviation, spacing, summits):
+    """Load and area per asperity of the surface, in the package's units: (quantity, h, "", "") -> value."""
+    found = {}
+    for h in (-1.0, 0.0, 1.0, 2.0):
+        m, t = rows_of(deviation * y, h * SIGMA + summits)
+        chord = (m + 1) * spacing
+        radius = chord**2 / (8.0 * t)
+        per_area = 1.0 / (chord * POINTS * spacing)  # each found on one line: per length, over its width
+        pressure = np.sum(per_area * 4.0 / 3.0 * MODULUS * np.sqrt(radius) * t**1.5)
+        share = np.sum(per_area * math.pi * radius * t)
+        found["load", h, "", ""] = pressure / (N * 4.0 / 3.0 * MODULUS * math.sqrt(RADIUS) * SIGMA**1.5)
+        found["area", h, "", ""] = share / (N * math.pi * RADIUS * SIGMA)
+    return found
+
+
 def main():
     out = []
     for rho in (0.0, 0.3, 0.7, 0.95):
-
-        def count(y):
-            found = {("peaks", "", "", ""): 0.0, ("peak_curvature", "", "", ""): 0.0}
-            drop = 2.0 * y[1:-1] - y[:-2] - y[2:]
-            top = (y[1:-1] > y[:-2]) & (y[1:-1] > y[2:])
-            found["peaks", "", "", ""] = top.mean()
-            found["peak_curvature", "", "", ""] = drop[top].mean()
-            for level in (-1.0, 0.0, 1.0, 2.0):
-                m, t = rows_of(y, level)
-                found["rows", level, "", ""] = len(m) / POINTS
-                found["points_above", level, "", ""] = m.sum() / POINTS
-                found["mean_height", level, "", ""] = t.mean()
-                for n in (3, 4, 7):
-                    found["rows_of_n", level, n, ""] = (m == n - 2).sum() / POINTS
-                    found["rows_of_n_up_to", level, n, 0.5] = ((m == n - 2) & (t < 0.5)).sum() / POINTS
-            return found
-
-        for (quantity, *where), value, error in averages(rho, count, round(1000 * rho)):
+        for (quantity, *where), value, error in averages(rho, found_on, round(1000 * rho)):
             out.append((quantity, "", rho, *where, value, error))
-
-    sigma, R, E = 48e-9, 50e-6, 115e9  # E: contact modulus
     for density in (0.0405, 0.045, 0.06, 0.2):
-        N = density / (R * sigma)
-        deviation, rho, spacing, summits = sampling(sigma, R, N)
-
-        def carry(y):
-            found = {}
-            for h in (-1.0, 0.0, 1.0, 2.0):
-                m, t = rows_of(deviation * y, h * sigma + summits)
-                chord = (m + 1) * spacing
-                radius = chord**2 / (8.0 * t)
-                per_area = 1.0 / (chord * POINTS * spacing)  # each found on one line: per length, over its width
-                pressure = np.sum(per_area * 4.0 / 3.0 * E * np.sqrt(radius) * t**1.5)
-                share = np.sum(per_area * math.pi * radius * t)
-                found["load", h] = pressure / (N * 4.0 / 3.0 * E * math.sqrt(R) * sigma**1.5)
-                found["area", h] = share / (N * math.pi * R * sigma)
-            return found
-
-        for (quantity, h), value, error in averages(rho, carry, round(1e5 * density)):
-            out.append((quantity, density, rho, h, "", "", value, error))
+        N = density / (RADIUS * SIGMA)
+        deviation, rho, spacing, summits = sampling(SIGMA, RADIUS, N)
+        carry = partial(carried_by, N=N, deviation=deviation, spacing=spacing, summits=summits)
+        for (quantity, *where), value, error in averages(rho, carry, round(1e5 * density)):
+            out.append((quantity, density, rho, *where, value, error))
     with open(HERE / "hariri_zu_ben_mrad_2006.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(HEADER)

@@ -16,7 +16,7 @@ from .piece import Piece
 
 
 def hardness_coefficient(nu):
-    """K_H = 0.454 + 0.41 nu: mean pressure at first yield over (2/3 of) the hardness. Arrays. The 1987 paper takes the
+    """K_H = 0.454 + 0.41 nu: the largest pressure at first yield over the hardness. Arrays. The 1987 paper takes the
     constant 0.6; this form is the authors' of 1988."""
     return 0.454 + 0.41 * nu
 

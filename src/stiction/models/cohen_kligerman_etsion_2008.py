@@ -9,7 +9,7 @@ from ..sources import Source
 RECORD = RoughSurface(
     key="cohen_kligerman_etsion_2008",
     title="Contact and static friction of rough surfaces in full stick",
-    grade="B",
+    grade="C",
     sources=(
         Source("cohen_kligerman_etsion_2008", "", "the integrals, not the empirical formulas fitted to them"),
         Source("greenwood_williamson_1966", "the sum over heights"),

@@ -6,16 +6,15 @@ from ..sources import Source
 RECORD = RoughSurface(
     key="kogut_etsion_2004",
     title="Static friction of rough surfaces: elastic-plastic asperities, sliding inception as failure",
-    grade="B",
+    grade="C",
     sources=(
-        Source("kogut_etsion_2004", "asperity law of 2002 and sliding inception of 2003 under a Gaussian of heights"),
+        Source("kogut_etsion_2004", "", "integrals of the laws of 2002 and 2003, not the empirical formulas fitted to them"),
         Source("greenwood_williamson_1966", "the sum over heights"),
     ),
     asperity="kogut_etsion_2002",
     tangential="kogut_etsion_2003",
     verified="integrals over Gaussian heights by an independent quadrature; cross-model table",
     validity=(
-        Validity("plasticity_index", 0.0, 8.0, "the range of the source"),
         Validity("theta", 10.0, float("inf"), "the source's adhesion of elastic-plastic asperities is left out"),
     ),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
