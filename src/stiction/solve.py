@@ -58,11 +58,11 @@ def solve(
     problem = make_problem(contact, Choice(model, asperity, tangential, coating_law, options, presliding), heights)
     units = units_of(contact)
     given = "load" if separation is None else "mean_separation"
-    point = _points(contact, given, load if separation is None else separation)
-    dims = _all_dims(problem, [point, *units.values()])
+    point = points_asked(contact, given, load if separation is None else separation)
+    dims = all_dims(problem, [point, *units.values()])
     shape = tuple(dims.values())
     wanted = spread(point, dims) / spread(units[_unit_of(given)], dims)
-    coords = problem.coords | _coords([point, *units.values()])
+    coords = problem.coords | coords_of([point, *units.values()])
     extra, convergence = {}, {}
     if isinstance(problem, ClosedForm) and problem.needs_load:
         if given != "load":
@@ -70,7 +70,7 @@ def solve(
         tables = _at_load(problem, np.broadcast_to(wanted, shape))
     else:
         if given == "load":
-            found = _invert(contact, problem, np.broadcast_to(wanted, shape), spread(units["N"], dims))
+            found = inverted(contact, problem, np.broadcast_to(wanted, shape), spread(units["N"], dims))
             wanted = found.h.reshape(shape)
             extra = {"load_residual": (found.residual.reshape(shape), "load found less load asked for, over the latter")}
             convergence = {"convergence": f"all separations converged in at most {found.evaluations} evaluations"}
@@ -84,13 +84,13 @@ def solve(
         data = data.drop_vars(given).assign_coords({given: (given, point.values, data[given].attrs)})
     for name, (values, meaning) in extra.items():
         data[name] = (tuple(dims), values, {"long_name": meaning})
-    return data.assign_attrs(_summary(contact, problem, tables) | convergence)
+    return data.assign_attrs(summary_of(contact, problem, tables) | convergence)
 
 
 def _pull_off(contact, problem: Problem, units: dict[str, Any]) -> "xarray.Dataset":
     """The largest tension of each contact, and where it is."""
     tension, where = pull_off(problem.on_branch("unloading"))
-    dims = _all_dims(problem, units.values())
+    dims = all_dims(problem, units.values())
     each = problem.shape + (1,) * (len(dims) - len(problem.shape))
     return labelled(
         contact, {"pull_off_force": tension.reshape(each), "pull_off_separation": where.reshape(each)}, units, dims, {}
@@ -122,7 +122,7 @@ def units_of(contact: Contact | Indices) -> dict[str, Any]:
     }
 
 
-def _points(contact: Contact | Indices, name: str, value: Any) -> Any:
+def points_asked(contact: Contact | Indices, name: str, value: Any) -> Any:
     """The separations or loads asked for: a number, or an array with named dimensions (a plain sequence is named after
     its quantity)."""
     import xarray
@@ -141,11 +141,11 @@ def _points(contact: Contact | Indices, name: str, value: Any) -> Any:
     return xarray.DataArray(array, dims=(name,), coords={name: array})
 
 
-def _coords(values: Iterable[Any]) -> dict[str, Any]:
+def coords_of(values: Iterable[Any]) -> dict[str, Any]:
     return {str(name): item.variable for value in values for name, item in getattr(value, "coords", {}).items()}
 
 
-def _all_dims(problem: Problem, others: Iterable[Any]) -> dict[str, int]:
+def all_dims(problem: Problem, others: Iterable[Any]) -> dict[str, int]:
     """Dimensions of the contacts first, then those that only points and scales have."""
     dims = dict(problem.dims)
     for value in others:
@@ -155,7 +155,7 @@ def _all_dims(problem: Problem, others: Iterable[Any]) -> dict[str, int]:
     return dims
 
 
-def _invert(contact, problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> Inversion:
+def inverted(contact, problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> Inversion:
     """Separations (laws, points) over sigma where the normalised loads `wanted` (full shape) are carried."""
     targets = wanted.reshape(len(problem.groups), -1)
     try:
@@ -195,11 +195,11 @@ def labelled(contact, tables, units, dims, coords) -> "xarray.Dataset":
     shape = tuple(dims.values())
     for name, table in tables.items():
         scale = spread(units[_unit_of(name)], dims) if _unit_of(name) in units else 1.0
-        data[name] = (tuple(dims), np.broadcast_to(table * scale, shape).copy(), _attributes(contact, name))
+        data[name] = (tuple(dims), np.broadcast_to(table * scale, shape).copy(), attributes_of(contact, name))
     return data
 
 
-def _attributes(contact: Contact | Indices, name: str) -> dict[str, str]:
+def attributes_of(contact: Contact | Indices, name: str) -> dict[str, str]:
     quantity = QUANTITIES[name]
     attributes = {"long_name": quantity.meaning, "symbol": quantity.symbol, "units": quantity.unit or "1"}
     if isinstance(contact, Indices) and quantity.normalised_by:
@@ -207,7 +207,7 @@ def _attributes(contact: Contact | Indices, name: str) -> dict[str, str]:
     return attributes
 
 
-def _summary(contact: Contact | Indices, problem: Problem, tables: dict[str, np.ndarray]) -> dict[str, str]:
+def summary_of(contact: Contact | Indices, problem: Problem, tables: dict[str, np.ndarray]) -> dict[str, str]:
     """What was used, where it comes from, and where it goes beyond the claims of its authors."""
     records = problem.records()
     used = dict.fromkeys(source.key for record in records for source in record.sources)

@@ -15,6 +15,7 @@ import numpy as np
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
 from ..compiled import bind, formula, kernel
+from ..law import within
 from .piece import Piece
 
 
@@ -88,13 +89,31 @@ def _recovery(state):
     return state[0] - _residual(state[0], state[2], state[3])
 
 
+@formula
+def _overshoot(state):
+    """Whether the flattened sphere would have recovered more than it was pressed in, by more than rounding."""
+    return state[3] > 0.0 and state[2] > (1.0 + 1e-12) * state[0] * math.sqrt(state[3])
+
+
+_STEP = 1e-6  # to the side, for a slope: the coordinates of pieces are of the order of one, or of their own first value
+
+
 def _free_template(distance, parameters, edges, out):
-    """Up to which coordinate the asperities are free once they are let go by the distance: it grows along a piece."""
+    """The coordinate at which the asperities are just free once they are let go by the distance: it grows along a piece. Where
+    the first of the piece is not free yet, the straight continuation to where it would be: the square root of the distance to
+    it is then smooth along the piece."""
     for i in range(distance.size):
         row = to_fixed_tuple(parameters[i], PARAMETERS)
         low, high = edges[i, 0], edges[i, edges.shape[1] - 1]
-        if not _recovery(normal(low, *row)) < distance[i]:
+        first = _recovery(normal(low, *row))
+        if not first < distance[i]:
             out[i] = low
+            step = _STEP * max(abs(low), 1e-3)
+            if high > low + step:
+                slope = (_recovery(normal(low + step, *row)) - first) / step
+                away = first - distance[i]
+                if slope > 0.0 and away < slope * max(abs(low), 1.0):
+                    out[i] = low - away / slope
             continue
         if high == np.inf:
             step = 1.0
@@ -115,12 +134,41 @@ def _free_template(distance, parameters, edges, out):
         out[i] = high
 
 
+def _clamped_template(parameters, edges, out):
+    """Up to which coordinate nothing stays because the law overshoots, see `residual`; the first where it does not."""
+    for i in range(out.size):
+        row = to_fixed_tuple(parameters[i], PARAMETERS)
+        low, last = edges[i, 0], edges[i, edges.shape[1] - 1]
+        out[i] = low
+        if not (last > low and _overshoot(normal(low, *row))):
+            continue
+        high = last
+        if last == np.inf:
+            step = 1e-3
+            while step < 1e6 and _overshoot(normal(low + step, *row)):
+                step *= 4.0
+            high = low + step
+        if _overshoot(normal(high, *row)):
+            out[i] = last
+            continue
+        for _ in range(100):
+            middle = 0.5 * (low + high)
+            if not low < middle < high:
+                break
+            if _overshoot(normal(middle, *row)):
+                low = middle
+            else:
+                high = middle
+        out[i] = high
+
+
 @cache
 def _drawn(normal: Callable, coordinate: Callable, parameters: int):
-    """Formulas of the piece that is let go, and the kernel that finds where it begins; the same objects for the same law."""
+    """Formulas of the piece that is let go, and the kernels that find where it begins and what of it overshoots; the same
+    objects for the same law."""
     names = {"normal": normal, "coordinate": coordinate, "NORMAL": parameters, "PARAMETERS": parameters}
-    templates = _drawn_template, _drawn_coordinate_template
-    return *(formula(bind(one, **names)) for one in templates), kernel(bind(_free_template, **names))
+    formulas = [formula(bind(one, **names)) for one in (_drawn_template, _drawn_coordinate_template)]
+    return *formulas, *(kernel(bind(one, **names)) for one in (_free_template, _clamped_template))
 
 
 def drawn_apart(pieces: list[Piece], distance: np.ndarray) -> list[Piece]:
@@ -129,16 +177,22 @@ def drawn_apart(pieces: list[Piece], distance: np.ndarray) -> list[Piece]:
     pieces: of an asperity law without adhesion, as it is pressed. Summed over heights at the mean separation h, the returned
     pieces give the load and contact area at h of a surface that was pressed to h - distance before.
     """
+    far = np.ascontiguousarray(distance, dtype=float)
     found = []
     for piece in pieces:
-        held, coordinate_of, free_of = _drawn(piece.normal, piece.coordinate, len(piece.parameters))
+        held, coordinate_of, free_of, clamped_of = _drawn(piece.normal, piece.coordinate, len(piece.parameters))
         laws = len(piece.edges)
         columns = [np.broadcast_to(column, laws) for column in piece.parameters]
-        free, far = np.empty(laws), np.ascontiguousarray(distance, dtype=float)
         parameters = np.ascontiguousarray(np.reshape(columns, (len(columns), laws)).T)
-        free_of(far, parameters, np.ascontiguousarray(piece.edges), free)
-        gone = np.isinf(free)  # an empty piece
-        free[gone] = 0.0
-        edges = np.where(gone[:, None], 0.0, np.sqrt(np.maximum(piece.edges - free[:, None], 0.0)))
-        found.append(Piece(held, coordinate_of, (*piece.parameters, far, free), edges, piece.state))
+        clamped, free = np.empty(laws), np.empty(laws)
+        clamped_of(parameters, np.ascontiguousarray(piece.edges), clamped)
+        first, last = piece.edges[:, 0], piece.edges[:, -1]
+        parts = [within(piece, first, clamped), within(piece, clamped, last)] if (clamped > first).any() else [piece]
+        for part in parts:
+            edges = np.ascontiguousarray(part.edges)
+            free_of(far, parameters, edges, free)
+            empty = np.isinf(free) | ~(edges[:, -1] > edges[:, 0])
+            origin = np.where(empty, 0.0, free)
+            edges = np.where(empty[:, None], 0.0, np.sqrt(np.maximum(edges - origin[:, None], 0.0)))
+            found.append(Piece(held, coordinate_of, (*piece.parameters, far, origin), edges, piece.state))
     return found
