@@ -40,8 +40,8 @@ class Coating(Input):
     material: Material, name of a preset, or dict of its numbers. bodies: which body carries it; with
     "both", the default and the paper's case, film meets film and `thickness` is the sum of the two.
     work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact.
-    The film models take one H/Y for film and substrate (theory 2), so a yield_stress of the film is not
-    used. Raises InputError.
+    The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
+    yield_stress or tangent_modulus of the film is not used. Raises InputError.
     """
 
     material: Body = Field(description="a material: the name of a preset, or its numbers")
@@ -83,7 +83,7 @@ class Indices(Input):
 
     Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
-    out is nu, film_K_beta left out follows from film_nu, or is K_beta. The last seven are needed by some laws only.
+    out is nu, film_K_beta left out follows from film_nu, or is K_beta. The last eight are needed by some laws only.
     Raises InputError.
     """
 
@@ -106,6 +106,7 @@ class Indices(Input):
     shear_strength: OptionalNumber = None
     pressure_coefficient: OptionalNumber = None
     peeling: OptionalNumber = None
+    hardening: OptionalNumber = None
 
     @model_validator(mode="after")
     def _film_is_whole(self):
@@ -225,6 +226,7 @@ class Contact(Input):
             "nominal_width": self.nominal_area**0.5 / sigma,
             "pressure_coefficient": self.pressure_coefficient,
             "peeling": self.peeling,
+            "hardening": bare.hardening,
         }
         if self.interfacial_shear_strength is not None:
             groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
@@ -314,6 +316,7 @@ class _Pair:
     hardness: Any
     nu: Any
     k: Any
+    hardening: Any
 
 
 def _pair(first: Material, second: Material) -> _Pair:
@@ -328,6 +331,7 @@ def _pair(first: Material, second: Material) -> _Pair:
         hardness=_choose(softer, first.hardness, second.hardness),
         nu=_choose(softer, first.poissons_ratio, second.poissons_ratio),
         k=_choose(softer, _hardness_to_yield(first), _hardness_to_yield(second)),
+        hardening=_choose(softer, _hardening(first), _hardening(second)),
     )
 
 
@@ -335,9 +339,17 @@ def _hardness_to_yield(body: Material):
     return HARDNESS_TO_YIELD if body.yield_stress is None else body.hardness / body.yield_stress
 
 
+def _hardening(body: Material):
+    return None if body.tangent_modulus is None else body.tangent_modulus / body.youngs_modulus
+
+
 def _choose(condition, one, other):
-    """`one` where the condition holds, else `other`: elementwise if the condition is a labelled array."""
+    """`one` where the condition holds, else `other`: elementwise if the condition is a labelled array. What is not known (None)
+    somewhere along a sweep is not known."""
     if hasattr(condition, "dims"):
+        if one is None or other is None:
+            known, chosen = (one, condition) if other is None else (other, ~condition)
+            return known if chosen.all() else None
         import xarray
 
         return xarray.where(condition, one, other)

@@ -20,7 +20,7 @@ def stiffness_group(nu):
 @dataclass(frozen=True)
 class Groups:
     """Groups of n contacts; arrays (n,). The meaning and bounds of each are in `quantities`. Film groups are arrays too, or all
-    None if bare; the last seven are arrays, or None where they are not known: only some laws need them.
+    None if bare; the last eight are arrays, or None where they are not known: only some laws need them.
 
     film_aspect, t/sqrt(R sigma), is infinite where R is not known: the film is then a half-space to every asperity.
     """
@@ -44,6 +44,7 @@ class Groups:
     shear_strength: Any = None
     pressure_coefficient: Any = None
     peeling: Any = None
+    hardening: Any = None
 
     @property
     def eta(self) -> np.ndarray:

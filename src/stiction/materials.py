@@ -26,6 +26,7 @@ class Material(Input):
     poissons_ratio: Number
     hardness: Number
     yield_stress: OptionalNumber = None
+    tangent_modulus: OptionalNumber = None
     surface_energy: OptionalNumber = None
     source: str | dict[str, str] | None = Field(None, union_mode="left_to_right")
 

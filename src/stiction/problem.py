@@ -21,7 +21,7 @@ from .summation import on_grid, scattered, totals_on_grid
 _AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
 _COUNT, _LOAD, _AREA, _SLIP, _TEAR = range(5)  # as summation.QUANTITIES
 # A group that a law needs -> what a Contact calls it.
-_GIVEN_AS = {"shear_strength": "interfacial_shear_strength"}
+_GIVEN_AS = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}
 
 
 @dataclass(frozen=True)

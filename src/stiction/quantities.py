@@ -59,6 +59,7 @@ _POSITIVE = (0.0, inf, False, False)
 _NOT_NEGATIVE = (0.0, inf, True, False)
 _FROM_ONE = (1.0, inf, True, False)
 _SHARE = (0.0, 1.0, True, True)
+_SHARE_BELOW_ONE = (0.0, 1.0, True, False)
 # nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
 # Below 0 nothing was checked.
 _POISSON = (0.0, 0.5, True, False)
@@ -75,6 +76,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("hardness", "H", "H", "Pa", _POSITIVE, "7.3 GPa",
      "hardness, the mean pressure of a fully plastic contact"),
     ("yield_stress", "Y", "Y", "Pa", _POSITIVE, "2.5 GPa", "yield stress in tension"),
+    ("tangent_modulus", "E_t", r"E_\mathrm{t}", "Pa", _NOT_NEGATIVE, "2 GPa",
+     "tangent modulus, the slope of stress over strain beyond yield"),
     ("surface_energy", "gamma_s", r"\gamma_s", "J/m^2", _POSITIVE, "1.25 J/m^2",
      "surface energy of one surface"),
     # contact
@@ -121,6 +124,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "rise of the interfacial shear strength with pressure"),
     ("peeling", "zeta", r"\zeta", "", _SHARE, "1",
      "share of the tangential energy release that peels: 1 after Savkoor and Briggs, 0 for none"),
+    ("hardening", "E_t/E", r"E_\mathrm{t}/E", "", _SHARE_BELOW_ONE, "0.01",
+     "tangent modulus over Young's modulus, of the softer body"),
 ]
 
 _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form is divided by, meaning

@@ -64,6 +64,33 @@ def test_hardness_to_yield():
         contact(wrong, harder).indices()
 
 
+def test_hardening_is_that_of_the_softer_body():
+    soft = material("silver", tangent_modulus="0.82 GPa")  # E = 82 GPa
+    hard = Material(youngs_modulus="210 GPa", poissons_ratio=0.3, hardness="7 GPa", tangent_modulus="2.1 GPa")
+    assert contact(soft, hard).indices().hardening == pytest.approx(0.01, rel=1e-14)
+    assert contact("iron", soft).indices().hardening == pytest.approx(0.01, rel=1e-14)
+    assert contact("silver", hard).indices().hardening is None and contact().indices().hardening is None
+    assert contact(soft, "gold", coating={"material": hard, "thickness": "200 nm"}).indices().film().hardening is None
+    assert contact(soft, soft, coating={"material": hard, "thickness": "200 nm"}).indices().film().hardening == 0.82 / 82
+    with pytest.raises(InputError, match=r"^hardening: 1.5; allowed: >= 0 and < 1"):
+        contact(material("silver", tangent_modulus="123 GPa")).indices()
+    with pytest.raises(InputError, match=r"^tangent_modulus: -1.0; allowed: >= 0 Pa"):
+        material("silver", tangent_modulus=-1)
+
+
+def test_hardening_along_a_sweep():
+    """Known only if it is that of the softer body everywhere."""
+    body = {"youngs_modulus": "100 GPa", "poissons_ratio": 0.3, "tangent_modulus": "2 GPa"}
+    around, below = axis("hardness", ["1 GPa", "3 GPa"]), axis("hardness", ["1 GPa", "1.5 GPa"])
+    unknown = Material(youngs_modulus="200 GPa", poissons_ratio=0.3, hardness="2 GPa")
+    other = Material(youngs_modulus="200 GPa", poissons_ratio=0.3, hardness="2 GPa", tangent_modulus="1 GPa")
+    assert contact(Material(hardness=below, **body), unknown).indices().hardening == 0.02
+    assert contact(unknown, Material(hardness=below, **body)).indices().hardening == 0.02
+    assert contact(Material(hardness=around, **body), unknown).indices().hardening is None
+    assert contact(unknown, Material(hardness=around, **body)).indices().hardening is None
+    assert np.array_equal(contact(Material(hardness=around, **body), other).indices().hardening, [0.02, 0.005])
+
+
 def test_film_on_equal_bodies_has_the_papers_ratios():
     substrate = Material(youngs_modulus="200 GPa", poissons_ratio=0.3, hardness="5 GPa")
     film = Material(youngs_modulus="100 GPa", poissons_ratio=0.3, hardness="4 GPa")
@@ -123,7 +150,9 @@ def test_groups_do_not_change_with_the_units_of_length_and_force():
 
     def rescaled(length, force):
         pressure = force / length**2
-        body = Material(youngs_modulus=200e9 * pressure, poissons_ratio=0.3, hardness=5e9 * pressure)
+        body = Material(
+            youngs_modulus=200e9 * pressure, poissons_ratio=0.3, hardness=5e9 * pressure, tangent_modulus=2e9 * pressure
+        )
         film = Material(youngs_modulus=80e9 * pressure, poissons_ratio=0.4, hardness=1e9 * pressure)
         rough = Roughness(
             asperity_height_deviation=5e-8 * length,

@@ -359,8 +359,8 @@ def test_a_thick_film_hides_its_substrate(film):
 
 @pytest.mark.parametrize("record", CLOSED, ids=lambda record: record.key)
 def test_theories_in_closed_form(record):
-    """Load (where the record says so) and area that grow together, from nothing; a shear strength of the interface times the area
-    is their friction."""
+    """Load (where the record says so) and area that grow together, from nothing; a shear strength of the interface times the
+    area is their friction."""
     low, high = next(((one.low, one.high) for one in record.validity if one.quantity == "density"), (0.0, np.inf))
     given = draw(30, False, 101, theta=1e6, density=np.geomspace(max(0.02, 1.01 * low), min(0.3, high), 30))
     choice = Choice(record.key, tangential=OF_THE_INTERFACE)
