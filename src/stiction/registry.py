@@ -6,6 +6,7 @@ contract tests are made from the record.
 """
 
 import importlib
+import importlib.util
 import pkgutil
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -18,6 +19,7 @@ from .errors import InputError
 from .sources import Source
 
 PLACES = ("stiction.models", "stiction.asperity", "stiction.friction", "stiction.coating")
+_HOMES = dict(zip(("rough surface", "asperity", "tangential", "film"), PLACES, strict=True))
 
 GRADES = {
     "A": "reproduces numbers that its source prints",
@@ -265,7 +267,13 @@ def of_kind(kind: str) -> dict[str, Record]:
 
 
 def find(key: str, kind: str) -> Record:
-    """The record of this key and kind; InputError otherwise."""
+    """The record of this key and kind; InputError otherwise. One of the package is in the file of its name: the others are then
+    not loaded."""
+    place = _HOMES.get(kind)
+    if place is not None and key.isidentifier() and importlib.util.find_spec(f"{place}.{key}") is not None:
+        record = getattr(importlib.import_module(f"{place}.{key}"), "RECORD", None)
+        if isinstance(record, KINDS[kind]) and record.kind == kind:
+            return record
     known = of_kind(kind)
     if key not in known:
         raise InputError(CHOICES.get(kind, kind), key, ", ".join(known))

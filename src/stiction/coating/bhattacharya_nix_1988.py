@@ -1,18 +1,18 @@
 """Hardness of a film on a substrate against depth, fitted to finite elements (a cone): Bhattacharya & Nix 1988."""
 
-import math
-
 import numpy as np
 
 from ..compiled import formula
 from ..registry import Composite
 from ..sources import Source
+from ..vectorised import exponential
 
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """H/H_s = 1 + (H_f/H_s - 1) exp(-c (omega/t)^m)."""
-    return 1.0 + (hardness_ratio - 1.0) * math.exp(-constant * depth_over_thickness**exponent)
+    """H/H_s = 1 + (H_f/H_s - 1) exp(-c (omega/t)^m), m = 1 or 2."""
+    power = depth_over_thickness if exponent == 1.0 else depth_over_thickness * depth_over_thickness
+    return 1.0 + (hardness_ratio - 1.0) * exponential(-constant * power)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:

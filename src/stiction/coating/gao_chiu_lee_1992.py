@@ -8,6 +8,7 @@ import math
 from ..compiled import formula
 from ..registry import Composite, Validity
 from ..sources import Source
+from ..vectorised import arctan, log_quotient
 from .graded_law import modulus_share
 
 _LEAST, _MOST = 1e-100, 1e100  # of t/a: squares of it are still numbers
@@ -17,7 +18,7 @@ _LEAST, _MOST = 1e-100, 1e100  # of t/a: squares of it are still numbers
 def ratio_share(thickness_over_radius):
     """I1 at t/a: the film's share in Poisson's ratio, (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2)."""
     xi = min(max(thickness_over_radius, _LEAST), _MOST)
-    return 2.0 / math.pi * math.atan(xi) + xi / math.pi * math.log1p(1.0 / xi / xi)
+    return 2.0 / math.pi * arctan(xi) + log_quotient(1.0 / xi / xi) / (math.pi * xi)
 
 
 @formula

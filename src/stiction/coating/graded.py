@@ -14,6 +14,7 @@ from ..groups import Groups
 from ..law import Law
 from ..registry import FilmLaw
 from ..sources import Source
+from .bhattacharya_nix_1988 import constants
 from .graded_kinks import find_kinks, gather
 from .graded_law import along, coordinate
 
@@ -26,9 +27,8 @@ def fading_rates(
     for name, exponent in (("m_soft", m_soft), ("m_hard", m_hard)):
         if exponent not in (1, 2):
             raise InputError(name, exponent, "1 or 2")
-    soft = n_H < 1.0
-    c = np.where(soft, n_Y / n_E, n_H / (n_Y * np.sqrt(n_E)))
-    m = np.where(soft, m_soft, m_hard)
+    c = constants(n_E, n_H, n_Y)
+    m = np.where(n_H < 1.0, m_soft, m_hard)
     thickness = np.maximum(tau, 1e-100)
     return np.where(m == 1, c / thickness, 0.0), np.where(m == 2, c / thickness / thickness, 0.0)
 

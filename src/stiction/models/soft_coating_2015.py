@@ -3,7 +3,6 @@
 import numpy as np
 
 from ..asperity.regime import Regime
-from ..coating.graded import bare_regimes_with_transition
 from ..coating.printed import bare_regimes
 from ..errors import InputError
 from ..groups import Groups
@@ -27,6 +26,8 @@ def regimes(groups: Groups, law: Law, film: FilmLaw | None, reading: str, transi
     if film is not None:
         return film.regimes(groups, law, **own(film, law.options))
     if gradual:
+        from ..coating.graded import bare_regimes_with_transition  # slow to import
+
         return bare_regimes_with_transition(groups)
     return bare_regimes(groups) if printed else law.regimes(groups)
 
