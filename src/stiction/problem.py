@@ -15,7 +15,19 @@ from .groups import Groups
 from .heights import Heights, gaussian, height_distribution
 from .law import Law, resistances
 from .quantities import QUANTITIES
-from .registry import AsperityLaw, FilmLaw, Presliding, Record, RoughSurface, find, misfit, misfit_of_friction, own, settle
+from .registry import (
+    CHOICES,
+    AsperityLaw,
+    FilmLaw,
+    Presliding,
+    Record,
+    RoughSurface,
+    find,
+    misfit,
+    misfit_of_friction,
+    own,
+    settle,
+)
 from .summation import on_grid, scattered, totals_on_grid
 
 _AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
@@ -269,7 +281,8 @@ def _choose(choice: Choice, coated: bool) -> tuple[type[Problem], Law, FilmLaw |
     film = _film(choice, record) if coated else None
     for one in (tangential, film):
         if one is not None and (reason := misfit(one, asperity)):
-            raise InputError("asperity" if choice.asperity else one.kind, one.key, f"laws that go together: {reason}")
+            field, value = ("asperity", asperity.key) if choice.asperity else (CHOICES[one.kind], one.key)
+            raise InputError(field, value, f"laws that go together: {reason}")
     if film is not None and (reason := misfit_of_friction(film, tangential)):
         raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
     known = [one for one in (record, asperity, tangential, film) if one is not None]
