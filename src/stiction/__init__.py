@@ -25,6 +25,17 @@ if TYPE_CHECKING:
     from .overview import cite as cite
     from .overview import models as models
     from .solve import solve as solve
+    from .solve_case import compare_case as compare_case
+    from .solve_case import solve_case as solve_case
+    from .surfaces.analysis import analyse as analyse
+    from .surfaces.analysis import prepared as prepared
+    from .surfaces.asperities import asperities as asperities
+    from .surfaces.fan import fan as fan
+    from .surfaces.generate import gaussian_surface as gaussian_surface
+    from .surfaces.generate import non_gaussian_surface as non_gaussian_surface
+    from .surfaces.heightmap import HeightMap as HeightMap
+    from .surfaces.read import read_scan as read_scan
+    from .surfaces.targets import SelfAffine as SelfAffine
     from .units import axis as axis
     from .unloading import unload as unload
 
@@ -32,19 +43,30 @@ _PLACES = {
     "Coating": "contact",
     "Contact": "contact",
     "Evaluation": "evaluate",
+    "HeightMap": "surfaces.heightmap",
     "Indices": "contact",
     "InputError": "errors",
     "Material": "materials",
     "Roughness": "contact",
+    "SelfAffine": "surfaces.targets",
+    "analyse": "surfaces.analysis",
+    "asperities": "surfaces.asperities",
     "axis": "units",
     "cite": "overview",
     "compare": "compare",
+    "compare_case": "solve_case",
     "evaluate": "evaluate",
+    "fan": "surfaces.fan",
+    "gaussian_surface": "surfaces.generate",
     "height_distribution": "heights",
     "material": "materials",
     "models": "overview",
+    "non_gaussian_surface": "surfaces.generate",
+    "prepared": "surfaces.analysis",
     "read_case": "case",
+    "read_scan": "surfaces.read",
     "solve": "solve",
+    "solve_case": "solve_case",
     "unload": "unloading",
     "work_of_adhesion": "contact",
 }

@@ -14,6 +14,7 @@ from stiction.choice import Choice
 from stiction.contact import Contact, Indices
 from stiction.errors import InputError
 from stiction.inputs import Input
+from stiction.measured import Measured, MeasuredRoughness, measure
 from stiction.quantities import QUANTITIES
 from stiction.units import to_si
 
@@ -29,7 +30,8 @@ class Case:
 
     subject: the Contact or the Indices. separation, load: points, one is an array (n,) and the other None;
     metres and newtons for a Contact, h = d/sigma and load per K R^(1/2) sigma^(3/2) and asperity for
-    Indices. choice: the model, other laws than its own, and options, as the registry knows them.
+    Indices. choice: the model, other laws than its own, and options, as the registry knows them. measured: what scans say of
+    the roughness, where the case names scans in place of numbers.
     """
 
     title: str
@@ -37,6 +39,14 @@ class Case:
     separation: np.ndarray | None
     load: np.ndarray | None
     choice: Choice
+    measured: Measured | None = None
+
+    @property
+    def by_method(self) -> dict[str, Contact]:
+        """The contact with the roughness that each way of finding asperities gives, if it is measured; else nothing."""
+        if self.measured is None or not isinstance(self.subject, Contact):
+            return {}
+        return self.measured.contacts(self.subject)
 
 
 def _point(value):
@@ -121,12 +131,13 @@ def read_case(path) -> Case:
         raise _not_a_case(path, f"this is not TOML: {error}") from None
     except (ValueError, RecursionError):  # a number of thousands of digits, lists nested without end
         raise _not_a_case(path, "this one is out of all proportion") from None
-    return parse_case(content)
+    return parse_case(content, Path(path).parent)
 
 
-def parse_case(content: Mapping) -> Case:
-    """The case in the tables of a TOML file; raises InputError as `read_case` does."""
+def parse_case(content: Mapping, folder: Path = Path()) -> Case:
+    """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans are named."""
     _refuse_bare_numbers(content, "")
+    content, measured = _measured(content, folder)
     file = _CaseFile(**content)
     subject = file.contact or file.indices
     assert subject is not None  # the validator of _CaseFile has seen to it
@@ -137,7 +148,25 @@ def parse_case(content: Mapping) -> Case:
         separation=_resolve(solve.separation, _separation, subject, "solve.separation"),
         load=_resolve(solve.load, _load, subject, "solve.load"),
         choice=_choice(solve),
+        measured=measured,
     )
+
+
+def _measured(content: Mapping, folder: Path) -> tuple[Mapping, Measured | None]:
+    """The tables with the roughness that scans show in place of the scans, and what was measured; the tables as they are if
+    they name no scan."""
+    contact = content.get("contact")
+    surface = contact.get("roughness") if isinstance(contact, Mapping) else None
+    if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}):
+        return content, None
+    try:
+        measured = measure(MeasuredRoughness(**surface), folder)
+    except InputError as error:
+        where = error.field if error.field.startswith("roughness") else f"roughness.{error.field}"
+        raise InputError(f"contact.{where}", error.value, error.allowed) from None
+    assert isinstance(contact, Mapping)
+    found = measured.by_method[measured.method]
+    return {**content, "contact": {**contact, "roughness": found}}, measured
 
 
 def _choice(solve: _Solve) -> Choice:
@@ -155,6 +184,10 @@ def json_schema() -> dict:
     schema = _CaseFile.model_json_schema()
     schema["title"] = "stiction case"
     schema["oneOf"] = [{"required": ["contact"]}, {"required": ["indices"]}]
+    scans = MeasuredRoughness.model_json_schema(ref_template="#/$defs/{model}")
+    schema["$defs"] |= scans.pop("$defs") | {"MeasuredRoughness": scans}
+    roughness = schema["$defs"]["Contact"]["properties"]["roughness"]
+    schema["$defs"]["Contact"]["properties"]["roughness"] = {"anyOf": [roughness, {"$ref": "#/$defs/MeasuredRoughness"}]}
     schema["$defs"]["_Solve"]["oneOf"] = [{"required": ["separation"]}, {"required": ["load"]}]
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 

@@ -338,11 +338,25 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "why_not": one["why_not"].item() or None,
         }
         row |= {key: one[f"{key}_at_load"].item() for key in _RESULTS if f"{key}_at_load" in data}
+        row |= _over_methods(one)
         rows.append(row | {"curve": {key: one[key].values for key in _RESULTS}})
     left_out = dict(line.split(": ", 1) for line in data.attrs["left_out"].splitlines())
     attributes = {name: value for name, value in data.attrs.items() if name not in ("left_out", "sources", "criteria")}
     attributes["criteria"] = data.attrs["criteria"].splitlines()
     return attributes | {"units": units, "models": rows, "left_out": left_out, "sources": data.attrs["sources"].split()}
+
+
+def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
+    """What one model says of every way to find asperities in a measured surface, at the working load."""
+    name = "friction_coefficient_at_load"
+    if f"{name}_by_method" not in one:
+        return {}
+    each = one[f"{name}_by_method"]
+    return {
+        "friction_coefficient_by_method": dict(zip(each["asperity_method"].values.tolist(), each.values.tolist(), strict=True)),
+        "friction_coefficient_low": one[f"{name}_low"].item(),
+        "friction_coefficient_high": one[f"{name}_high"].item(),
+    }
 
 
 def comparison_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:

@@ -22,29 +22,29 @@ if TYPE_CHECKING:
     from .figures import PanelCurves
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
-_BLUE, _ORANGE, _GREEN, _RED, _SKY, _GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777"
+BLUE, ORANGE, GREEN, RED, SKY, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777"
 # Broad below, narrow and broken above: lines that lie on one another stay visible.
 _VARYING: tuple[dict[str, Any], ...] = (
-    {"color": _SKY, "linewidth": 4.0},
-    {"color": _RED, "linewidth": 2.2},
-    {"color": _BLUE, "linewidth": 1.6, "linestyle": "--"},
+    {"color": SKY, "linewidth": 4.0},
+    {"color": RED, "linewidth": 2.2},
+    {"color": BLUE, "linewidth": 1.6, "linestyle": "--"},
 )
 
 # The lines of the panels of a curve: label and look. A part that a model does not have is left out. Parts that lie on one
 # another or on the total stay visible: the total is a broad band beneath, and the bodies have markers.
 _PARTS: dict[str, tuple[str, dict[str, Any]]] = {
     "": ("total", {"color": "black", "linewidth": 5.0, "alpha": 0.3}),
-    "_elastic": ("elastic asperities", {"color": _BLUE, "linestyle": "--"}),
-    "_elastic_plastic": ("elastic-plastic asperities", {"color": _GREEN, "linestyle": "-."}),
-    "_plastic": ("plastic asperities", {"color": _RED, "linestyle": "-"}),
-    "_slip_limited": ("slip before they yield", {"color": _BLUE, "linestyle": "--"}),
-    "_yield_limited": ("yield before they slip", {"color": _RED, "linestyle": "-"}),
-    "_film": ("film", {"color": _ORANGE, "marker": "o", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
-    "_substrate": ("substrate", {"color": _GREEN, "marker": "s", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
+    "_elastic": ("elastic asperities", {"color": BLUE, "linestyle": "--"}),
+    "_elastic_plastic": ("elastic-plastic asperities", {"color": GREEN, "linestyle": "-."}),
+    "_plastic": ("plastic asperities", {"color": RED, "linestyle": "-"}),
+    "_slip_limited": ("slip before they yield", {"color": BLUE, "linestyle": "--"}),
+    "_yield_limited": ("yield before they slip", {"color": RED, "linestyle": "-"}),
+    "_film": ("film", {"color": ORANGE, "marker": "o", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
+    "_substrate": ("substrate", {"color": GREEN, "marker": "s", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
 }
 _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
 _MANY_DECADES = 1e3
-_WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
+WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
 
 def label(variable: "xarray.DataArray", longest: int = 200) -> str:
@@ -79,7 +79,7 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     frictional = "friction_coefficient" in data
     # Fixed margins: matplotlib's automatic layouts draw everything twice, and this picture is made on every run.
     figure = Figure(figsize=(11, 8.2) if frictional else (11, 4.6))
-    figure.suptitle(_heading(data, title), fontsize=11)
+    figure.suptitle(heading(data, title), fontsize=11)
     axes = iter(figure.subplots(2 if frictional else 1, 2).flat)
     edge = 1.0 if frictional else 0.6  # one row has less height for the same text
     figure.subplots_adjust(0.085, 0.07 / edge, 0.985, 1.0 - 0.085 / edge, wspace=0.24, hspace=0.22)
@@ -92,7 +92,7 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     return figure
 
 
-def _heading(data: "xarray.Dataset", title: str) -> str:
+def heading(data: "xarray.Dataset", title: str) -> str:
     used = data.attrs
     words = [used["model"], *(f"{used[name]} {name}" for name in ("reading", "branch") if name in used)]
     if used.get("film", "none") != "none":
@@ -104,16 +104,36 @@ def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     load, mu = data["load"].values, data["friction_coefficient"].values
     drawn = (load > 0.0) & (mu > 0.0)
     axes.plot(load[drawn], mu[drawn], color="black")
+    seen = [mu[drawn], *_methods_band(axes, data, load)]
     axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
     if drawn.any():
         axes.set_xscale("log")
-        if mu[drawn].max() > _WIDE * mu[drawn].min():
+        if max(each.max() for each in seen) > WIDE * min(each.min() for each in seen):
             axes.set_yscale("log")
         else:
             axes.set_ylim(bottom=0.0)
     else:
-        _say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
-    _finish(axes)
+        say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
+    finish(axes)
+
+
+def _methods_band(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> list[np.ndarray]:
+    """The spread of friction over the methods of finding asperities in a measured surface; returns what is drawn, nothing where
+    there is no such spread."""
+    if "friction_coefficient_low" not in data:
+        return []
+    low, high = (data[f"friction_coefficient_{end}"].values for end in ("low", "high"))
+    there = (load > 0.0) & (high > 0.0)
+    low, high = low[there], high[there]
+    if not high.size:
+        return []
+    # Where a method gives no friction at all the band reaches down to the edge of a logarithmic axis.
+    floor = np.concatenate([low[low > 0.0], high]).min() / 2.0
+    axes.fill_between(load[there], np.maximum(low, floor), high, color=SKY, alpha=0.25, linewidth=0.0,
+                      label="spread over methods of\nfinding asperities")  # fmt: skip
+    axes.lines[0].set_label(f"taken: {data.attrs.get('roughness_method', 'first method')}")
+    axes.legend(fontsize=8, framealpha=0.9)
+    return [np.maximum(low, floor), high]
 
 
 def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
@@ -136,19 +156,19 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
     if axes.lines:
         axes.set_yscale("log")
     if tension:
-        axes.plot([], [], ":", color=_GREY, label="dotted: tension, its size")
+        axes.plot([], [], ":", color=GREY, label="dotted: tension, its size")
     if against == "load":
         if np.any(x > 0.0):
             axes.set_xscale("log")
     else:
         _prefixed(axes, data[against])
         axes.invert_xaxis()  # pressing harder goes to the right, as in the other panels
-    _finish(axes)
+    finish(axes)
     if axes.lines:
         axes.legend(fontsize=8, framealpha=0.9)
 
 
-def _finish(axes: Axes) -> None:
+def finish(axes: Axes) -> None:
     """Grid, and small ticks only where a logarithmic axis has few large ones."""
     axes.grid(True, alpha=0.3)
     for axis in (axes.xaxis, axes.yaxis):
@@ -178,8 +198,8 @@ def _prefixed(axes: Axes, variable: "xarray.DataArray") -> None:
     axes.set_xlabel(label(variable).replace(f"[{variable.attrs['units']}]", f"[{unit}]"))
 
 
-def _say(axes: Axes, text: str) -> None:
-    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=_GREY)
+def say(axes: Axes, text: str) -> None:
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 
 
 def panel_figure(curves: "PanelCurves") -> Figure:
@@ -194,7 +214,7 @@ def panel_figure(curves: "PanelCurves") -> Figure:
     axes.set_title(_with_letters(curves.caption), fontsize=9.5)
     mu = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
     axes.set(xscale="log", yscale="log", xlabel=label(curves.bare["load"]), ylabel=mu)
-    _finish(axes)
+    finish(axes)
     axes.legend()
     return figure
 
@@ -230,7 +250,7 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
             for colour, style in (("white", "-"), ("black", "--")):  # seen on dark and on light colours
                 axes.axvline(10.0, color=colour, linewidth=0.9, linestyle=style)
                 axes.axhline(0.125, color=colour, linewidth=0.9, linestyle=style)
-            axes.plot(here["theta"], here["lam"], marker="*", color=_RED, markeredgecolor="white", markersize=12)
+            axes.plot(here["theta"], here["lam"], marker="*", color=RED, markeredgecolor="white", markersize=12)
             if row == 0:
                 axes.set_title(f"({claim.key}) {_wrapped(claim.says)}", fontsize=9)
             if column == 0:
@@ -282,17 +302,30 @@ def comparison_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     axes.set(xscale="log", yscale="log", xlabel=label(data["load"]))
     axes.set_ylabel(f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
     if "working_load" in data.attrs:
-        axes.axvline(data.attrs["working_load"], color=_GREY, linestyle="--", linewidth=1.0)
+        axes.axvline(data.attrs["working_load"], color=GREY, linestyle="--", linewidth=1.0)
         axes.annotate("working load", (data.attrs["working_load"], 0.01), xycoords=("data", "axes fraction"), rotation=90,
-                      color=_GREY, fontsize=8, ha="right", va="bottom")  # fmt: skip
+                      color=GREY, fontsize=8, ha="right", va="bottom")  # fmt: skip
+        _error_bar(axes, data)
     axes.set_title(title or "Static friction after every applicable model", fontsize=11)
     if drawn:
         _in_sight(axes)
         axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
     else:
-        _say(axes, "no model says anything of friction here:\ngive the contact an interfacial_shear_strength")
-    _finish(axes)
+        say(axes, "no model says anything of friction here:\ngive the contact an interfacial_shear_strength")
+    finish(axes)
     return figure
+
+
+def _error_bar(axes: Axes, data: "xarray.Dataset") -> None:
+    """Spread of the recommended model over the methods of finding asperities, at the working load, if there is one."""
+    best = data.attrs["recommended"]
+    if "friction_coefficient_at_load_low" not in data or best not in data["model"]:
+        return
+    mu, low, high = (float(data[f"friction_coefficient_at_load{end}"].sel(model=best)) for end in ("", "_low", "_high"))
+    if np.isfinite([mu, low, high]).all():
+        reach = [[mu - low], [high - mu]]
+        label = f"over methods of finding asperities:\n{low:.3g} to {high:.3g}"
+        axes.errorbar([data.attrs["working_load"]], [mu], yerr=reach, fmt="ko", capsize=6, linewidth=2.0, label=label)
 
 
 def _in_sight(axes: Axes) -> None:

@@ -126,6 +126,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "share of the tangential energy release that peels: 1 after Savkoor and Briggs, 0 for none"),
     ("hardening", "E_t/E", r"E_\mathrm{t}/E", "", _SHARE_BELOW_ONE, "0.01",
      "tangent modulus over Young's modulus, of the softer body"),
+    # of a measured surface; no example, so that it is not listed among the numbers of a case file
+    ("scan_size", "L", "L", "m", _POSITIVE, "", "size of a scan, or another length along it"),
 ]
 
 _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form is divided by, meaning

@@ -57,7 +57,7 @@ def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tupl
     if unit == "1" or not sizes.size:
         return ("" if unit == "1" else _squared(unit)), [_short(value) for value in values]
     if name != "mean_separation" and sizes.max() > _WIDE * sizes.min():
-        return "", [_squared(show(float(f"{value:.4g}"), name)) if np.isfinite(value) else "-" for value in values]
+        return "", [shown(value, name) for value in values]
     power = 10.0 ** np.floor(np.log10(np.median(sizes)))
     number, _, prefixed = show(power, name).partition(" ")
     return _squared(prefixed), [_short(value * float(number) / power) for value in values]
@@ -67,11 +67,17 @@ def _short(value: float) -> str:
     return f"{float(f'{value:.4g}'):g}" if np.isfinite(value) else "-"
 
 
+def shown(value: float, name: str, digits: int = 4) -> str:
+    """A value of the named quantity, given in SI, with a fitting prefix, to a few digits; "-" if it is not a number."""
+    return _squared(show(float(f"{value:.{digits}g}"), name)) if np.isfinite(value) else "-"
+
+
 def _squared(text: str) -> str:
     return text.replace("m^2", "m²")
 
 
-def _rows(pairs: Iterable[tuple[str, str]]) -> Table:
+def facts(pairs: Iterable[tuple[str, str]]) -> Table:
+    """Rows of a bold head and text; those without text are left out."""
     table = Table.grid(padding=(0, 2, 0, 0))
     table.add_column(style="bold", no_wrap=True)
     table.add_column()
@@ -86,7 +92,7 @@ def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
     used = data.attrs
     laws = [f"{kind} law {used[kind]}" for kind in ("asperity", "tangential", "film") if used[kind] != "none"]
     options = [f"{name} {used[name]}" for name in used["options"].split()]
-    return _rows(
+    return facts(
         [
             ("case", case.title),
             *_contact(case.subject),
@@ -131,7 +137,7 @@ def _pull_off(data: "xarray.Dataset") -> str:
         return "none: there is no tension at any separation"
     if force.attrs.get("units", "1") == "1":
         return f"{float(force):.4g} at h = {float(data['pull_off_separation']):.4g}"
-    return show(float(f"{float(force):.4g}"), "pull_off_force")
+    return shown(float(force), "pull_off_force")
 
 
 def run_notes(data: "xarray.Dataset") -> list[str]:
@@ -163,10 +169,12 @@ def outside_validity(data: "xarray.Dataset") -> Text | None:
 
 def comparison_table(data: "xarray.Dataset") -> Table:
     """What each model says at the working load, or along its curve if there is none, from the least friction up; the
-    recommended one is green. Doubts are numbered as in `doubts`."""
+    recommended one is green. Of a measured surface the spread of mu over the methods of finding asperities stands in place of
+    the contact area. Doubts are numbered as in `doubts`."""
     table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
     table.add_column("model", overflow="fold")
-    for head in ("grade", "mu", "contact area", "doubts"):
+    banded = "friction_coefficient_at_load_low" in data
+    for head in ("grade", "mu", "over methods" if banded else "contact area", "doubts"):
         table.add_column(head, justify="left" if head in ("grade", "doubts") else "right", no_wrap=True)
     judged = "friction_coefficient_at_load" in data
     known = doubts(data)
@@ -175,12 +183,19 @@ def comparison_table(data: "xarray.Dataset") -> Table:
         one = data.isel(model=int(at))
         mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
         unit = one["contact_area"].attrs.get("units", "1")
-        size = _short(area) if unit == "1" or not np.isfinite(area) else _squared(show(float(f"{area:.3g}"), "contact_area"))
+        size = _short(area) if unit == "1" else shown(area, "contact_area", digits=3)
         numbers = ", ".join(str(1 + known.index(line)) for line in _doubts_of(one))
         name = str(one["model"].item())
         look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
-        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), size, numbers or "-")), style=look)
+        fourth = over_methods(one) if banded else size
+        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), fourth, numbers or "-")), style=look)
     return table
+
+
+def over_methods(one: "xarray.Dataset") -> str:
+    """Lowest and highest mu at the working load of one model over the methods of finding asperities."""
+    ends = [float(one[f"friction_coefficient_at_load_{end}"]) for end in ("low", "high")]
+    return f"{ends[0]:.3g} to {ends[1]:.3g}" if np.isfinite(ends).all() else "-"
 
 
 def _doubts_of(one: "xarray.Dataset") -> list[str]:
@@ -201,10 +216,15 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
     lines = []
     if "working_load" in used:
         plain = data["load"].attrs.get("units", "1") == "1"
-        load = f"{used['working_load']:.4g}" if plain else show(float(f"{used['working_load']:.4g}"), "load")
+        load = f"{used['working_load']:.4g}" if plain else shown(used["working_load"], "load")
         lines.append(Text(f"working load {load}: mu {_range(used['spread'])} over all models, "
                           f"{_range(used['spread_within_validity'])} within their validity"))
         lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
+        if "friction_coefficient_at_load_low" in data and used["recommended"] in data["model"]:
+            best = data.sel(model=used["recommended"])
+            mu = _short(float(best["friction_coefficient_at_load"]))
+            text = f"of it, mu {mu}, {over_methods(best)} over the methods of finding asperities"
+            lines.append(Text(f"{text} (taken: {used['roughness_method']})", style="bold"))
     lines += [Text(line) for line in used["criteria"].splitlines()]
     lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts(data), start=1)]
     lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]
@@ -249,12 +269,12 @@ def model_in_full(row: Mapping[str, Any]) -> Table:
         pairs += [(head if number == 0 else "", line) for number, line in enumerate(lines)]
     pairs += [("only with", f"asperity laws marked {trait}: {why}") for trait, why in row.get("wants", {}).items()]
     pairs += [("option", f"{name}: {', '.join(values)}") for name, values in row["options"].items()]
-    return _rows(pairs)
+    return facts(pairs)
 
 
 def grades() -> Table:
     """What the grades mean."""
-    return _rows((f"grade {grade}", meaning) for grade, meaning in GRADES.items())
+    return facts((f"grade {grade}", meaning) for grade, meaning in GRADES.items())
 
 
 def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
@@ -285,4 +305,4 @@ def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
 def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
     """What each claim says and how it was made precise."""
     unique = {row["claim"]: f"{row['says']}\nholds if {row['definition']}" for row in rows}
-    return _rows((f"({key})", text) for key, text in unique.items())
+    return facts((f"({key})", text) for key, text in unique.items())

@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 
 from stiction import cli
 from stiction.case import json_schema, read_case
+from stiction.cli.run import case_numbers
 from stiction.quantities import QUANTITIES
 from stiction.registry import find, misfit, of_kind
 from stiction.solve import solve
@@ -83,7 +84,7 @@ def test_help_states_units_and_bounds_of_every_number_of_a_case_file():
 
     collect(json_schema())
     points = {"mean_separation"}  # called "separation" in a case file
-    epilog = cli._case_numbers()
+    epilog = case_numbers()
     told = {line.partition(":")[0] for line in epilog.split("\n\n")[1:]}
     assert told - points == (names & set(QUANTITIES)) - points
     assert 'asperity_radius: asperity tip radius; > 0 m, e.g. "50 um"' in epilog

@@ -1,0 +1,70 @@
+"""`stiction compare`: one case, every model."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from .program import Json, Out, app, bar, busy, console, written
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@app.command()
+def compare(
+    case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact.")],
+    load: Annotated[str | None, typer.Option(help='Working load, e.g. "1 N"; default: the middle load of the case.')] = None,
+    out: Out = None,
+    json: Json = False,
+) -> None:
+    """Every applicable model on one contact: friction of each, their spread at the working load, and which to trust.
+
+    A contact that states an interfacial_shear_strength gets a friction coefficient from models of contact only, too.
+    With --out: compare.csv, compare.nc (netCDF4) and compare.png. Where the case names scans, also the spread of each model
+    over the methods of finding asperities.
+    """
+    from ..output import as_json, check_folder
+
+    if out is not None:
+        check_folder(out)
+    with busy("Reading the case"):
+        from ..case import read_case
+        from ..compare import comparison, working_load
+        from ..solve_case import compare_case
+
+        chosen = read_case(case)
+        at = working_load(chosen, load)
+    data = compare_case(chosen, at, bar)
+    if out is not None:
+        _write_comparison(out, data, chosen.title)
+    if json:
+        measured = {} if chosen.measured is None else {"measured": chosen.measured.record()}
+        print(as_json(comparison(data) | measured))
+        return
+    from ..tables import comparison_summary, comparison_table
+
+    terminal = console()
+    terminal.print(comparison_table(data))
+    for line in comparison_summary(data):
+        terminal.print(line)
+    if chosen.measured is not None:
+        from ..surfaces.tables import roughness_notes, roughness_table
+
+        terminal.print(roughness_table(chosen.measured), *roughness_notes(chosen.measured), sep="\n")
+    if out is not None:
+        written(out, ("compare.csv", "compare.nc", "compare.png"))
+
+
+def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> None:
+    with busy("Drawing"):
+        from ..compare import comparison_rows
+        from ..output import write_folder, write_netcdf, write_picture, write_rows
+        from ..plot import comparison_figure
+
+        files = {
+            "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),
+            "compare.nc": lambda path: write_netcdf(data, path),
+            "compare.png": lambda path: write_picture(comparison_figure(data, title), path),
+        }
+        write_folder(out, files)

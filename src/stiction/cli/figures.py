@@ -1,0 +1,78 @@
+"""`stiction figures`: the pictures of the 2015 paper, and the map of its claims."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from ..quantities import QUANTITIES
+from .program import Json, Reading, app, bar, busy, console, solving
+
+if TYPE_CHECKING:
+    from ..claims import ClaimMap
+    from ..figures import PanelCurves
+
+
+def _bounds(name: str) -> str:
+    """Meaning, bounds and unit of a quantity, for --help."""
+    quantity = QUANTITIES[name]
+    return f"{quantity.meaning}; {quantity.wanted}"
+
+
+@app.command()
+def figures(
+    theta: Annotated[float, typer.Option(help=_bounds("theta"))] = 40.0,
+    lam: Annotated[float, typer.Option(help=_bounds("lam"))] = 10.0,
+    reading: Reading = None,
+    out: Annotated[Path, typer.Option(help="Folder for the pictures and tables; other files in it stay.")] = Path("figures"),
+    json: Json = False,
+) -> None:
+    """Figures 1 to 3 of the 2015 paper, and where in the plane of theta and lambda each of its claims holds.
+
+    theta and lambda of the figures are not printed in the paper: 40 and 10 show its claims (a) to (c). The map of the claims
+    covers theta 1 to 1e4 and lambda 1e-3 to 1e4 in both readings. Written: fig1a.png to fig3.png, curves.csv, claims.png,
+    claims.csv.
+    """
+    from ..output import as_json, check_folder
+
+    check_folder(out)
+    with busy(solving()):
+        from ..figures import PANELS, panel_curves
+
+        panels = [panel_curves(panel, theta, lam, reading or "corrected") for panel in PANELS]
+    from ..claims import claim_map, summary
+
+    claims = claim_map(progress=bar("Judging the claims"))
+    rows = summary(claims, theta, lam)
+    with busy("Drawing"):
+        _write_figures(out, panels, claims, {"theta": theta, "lam": lam})
+    if json:
+        print(as_json({"theta": theta, "lambda": lam, "reading": reading or "corrected", "claims": rows}))
+        return
+    from ..tables import claims_meaning, claims_table
+
+    terminal = console()
+    terminal.print(claims_meaning(rows), "", "Shares of the plane theta 1 to 1e4, lambda 1e-3 to 1e4, logarithmic:")
+    terminal.print(claims_table(rows, f"theta {theta:g}\nlambda {lam:g}"))
+    terminal.print("theta and lambda of the figures are not printed in the paper: those used were chosen.", highlight=False)
+    terminal.print(f"written to {out}", highlight=False, markup=False, soft_wrap=True)
+
+
+def _write_figures(out: Path, panels: "list[PanelCurves]", claims: "ClaimMap", here: dict[str, float]) -> None:
+    from functools import partial
+
+    from ..claims import claim_rows
+    from ..figures import curve_rows
+    from ..output import write_folder, write_picture, write_rows
+    from ..plot import claims_figure, panel_figure
+
+    def draw(make: Any, path: Path) -> None:
+        write_picture(make(), path)
+
+    files: dict[str, Callable[[Path], None]] = {}
+    files |= {f"{curves.panel.name}.png": partial(draw, partial(panel_figure, curves)) for curves in panels}
+    files["claims.png"] = partial(draw, partial(claims_figure, claims, here))
+    files["curves.csv"] = lambda path: write_rows(path, *curve_rows(panels))
+    files["claims.csv"] = lambda path: write_rows(path, *claim_rows(claims))
+    write_folder(out, files)

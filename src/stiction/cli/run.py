@@ -1,0 +1,113 @@
+"""`stiction run`: one case, solved."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..quantities import QUANTITIES
+from .program import Json, Out, Reading, app, busy, console, solving, written
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ..case import Case
+
+# Inputs of the Python interface that no case file has.
+_NOT_IN_CASES = ("interfacial_energy", "equilibrium_distance")
+
+
+def case_numbers() -> str:
+    """Unit and bounds of every number of a case file, a paragraph for each, for --help."""
+    rows = [row for row in QUANTITIES.values() if row.example and row.name not in _NOT_IN_CASES]
+    lines = [f"{row.name}: {row.meaning}; {row.wanted}" for row in rows]
+    return "\n\n".join(["Numbers of a case file, text with its unit where it has one:", *lines])
+
+
+@app.command(epilog=case_numbers())
+def run(
+    case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact and what to solve.")],
+    out: Out = None,
+    model: Annotated[str | None, typer.Option(help="Key of a rough-surface model, see: stiction models.")] = None,
+    asperity: Annotated[str | None, typer.Option(help="Asperity law in place of its own.")] = None,
+    tangential: Annotated[str | None, typer.Option(help="Tangential law in place of its own; none: contact only.")] = None,
+    coating_law: Annotated[str | None, typer.Option(help="Film law in place of its own.")] = None,
+    reading: Reading = None,
+    branch: Annotated[str | None, typer.Option(help="loading (default) or unloading.")] = None,
+    transition: Annotated[str | None, typer.Option(help="How a bare asperity turns plastic: jump (default), gradual.")] = None,
+    json: Json = False,
+) -> None:
+    """Solve a case: friction coefficient, contact area and load along a curve.
+
+    With --out: curve.csv, curve.nc (netCDF4) and curve.png. Options given here override those of the case file. Where the case
+    names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
+    """
+    from ..output import check_folder
+
+    if out is not None:
+        check_folder(out)
+    with busy("Reading the case"):
+        from ..case import read_case
+
+        chosen = read_case(case)
+    laws = {"model": model, "asperity": asperity, "tangential": tangential, "coating_law": coating_law}
+    data = _solve(chosen, laws, {"reading": reading, "branch": branch, "transition": transition})
+    names = _write_run(out, chosen, data) if out is not None else []
+    if json:
+        _print_json(chosen, data)
+        return
+    _print_run(chosen, data)
+    if out is not None:
+        written(out, names)
+
+
+def _solve(case: "Case", laws: dict[str, str | None], options: dict[str, str | None]) -> "xarray.Dataset":
+    with busy(solving()):
+        from ..solve_case import solve_case
+
+        return solve_case(case, case.choice.with_changes(laws, options))
+
+
+def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
+    """Write tables and pictures; returns their names."""
+    with busy("Writing the results"):
+        from ..band import as_columns
+        from ..output import write_csv, write_folder, write_netcdf, write_picture
+        from ..plot import curve_figure
+
+        files = {
+            "curve.csv": lambda path: write_csv(as_columns(data), path),
+            "curve.nc": lambda path: write_netcdf(data, path),
+            "curve.png": lambda path: write_picture(curve_figure(data, case.title), path),
+        }
+        if "friction_coefficient_by_method" in data:
+            from ..surfaces.pictures import band_figure
+
+            files["band.png"] = lambda path: write_picture(band_figure(data, case.title), path)
+        write_folder(out, files)
+    return list(files)
+
+
+def _print_json(case: "Case", data: "xarray.Dataset") -> None:
+    from ..output import as_json, groups_of, record
+
+    measured = {} if case.measured is None else {"measured": case.measured.record()}
+    print(as_json(record(data, groups_of(case.subject)) | measured))
+
+
+def _print_run(case: "Case", data: "xarray.Dataset") -> None:
+    from rich.text import Text
+
+    from ..tables import curve_table, outside_validity, run_notes, run_summary
+
+    terminal = console()
+    terminal.print(run_summary(case, data), "", curve_table(data), "")
+    if case.measured is not None:
+        from ..surfaces.tables import roughness_notes, roughness_table
+
+        terminal.print(roughness_table(case.measured, data), *roughness_notes(case.measured), "", sep="\n")
+    for note in run_notes(data):
+        terminal.print(Text(note, style="dim"))
+    beyond = outside_validity(data)
+    if beyond is not None:
+        terminal.print(beyond)

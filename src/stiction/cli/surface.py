@@ -1,0 +1,113 @@
+"""`stiction surface`: what one scan says."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from ..errors import InputError
+from .program import Json, Out, app, bar, busy, console, written
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ..case import Case
+    from ..surfaces.analysis import Analysis
+    from ..surfaces.heightmap import HeightMap
+
+
+@app.command()
+def surface(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="Scan: .npy, .csv, .xyz, or what an instrument wrote.")],
+    size: Annotated[str | None, typer.Option(help='Size along x, e.g. "10 um", in place of what the file says.')] = None,
+    unit: Annotated[str | None, typer.Option(help="Length unit of the numbers in the file, e.g. nm.")] = None,
+    height_unit: Annotated[str | None, typer.Option(help="Length unit of the heights, if another.")] = None,
+    height_scale: Annotated[float | None, typer.Option(help="Factor on the heights, not 0.")] = None,
+    channel: Annotated[str | None, typer.Option(help="Name or place of a channel, of a file with several.")] = None,
+    form: Annotated[int, typer.Option(min=0, max=4, help="Order of the polynomial taken off: 1 a plane, 0 nothing.")] = 1,
+    shortest: Annotated[str | None, typer.Option(help='Shortest wavelength kept, e.g. "200 nm".')] = None,
+    longest: Annotated[str | None, typer.Option(help='Longest wavelength kept, e.g. "5 um".')] = None,
+    case: Annotated[Path | None, typer.Option(help="Case file: draw its mu in the fan, with this surface in it.")] = None,
+    load: Annotated[str | None, typer.Option(help='Load of that, e.g. "1 N"; default: the middle load of the case.')] = None,
+    out: Out = None,
+    json: Json = False,
+) -> None:
+    """A measured surface: heights, slopes, curvatures, spectrum, and asperities by five methods.
+
+    With --out: map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution fan (how sigma, R and N,
+    and with --case mu, change with the method and the shortest wavelength) as fan.png, fan.csv and fan.nc.
+    """
+    from ..output import as_json, check_folder
+
+    if out is not None:
+        check_folder(out)
+    if out is None and (case is not None or load is not None):
+        raise InputError("--case" if case is not None else "--load", case or load, "together with --out: it is for the fan")
+    given = {"size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel}
+    with busy("Reading the scan"):
+        from ..surfaces.analysis import analyse, prepared, summary
+        from ..surfaces.read import read_scan
+
+        chosen, at = _chosen(case, load)
+        scan = prepared(read_scan(file, **given), form, shortest, longest)
+    analysis = analyse(scan, progress=bar("Analysing"))
+    names = _write(out, analysis, chosen, at) if out is not None else []
+    if json:
+        print(as_json(summary(analysis)))
+        return
+    from ..surfaces.tables import asperity_table, surface_notes, surface_summary
+
+    terminal = console()
+    terminal.print(surface_summary(analysis), "", asperity_table(analysis), "", *surface_notes(analysis), sep="\n")
+    if out is not None:
+        written(out, names)
+
+
+def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
+    """The case whose mu is wanted, and at which load."""
+    if case is None:
+        if load is not None:
+            raise InputError("--load", load, "together with --case: it is the load of that")
+        return None, None
+    from ..case import read_case
+    from ..compare import working_load
+    from ..contact import Contact
+
+    chosen = read_case(case)
+    if not isinstance(chosen.subject, Contact):
+        raise InputError("--case", str(case), "a case with [contact]: groups have no surface of their own")
+    at = working_load(chosen, load)
+    if at is None:
+        raise InputError("--load", None, "a load, where that of the middle separation of the case is not compressive")
+    return chosen, at
+
+
+def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any) -> list[str]:
+    """Write pictures and tables; returns their names."""
+    from ..output import as_json, write_csv, write_folder, write_netcdf, write_picture, write_rows
+    from ..surfaces.analysis import spectrum_rows, summary
+
+    resolution = _fan(analysis.surface, case, load)
+    with busy("Drawing"):
+        from ..surfaces.pictures import asperity_figure, fan_figure, map_figure, spectrum_figure
+
+        found = list(analysis.asperities.values())
+        files = {
+            "map.png": lambda path: write_picture(map_figure(analysis.surface), path),
+            "spectrum.png": lambda path: write_picture(spectrum_figure(analysis.spectrum), path),
+            "asperities.png": lambda path: write_picture(asperity_figure(found, analysis.surface), path),
+            "fan.png": lambda path: write_picture(fan_figure(resolution), path),
+            "fan.csv": lambda path: write_csv(resolution, path),
+            "fan.nc": lambda path: write_netcdf(resolution, path),
+            "spectrum.csv": lambda path: write_rows(path, *spectrum_rows(analysis.spectrum)),
+            "surface.json": lambda path: path.write_text(as_json(summary(analysis)) + "\n", encoding="utf-8"),
+        }
+        write_folder(out, files)
+    return list(files)
+
+
+def _fan(scan: "HeightMap", case: "Case | None", load: Any) -> "xarray.Dataset":
+    from ..surfaces.fan import fan
+
+    contact = None if case is None else {"contact": case.subject, "load": load, "choice": case.choice}
+    return fan(scan, progress=bar("Opening the fan"), **(contact or {}))

@@ -1,0 +1,53 @@
+"""A case, solved or compared: also one whose surface was measured, with the spread over the methods of finding asperities."""
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from . import __version__
+from .band import over_methods, with_band
+from .case import Case
+from .choice import Choice
+from .compare import compare
+from .output import groups_of
+from .solve import solve
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["compare_case", "solve_case"]
+
+
+def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
+    """The points of a case, as `solve` gives them; choice: other laws and options than those of the case.
+
+    Where the case names scans, friction_coefficient is that of the method which stands for the surface, and the result has
+    also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high; its
+    attributes say the method and what was done to the scans. Raises InputError.
+    """
+    choice = choice or case.choice
+    data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
+    if case.measured is not None:
+        data = with_band(data, case.by_method, case.measured.counts, choice)
+    return _said(data, case).assign_attrs(groups_of(case.subject))
+
+
+def compare_case(
+    case: Case, load: Any = None, progress: Callable[[str], Callable[[Iterable], Iterable]] = lambda text: iter
+) -> "xarray.Dataset":
+    """Every model on the contact of a case, as `compare` gives them, at a working load [N].
+
+    Where the case names scans, the result has also friction_coefficient_at_load_by_method (asperity_method, model),
+    friction_coefficient_at_load_low and friction_coefficient_at_load_high. progress: from a text, what wraps a list of steps.
+    Raises InputError.
+    """
+    data = compare(case.subject, load=load, progress=progress("Asking the models"))
+    if case.measured is not None:
+        data = over_methods(data, case.by_method, load, progress("Asking them for every way to find asperities"))
+    return _said(data, case)
+
+
+def _said(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
+    """With the title of the case, the program, and what was measured."""
+    title = {"case": case.title} if case.title else {}
+    measured = {} if case.measured is None else case.measured.attributes()
+    return data.assign_attrs(title | measured, program=f"stiction {__version__}")

@@ -1,0 +1,1 @@
+"""Measured and made surfaces: reading, preparing, statistics, asperities."""

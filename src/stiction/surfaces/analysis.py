@@ -1,0 +1,124 @@
+"""Everything that is said of one scan: prepared, with statistics, spectrum, moments and the asperities by every method."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from stiction.errors import InputError
+
+from .asperities import METHODS, Asperities, asperities
+from .height_model import HeightModel, height_model
+from .heightmap import HeightMap, metres
+from .prepare import fill_missing, filter_band, level, remove_form
+from .spectrum import BinnedSpectrum, power_spectrum, radial_average
+from .statistics import ProfileMoments, Statistics, moments_by_differences, moments_by_spectrum, statistics
+
+__all__ = ["Analysis", "analyse", "prepared", "spectrum_rows", "summary"]
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """What is said of a scan.
+
+    surface: as prepared. statistics; spectrum: radial average of it, gaps filled. by_differences, by_spectrum: spectral
+    moments, both with the same cutoff. asperities: method -> what was found; heights: method -> their distribution; failures:
+    method -> why nothing was found.
+    """
+
+    surface: HeightMap
+    statistics: Statistics
+    spectrum: BinnedSpectrum
+    by_differences: ProfileMoments
+    by_spectrum: ProfileMoments
+    asperities: dict[str, Asperities]
+    heights: dict[str, HeightModel]
+    failures: dict[str, str]
+
+
+def prepared(surface: HeightMap, form: int = 1, shortest: Any = None, longest: Any = None) -> HeightMap:
+    """The scan without its form and without the waves outside of a band.
+
+    form: order of the polynomial that is taken off, 1 for the mean plane, 0 for nothing. shortest, longest: ends of the band,
+    metres or text with a unit; None for no end. Missing points stay missing. Raises InputError.
+    """
+    if form == 1:
+        surface = level(surface)
+    elif form > 1:
+        surface = remove_form(surface, order=form)
+    if shortest is None and longest is None:
+        return surface
+    band = {name: None if one is None else metres(one, name) for name, one in (("shortest", shortest), ("longest", longest))}
+    return filter_band(surface, **band)
+
+
+def analyse(surface: HeightMap, progress: Callable[[Iterable], Iterable] = iter) -> Analysis:
+    """Statistics, spectrum, moments and asperities of a prepared scan. progress: wraps the list of steps. Raises InputError."""
+    found: dict[str, Any] = {}
+    each: dict[str, Asperities] = {}
+    failures: dict[str, str] = {}
+
+    def spectral() -> None:
+        whole = power_spectrum(surface if surface.complete else fill_missing(surface))
+        found["spectrum"] = radial_average(whole)
+        found["by_spectrum"] = moments_by_spectrum(whole)
+
+    def search(method: str) -> Callable[[], None]:
+        def run() -> None:
+            try:
+                each[method] = asperities(surface, method)
+            except InputError as error:
+                failures[method] = str(error)
+
+        return run
+
+    def described() -> None:
+        found["statistics"] = statistics(surface)
+        found["by_differences"] = moments_by_differences(surface)
+
+    for step in progress([described, spectral, *map(search, METHODS)]):
+        step()
+    heights = {method: height_model(one) for method, one in each.items()}
+    return Analysis(surface, **found, asperities=each, heights=heights, failures=failures)
+
+
+def summary(analysis: Analysis) -> dict[str, Any]:
+    """The analysis as plain numbers in SI units, for JSON."""
+    surface = analysis.surface
+    rows, columns = surface.heights.shape
+    return {
+        "name": surface.name,
+        "Sq": analysis.statistics.Sq,
+        "size": {"x": surface.size[1], "y": None if surface.is_profile else surface.size[0]},
+        "pixels": {"x": columns, "y": rows},
+        "missing_points": surface.missing,
+        "units": {"lengths": "m", "N": "1/m^2", "m0": "m^2", "m2": "1", "m4": "1/m^2", "curvatures": "1/m"},
+        "statistics": asdict(analysis.statistics),
+        "reliable_band": {"longest": analysis.spectrum.longest, "shortest": analysis.spectrum.shortest},
+        "moments": {
+            one.method: asdict(one.isotropic) | {"alpha": one.isotropic.alpha, "cutoff": one.cutoff}
+            for one in (analysis.by_differences, analysis.by_spectrum)
+        },
+        "asperities": {
+            method: {
+                "sigma": one.deviation,
+                "R": one.radius,
+                "N": one.density,
+                "mean_height": one.mean_height,
+                "skewness": one.skewness,
+                "count": one.count,
+                "height_distribution": analysis.heights[method].name,
+                "note": one.note,
+            }
+            for method, one in analysis.asperities.items()
+        },
+        "failures": analysis.failures,
+        "history": list(surface.history),
+    }
+
+
+def spectrum_rows(spectrum: BinnedSpectrum) -> tuple[list[str], Iterable[list[Any]]]:
+    """Heads and rows of a table: the averaged spectrum, and whether each bin is in the reliable band."""
+    unit = "m^3" if spectrum.is_profile else "m^4"
+    heads = ["wavevector [rad/m]", "wavelength [m]", f"density [{unit}]", "waves", "reliable"]
+    columns = spectrum.wavevector, spectrum.wavelength, spectrum.density, spectrum.waves, spectrum.reliable
+    return heads, ([*map(float, row[:3]), int(row[3]), bool(row[4])] for row in zip(*columns, strict=True))

@@ -1,0 +1,93 @@
+"""What every method of finding asperities hands on: how many, how high, how blunt, with the same averages for all."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from stiction.errors import InputError
+
+from .heightmap import HeightMap
+
+__all__ = ["Asperities"]
+
+# Below this many, deviation and skewness say nothing of the surface.
+FEW = 30
+_ROUNDING = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Asperities:
+    """The asperities of a surface as one method finds them.
+
+    method: its key. heights: (n,) [m] over the mean plane; radii: (n,) [m], inf where a summit does not curve down; both are
+    empty for a method that has averages only. density: per nominal area [1/m^2]. deviation: of the heights, sigma [m].
+    radius: R [m], of the mean curvature, 1 / <1/R>: that of Nayak's and McCool's relations, and always finite where the mean
+    of the radii is ruled by the few flattest. mean_height: over the mean plane [m]. skewness: of the heights. note: what was
+    found, and what it rests on.
+    """
+
+    method: str
+    density: float
+    deviation: float
+    radius: float
+    mean_height: float
+    skewness: float
+    note: str
+    heights: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    radii: np.ndarray = field(default_factory=lambda: np.zeros(0))
+
+    @property
+    def count(self) -> int:
+        """How many were found; 0 for a method that has averages only."""
+        return len(self.heights)
+
+    @property
+    def density_group(self) -> float:
+        """N R sigma, 0.03 to 0.05 for most surfaces (Greenwood & Williamson 1966)."""
+        return self.density * self.radius * self.deviation
+
+
+def of_samples(
+    method: str, heights: np.ndarray, curvatures: np.ndarray, density: float, note: str,
+    remedy: str = "finer points or a larger map",
+) -> Asperities:  # fmt: skip
+    """Asperities from what was found: heights (n,) [m] and curvatures (n,) [1/m], positive downwards.
+
+    remedy: what would find more. InputError if there are fewer than two, or if they do not, on average, curve down.
+    """
+    if len(heights) < 2:
+        raise InputError(f"asperities by {method}", f"{len(heights)} found", f"2 or more: {remedy}")
+    mean_curvature = float(curvatures.mean())
+    if not mean_curvature > 0.0:
+        raise InputError(f"asperities by {method}", f"mean curvature {mean_curvature:g} 1/m", "> 0: summits that curve down")
+    notes = [f"{len(heights)} {note}"]
+    if len(heights) < FEW:
+        notes.append(f"fewer than {FEW}: deviation and skewness are uncertain")
+    if flat := int(np.count_nonzero(curvatures <= 0.0)):
+        notes.append(f"{flat} of them do not curve down on average over the fitted points")
+    with np.errstate(divide="ignore"):
+        radii = np.where(curvatures > 0.0, 1.0 / curvatures, np.inf)
+    return Asperities(
+        method, density, spread(heights), 1.0 / mean_curvature, float(heights.mean()), skewness(heights), "; ".join(notes),
+        heights, radii,
+    )
+
+
+def spread(samples: np.ndarray) -> float:
+    """Standard deviation; 0 where all are equal to rounding."""
+    deviation = float(samples.std())
+    return deviation if deviation > _ROUNDING * np.abs(samples).max() else 0.0
+
+
+def skewness(samples: np.ndarray) -> float:
+    """Third central moment over the cube of the deviation; 0 where all are equal to rounding."""
+    deviation = spread(samples)
+    if deviation == 0.0:
+        return 0.0
+    apart = (samples - samples.mean()) / deviation
+    return float(np.mean(apart * apart * apart))
+
+
+def over_mean_plane(surface: HeightMap) -> np.ndarray:
+    """Heights (rows, columns) less their mean [m], NaN where missing. A tilt is not taken off: level the map first."""
+    return surface.heights - (surface.heights.mean() if surface.complete else np.nanmean(surface.heights))

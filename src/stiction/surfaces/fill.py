@@ -1,0 +1,120 @@
+"""Heights in place of missing points."""
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy import ndimage, sparse
+from scipy.sparse.linalg import LinearOperator, cg, splu
+
+from stiction.errors import InputError
+from stiction.surfaces.heightmap import HeightMap
+
+__all__ = ["FILLS", "fill_missing"]
+
+
+def fill_missing(surface: HeightMap, way: str = "harmonic") -> HeightMap:
+    """With heights in place of the missing points.
+
+    way: "harmonic", each the mean of its four neighbours (as a membrane spans a hole), or "nearest", the height of the nearest
+    point that is there. Both are smoother than the surface was: where much is missing, slopes and summits suffer. InputError
+    if nothing is there, or for another way.
+    """
+    if way not in FILLS:
+        raise InputError("fill", way, " or ".join(FILLS))
+    missing = np.isnan(surface.heights)
+    count = int(np.count_nonzero(missing))
+    if count == missing.size:
+        raise InputError("scan", f"all {count} points missing", "a scan with heights")
+    if count == 0:
+        return surface.with_heights(surface.heights, "no missing points to fill")
+    return surface.with_heights(FILLS[way](surface.heights, missing, surface.pitch), f"{count} missing points filled: {way}")
+
+
+def _nearest(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> np.ndarray:
+    place = ndimage.distance_transform_edt(missing, sampling=pitch, return_distances=False, return_indices=True)
+    return heights[tuple(place)]
+
+
+def _harmonic(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> np.ndarray:
+    """By conjugate gradients: each equation is of one missing point, with fewer neighbours at the edge of the map."""
+    if heights.shape[0] == 1:
+        place = np.arange(heights.shape[1])
+        return np.interp(place, place[~missing[0]], heights[~missing])[None, :]
+    mean = float(np.nanmean(heights))
+    filled = heights - mean
+    matrix, known = _laplace(filled, missing, pitch)
+    within = _RESIDUAL * float(np.linalg.norm(known))
+    solved, left = cg(matrix, known, rtol=0.0, atol=within, M=_multigrid(matrix, *np.nonzero(missing)), maxiter=5000)
+    if left:
+        raise InputError("scan", f"{len(known)} points missing", 'fewer, or filled the way "nearest"')
+    filled[missing] = solved
+    filled += mean
+    return filled
+
+
+_RESIDUAL = 1e-9  # of the equations, over the heights at the rims of the holes
+_DAMPED = 0.7  # step of the relaxation on each level
+_FEW = 1000  # points, for which the equations are solved at once
+
+
+def _multigrid(matrix: sparse.csr_array, row: np.ndarray, column: np.ndarray) -> LinearOperator:
+    """An approximate inverse that makes the iterations few, however wide the holes: relaxation here and on ever coarser grids.
+
+    Points two by two go into one of the next grid. Between these there are twice the links, hence the half.
+    """
+    levels = []
+    size = matrix.shape
+    while matrix.shape[0] > _FEW:
+        row, column = row // 2, column // 2
+        _, first, group = np.unique(row * (column.max() + 1) + column, return_index=True, return_inverse=True)
+        each = np.arange(len(group) + 1, dtype=np.int32)
+        into = sparse.csr_array((np.ones(len(group)), group.astype(np.int32), each), shape=(len(group), len(first)))
+        levels.append((matrix, _DAMPED / matrix.diagonal(), into))
+        matrix = 0.5 * (into.T @ matrix @ into)
+        row, column = row[first], column[first]
+    directly = splu(matrix.tocsc()).solve
+
+    def relaxed(right: np.ndarray, level: int = 0) -> np.ndarray:
+        if level == len(levels):
+            return directly(right)
+        matrix, step, into = levels[level]
+        solution = step * right
+        solution += into @ relaxed(into.T @ (right - matrix @ solution), level + 1)
+        solution += step * (right - matrix @ solution)
+        return solution
+
+    return LinearOperator(size, matvec=relaxed, dtype=float)
+
+
+def _laplace(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> tuple[sparse.csr_array, np.ndarray]:
+    """Matrix and right side of: each missing height is the mean of its neighbours, which the pitch weighs along x and y."""
+    dy, dx = pitch
+    number = np.full(missing.shape, -1, dtype=np.int32)
+    number[missing] = np.arange(np.count_nonzero(missing), dtype=np.int32)
+    total, known = np.zeros(np.count_nonzero(missing)), np.zeros(np.count_nonzero(missing))
+    links = []
+    for axis, weight in enumerate(((dx / dy), (dy / dx))):
+        low, high = _neighbours(axis)
+        for here, there in ((low, high), (high, low)):
+            at = missing[here]
+            own, other = number[here][at], number[there][at]
+            total[own] += weight
+            known[own[other < 0]] += weight * heights[there][at][other < 0]
+            links.append((own[other >= 0], other[other >= 0], np.full(np.count_nonzero(other >= 0), -weight)))
+    own, other, value = (np.concatenate(parts) for parts in zip(*links, strict=True))
+    del links  # as long as the matrix
+    matrix = sparse.csr_array((value, (own, other)), shape=(len(total), len(total))) + sparse.diags_array(total)
+    return matrix.tocsr(), known
+
+
+def _neighbours(axis: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
+    """Slices of the points that have a next one along the axis, and of the next ones."""
+    everything = slice(None)
+    low, high = slice(None, -1), slice(1, None)
+    return ((low, everything), (high, everything)) if axis == 0 else ((everything, low), (everything, high))
+
+
+FILLS: dict[str, Callable[[np.ndarray, np.ndarray, tuple[float, float]], np.ndarray]] = {
+    "harmonic": _harmonic,
+    "nearest": _nearest,
+}

@@ -1,0 +1,213 @@
+"""Surfaces of a given power spectrum, from a seed: periodic, Gaussian or of a given skewness and kurtosis.
+
+Gaussian: white noise whose Fourier transform is multiplied by sqrt(C / (dx dy)); then every wave on the grid has the mean
+square C / (area of the map), and their sum is the integral of C up to the spacing of the waves (the linear filter of Hu &
+Tonder 1992). Waves of the spectrum that are shorter than two pitches or longer than the map are missing from the heights.
+
+Non-Gaussian: the ranks of a Gaussian surface get the heights of Johnson's distribution, which changes the spectrum; then in
+turn the amplitudes of the waves, and the heights, are put back to what they should be (Schreiber & Schmitz 1996, for series).
+Both cannot be met exactly by a finite map. What remains is written into the history.
+
+Stretched along a direction by s: h(x / s, y) of the isotropic surface. Along it the mean square slope falls by s^2 and that of
+the second derivative by s^4; across it, and for the heights, nothing changes. Its spectrum is s C(s q_along, q_across).
+
+A surface to look at, or to give to `stiction surface made.npy --size "10 um" --unit m`:
+
+    target = SelfAffine(hurst=0.8, rolloff=2e-6, shortest=50e-9, deviation=10e-9)
+    surface = gaussian_surface((512, 512), (10e-6, 10e-6), target, seed=1)
+    np.save("made.npy", surface.heights)
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from scipy.fft import irfft2, rfft2
+from scipy.special import ndtri
+
+from ..errors import InputError
+from ..units import show
+from .heightmap import HeightMap
+from .johnson import johnson
+from .targets import SelfAffine, require_positive
+
+__all__ = ["gaussian_surface", "non_gaussian_surface", "rms_slope", "with_deviation", "with_slope"]
+
+Spectrum = Callable[[np.ndarray], np.ndarray]
+
+_BLOCK = 2**19  # waves that are filtered at once: little memory beside that of the map
+_WORKERS = 2
+_LEAST_POINTS = 8
+_SETTLED = 0.01  # the iteration ends when a step improves the spectrum by less than this part
+
+
+def gaussian_surface(
+    shape: tuple[int, int], size: tuple[float, float], spectrum: Spectrum, seed: int, *,
+    stretch: float = 1.0, angle: float = 0.0, random_amplitudes: bool = True,
+) -> HeightMap:  # fmt: skip
+    """A periodic Gaussian surface or profile of mean 0; the same seed and shape give the same heights.
+
+    shape: (rows, columns), (1, columns) makes a profile; size: (y, x) [m]; spectrum: C(q) in m^4 of a surface, m^3 of a
+    profile, normalised as in `targets`; seed: integer >= 0; stretch: > 0, along angle [rad] from x towards y.
+    random_amplitudes: as in a Gaussian process, so that the rms height scatters about that of the spectrum; if not, every wave
+    has exactly the amplitude of the spectrum and only phases are random: then rms height and slope do not scatter.
+    Raises InputError for a map that is too small, or a spectrum that is no density or has waves shorter than two pitches.
+    """
+    _check_grid(shape, size, seed)
+    require_positive(stretch=stretch)
+    if not math.isfinite(angle):
+        raise InputError("angle", angle, "a finite number of rad")
+    _check_spectrum(shape, size, spectrum, stretch, angle)
+    waves = rfft2(np.random.default_rng(seed).standard_normal(shape), workers=_WORKERS)
+    _colour(waves, shape, size, spectrum, stretch, angle, random_amplitudes)
+    heights = irfft2(waves, s=shape, workers=_WORKERS, overwrite_x=True)
+    return HeightMap(heights, size, (_made("Gaussian", shape, spectrum, seed, stretch, angle, random_amplitudes),))
+
+
+def non_gaussian_surface(
+    shape: tuple[int, int], size: tuple[float, float], spectrum: Spectrum, seed: int, *, skewness: float, kurtosis: float,
+    stretch: float = 1.0, angle: float = 0.0, random_amplitudes: bool = True, steps: int = 50, exact_spectrum: bool = False,
+) -> HeightMap:  # fmt: skip
+    """A periodic surface of given skewness and kurtosis of its heights and, nearly, of the spectrum of a Gaussian one.
+
+    skewness, kurtosis (3 of a Gaussian): as `johnson` allows; steps: of the iteration at most, 0 for ranks alone;
+    exact_spectrum: end on the spectrum, with heights that are nearly of the distribution, rather than on the heights. Choose
+    it where slopes and curvatures matter: what the heights add beyond the shortest wave is small in height alone. The rest as
+    in `gaussian_surface`, whose amplitudes are aimed at.
+    """
+    curve = johnson(skewness, kurtosis)
+    if steps < 0:
+        raise InputError("steps", steps, ">= 0")
+    start = gaussian_surface(
+        shape, size, spectrum, seed, stretch=stretch, angle=angle, random_amplitudes=random_amplitudes
+    ).heights
+    amplitudes = np.abs(rfft2(start, workers=_WORKERS))
+    wanted = curve(ndtri((np.arange(start.size) + 0.5) / start.size))
+    wanted = (wanted - wanted.mean()) * (start.std() / wanted.std())
+    ranked, spectral, error, taken = _alternate(start, amplitudes, wanted, steps)
+    step = _made("non-Gaussian", shape, spectrum, seed, stretch, angle, random_amplitudes)
+    step += f", aimed at skewness {skewness:g} and kurtosis {kurtosis:g}; after {taken} steps the amplitudes of its waves "
+    step += f"were {100.0 * error:.2g} % off in rms, and "
+    step += "the spectrum was given back exactly" if exact_spectrum else "the heights are those of the distribution"
+    return HeightMap(spectral if exact_spectrum else ranked, size, (step,))
+
+
+def with_deviation(surface: HeightMap, deviation: float) -> HeightMap:
+    """The map with heights multiplied so that their root mean square about their mean is exactly this [m]."""
+    require_positive(deviation=deviation)
+    step = f"heights multiplied to an rms height of {show(deviation, 'mean_separation')}"
+    return _multiplied(surface, deviation, float(np.std(surface.heights)), step)
+
+
+def with_slope(surface: HeightMap, slope: float) -> HeightMap:
+    """The map with heights multiplied so that `rms_slope` is exactly this [1]."""
+    require_positive(slope=slope)
+    return _multiplied(surface, slope, rms_slope(surface), f"heights multiplied to an rms slope of {slope:g}")
+
+
+def rms_slope(surface: HeightMap) -> float:
+    """Root mean square gradient [1] of a periodic map, of the waves between its points: sum of q^2 |h|^2 (Parseval).
+
+    Not that of finite differences, which see short waves as less steep. InputError where points are missing.
+    """
+    if not surface.complete:
+        raise InputError("heights", f"{surface.missing} missing points", "a map without missing points")
+    rows, columns = surface.heights.shape
+    power = np.square(np.abs(rfft2(surface.heights, workers=_WORKERS)))
+    power[:, 1 : (columns + 1) // 2] *= 2.0  # the waves of the half that a real transform leaves out
+    total = 0.0
+    for part, along_y, along_x in _blocks(surface.heights.shape, surface.size):
+        total += float(np.sum(power[part] * (along_y**2 + along_x**2)))
+    return math.sqrt(total) / (rows * columns)
+
+
+def _multiplied(surface: HeightMap, wanted: float, found: float, step: str) -> HeightMap:
+    if not found > 0.0:
+        raise InputError("heights", "constant or missing", "heights that differ, without missing points")
+    return surface.with_heights(surface.heights * (wanted / found), step)
+
+
+def _check_grid(shape, size, seed) -> None:
+    whole = len(shape) == 2 and all(isinstance(count, int | np.integer) and count > 0 for count in shape)
+    if not whole or shape[1] < _LEAST_POINTS or 1 < shape[0] < _LEAST_POINTS:
+        raise InputError("shape", shape, f"(rows, columns), at least {_LEAST_POINTS} each, or (1, columns) of a profile")
+    if len(size) != 2 or not all(math.isfinite(length) and length > 0.0 for length in size):
+        raise InputError("size", size, "(y, x), both finite and > 0 m")
+    if not isinstance(seed, int | np.integer) or seed < 0:
+        raise InputError("seed", seed, "an integer >= 0")
+
+
+def _check_spectrum(shape, size, spectrum, stretch, angle) -> None:
+    profile = shape[0] == 1
+    if getattr(spectrum, "dimensions", 1 if profile else 2) != (1 if profile else 2):
+        raise InputError("spectrum", str(spectrum), f"one of dimensions={1 if profile else 2}, for a map of shape {shape}")
+    if profile and (stretch != 1.0 or angle != 0.0):
+        raise InputError("stretch", stretch, "1, with angle 0: a profile has one direction")
+    if isinstance(spectrum, SelfAffine):
+        pitch = size[1] / shape[1] if profile else max(size[0] / shape[0], size[1] / shape[1])
+        least = 2.0 * pitch / min(stretch, 1.0)
+        if spectrum.shortest < least * (1.0 - 1e-9):
+            allowed = f">= {least:g} m, two pitches of the map (over the stretch, if < 1)"
+            raise InputError("shortest", spectrum.shortest, allowed)
+
+
+def _blocks(shape, size):
+    """(slice of rows, q_y (n, 1), q_x (1, columns/2 + 1)) [rad/m] of a half-sided transform, block by block."""
+    rows, columns = shape
+    along_y = 2.0 * math.pi * np.fft.fftfreq(rows, size[0] / rows)[:, np.newaxis]
+    along_x = 2.0 * math.pi * np.fft.rfftfreq(columns, size[1] / columns)[np.newaxis, :]
+    if rows == 1:
+        along_y = np.zeros((1, 1))
+    step = max(1, _BLOCK // along_x.size)
+    for first in range(0, rows, step):
+        part = slice(first, min(first + step, rows))
+        yield part, along_y[part], along_x
+
+
+def _colour(waves, shape, size, spectrum, stretch, angle, random_amplitudes) -> None:
+    """White noise into waves of the spectrum, in place: times sqrt(C / (dx dy)), of a profile sqrt(C / dx)."""
+    rows, columns = shape
+    cell = size[1] / columns * (size[0] / rows if rows > 1 else 1.0)
+    smallest = 2.0 * math.pi / max(size)
+    for part, along_y, along_x in _blocks(shape, size):
+        along = stretch * (math.cos(angle) * along_x + math.sin(angle) * along_y)
+        across = math.cos(angle) * along_y - math.sin(angle) * along_x
+        q = np.hypot(along, across)
+        if part.start == 0:
+            q[0, 0] = smallest  # the mean: a power law has no value there
+        density = np.asarray(spectrum(q), dtype=float)
+        if density.shape != q.shape or not (density >= 0.0).all() or np.isinf(density).any():
+            raise InputError("spectrum", str(spectrum), "a function of an array q > 0 with finite values >= 0 of its shape")
+        if not random_amplitudes:
+            waves[part] *= math.sqrt(rows * columns) / np.maximum(np.abs(waves[part]), 1e-300)
+        waves[part] *= np.sqrt(density * (stretch / cell))
+    waves[0, 0] = 0.0
+    if not waves.any():
+        raise InputError("spectrum", str(spectrum), "one with waves between two pitches and the size of the map")
+
+
+def _alternate(start, amplitudes, wanted, steps):
+    """(heights of the distribution, heights of the spectrum, relative rms error of the first one's amplitudes, steps taken)."""
+    spectral, last = start, math.inf
+    size = math.sqrt(float(np.sum(amplitudes**2)))
+    taken = -1
+    while taken < steps:
+        taken += 1
+        ranked = np.empty_like(start)
+        ranked.ravel()[np.argsort(spectral, axis=None)] = wanted
+        waves = rfft2(ranked, workers=_WORKERS)
+        found = np.abs(waves)
+        error = math.sqrt(float(np.sum((found - amplitudes) ** 2))) / size
+        waves *= amplitudes / np.maximum(found, 1e-300)
+        spectral = irfft2(waves, s=start.shape, workers=_WORKERS, overwrite_x=True)
+        if error > (1.0 - _SETTLED) * last:
+            break
+        last = error
+    return ranked, spectral, error, taken
+
+
+def _made(kind, shape, spectrum, seed, stretch, angle, random_amplitudes) -> str:
+    text = f"made: {kind} {'profile' if shape[0] == 1 else 'surface'}, seed {seed}, spectrum {spectrum}"
+    if stretch != 1.0:
+        text += f", stretched {stretch:g} times along {math.degrees(angle):g} degrees from x"
+    return text + ("" if random_amplitudes else ", random phases only")

@@ -1,0 +1,113 @@
+"""The height distribution of asperities as a contact takes it: Gaussian, Weibull, or as found."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from stiction.contact import Roughness
+from stiction.errors import InputError
+
+from .asperity_set import Asperities
+
+__all__ = ["MODELS", "HeightModel", "height_model", "roughness"]
+
+MODELS = ("gaussian", "weibull", "empirical")
+
+# A distribution is good enough if the distance of Kolmogorov and Smirnov is below what one of 20 true samples exceeds,
+# 1.358 / sqrt(n), or below this: with very many asperities every formula is refused, however small the difference.
+_ENOUGH = 0.02
+_ONE_IN_TWENTY = 1.358
+FEWEST_SAMPLES = 30  # for anything but Gaussian
+_QUANTILES = 2000  # that stand for the samples, if there are more
+_LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # as of stiction.heights.weibull
+
+
+@dataclass(frozen=True)
+class HeightModel:
+    """name and parameters: as Roughness takes them. distances: of Kolmogorov and Smirnov, by name; allowed: what would have
+    been good enough; likelihoods: log-likelihood per asperity of the standardised heights, -inf where a height is impossible.
+    skewness: of the heights. reason: of the choice."""
+
+    name: str
+    parameters: dict[str, Any]
+    reason: str
+    skewness: float
+    allowed: float = math.nan
+    distances: dict[str, float] = field(default_factory=dict)
+    likelihoods: dict[str, float] = field(default_factory=dict)
+
+
+def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
+    """The simplest distribution that is good enough: Gaussian, else Weibull, else the heights as found; or the one wanted.
+
+    All have the mean and deviation of the heights; the exponent of the Weibull distribution is that of the same skewness. Good
+    enough: see _ENOUGH. Gaussian, whatever is wanted, if there are no heights (averages only), all are equal, or fewer than
+    FEWEST_SAMPLES. InputError if another than gaussian, weibull and empirical is wanted.
+    """
+    if wanted is not None and wanted not in MODELS:
+        raise InputError("heights", wanted, ", ".join(MODELS))
+    if found.count < FEWEST_SAMPLES or not found.deviation > 0.0:
+        return HeightModel("gaussian", {}, f"assumed: {found.count} heights to judge by", found.skewness)
+    from scipy import stats  # slow to import
+
+    z = np.sort((found.heights - found.mean_height) / found.deviation)
+    exponent = exponent_of_skewness(found.skewness)
+    form = stats.weibull_min(exponent)
+    mean, deviation = form.mean(), form.std()
+    fits = {"gaussian": stats.norm, "weibull": stats.weibull_min(exponent, loc=-mean / deviation, scale=1.0 / deviation)}
+    distances = {name: _distance(z, fit.cdf) for name, fit in fits.items()}
+    likelihoods = {name: float(np.mean(fit.logpdf(z))) for name, fit in fits.items()}
+    allowed = max(_ONE_IN_TWENTY / math.sqrt(found.count), _ENOUGH)
+    name = wanted or next((one for one in fits if distances[one] <= allowed), "empirical")
+    parameters: dict[str, dict[str, Any]] = {
+        "gaussian": {}, "weibull": {"exponent": exponent}, "empirical": {"samples": _representatives(z)},
+    }  # fmt: skip
+    said = ", ".join(f"{one} {distance:.3g}" for one, distance in distances.items())
+    reason = ("as wanted; " if wanted else "") + f"distances {said}; allowed {allowed:.3g}; skewness {found.skewness:.3g}"
+    return HeightModel(name, parameters[name], reason, found.skewness, allowed, distances, likelihoods)
+
+
+def roughness(found: Asperities, model: HeightModel | None = None) -> Roughness:
+    """The rough surface of a contact with these asperities; model: else their `height_model`. InputError if sigma is 0."""
+    model = height_model(found) if model is None else model
+    return Roughness(
+        asperity_height_deviation=found.deviation,
+        asperity_radius=found.radius,
+        asperity_density=found.density,
+        height_distribution=model.name,
+        height_parameters=model.parameters,
+    )
+
+
+def exponent_of_skewness(skewness: float) -> float:
+    """Exponent of the Weibull distribution of this skewness: 2 at 1, falling through 0 at 3.60; the nearest within 1 to 100."""
+    from scipy.optimize import brentq
+    from scipy.special import gamma
+
+    def excess(exponent: float) -> float:
+        first, second, third = (gamma(1.0 + k / exponent) for k in (1, 2, 3))
+        variance = second - first * first
+        return float((third - 3.0 * first * variance - first**3) / variance**1.5 - skewness)
+
+    if excess(_LEAST_EXPONENT) <= 0.0:
+        return _LEAST_EXPONENT
+    if excess(_LARGEST_EXPONENT) >= 0.0:
+        return _LARGEST_EXPONENT
+    return float(brentq(excess, _LEAST_EXPONENT, _LARGEST_EXPONENT, xtol=1e-10))
+
+
+def _distance(ascending: np.ndarray, cumulative: Callable) -> float:
+    """Of Kolmogorov and Smirnov: the largest difference between the distribution and that of the samples."""
+    expected = cumulative(ascending)
+    steps = np.arange(len(ascending) + 1) / len(ascending)
+    return float(max(np.max(steps[1:] - expected), np.max(expected - steps[:-1])))
+
+
+def _representatives(ascending: np.ndarray) -> list[float]:
+    """The samples, or as many quantiles as stand for them."""
+    if len(ascending) <= _QUANTILES:
+        return ascending.tolist()
+    return np.quantile(ascending, (np.arange(_QUANTILES) + 0.5) / _QUANTILES).tolist()

@@ -1,0 +1,77 @@
+"""The one form in which a measured surface or profile is handed on."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from stiction.errors import InputError
+from stiction.units import to_si
+
+__all__ = ["HeightMap", "metres"]
+
+
+@dataclass(frozen=True)
+class HeightMap:
+    """Heights on a regular grid, where they are, and what was done to them.
+
+    heights: (rows, columns) [m], float64, NaN where missing; rows go along y, columns along x; a profile is (1, columns).
+    size: (y, x) [m], > 0. The pitch is size / count: N points stand for N intervals, as in one period of a periodic surface.
+    The y size of a profile only gives its row a width. history: every step that was taken, in words. name: of the scan.
+    Raises InputError if the heights are no such array, hold infinite values, or the size is not two finite numbers > 0.
+    """
+
+    heights: np.ndarray
+    size: tuple[float, float]
+    history: tuple[str, ...] = ()
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        heights = np.asarray(self.heights)
+        if heights.ndim != 2 or heights.size == 0 or heights.dtype.kind not in "iuf":
+            raise InputError("heights", f"{heights.dtype} of shape {heights.shape}", "numbers of shape (rows, columns), in m")
+        heights = np.asarray(heights, dtype=np.float64)
+        if np.isinf(heights).any():
+            raise InputError("heights", "infinite values", "finite heights in m, NaN where missing")
+        size = np.asarray(self.size, dtype=float)
+        if size.shape != (2,) or not (np.isfinite(size) & (size > 0.0)).all():
+            raise InputError("size", self.size, "(y, x), both finite and > 0 m")
+        object.__setattr__(self, "heights", heights)
+        object.__setattr__(self, "size", (float(size[0]), float(size[1])))
+        object.__setattr__(self, "history", tuple(self.history))
+
+    @property
+    def pitch(self) -> tuple[float, float]:
+        """(dy, dx) [m]: distance of neighbouring points, size / count."""
+        rows, columns = self.heights.shape
+        return self.size[0] / rows, self.size[1] / columns
+
+    @property
+    def missing(self) -> int:
+        """How many points have no height."""
+        return int(np.count_nonzero(np.isnan(self.heights)))
+
+    @property
+    def complete(self) -> bool:
+        """Whether every point has a height."""
+        return self.missing == 0
+
+    @property
+    def is_profile(self) -> bool:
+        """Whether this is one line of points."""
+        return self.heights.shape[0] == 1
+
+    def with_heights(self, heights: np.ndarray, step: str, size: tuple[float, float] | None = None) -> "HeightMap":
+        """The map after one more step: its new heights [m], the step in words, and its size (y, x) [m] if that changed."""
+        return replace(self, heights=heights, size=self.size if size is None else size, history=(*self.history, step))
+
+
+def metres(value, field: str) -> float:
+    """One length > 0 in metres, from a number in metres or text with its unit ("10 um"); InputError names the field."""
+    try:
+        length = to_si(value, "scan_size")
+    except InputError as error:
+        hint = "" if "e.g." in error.allowed else ', e.g. "10 um"'
+        raise InputError(field, error.value, error.allowed + hint) from None
+    if not isinstance(length, float):
+        raise InputError(field, value, "one length")
+    return length

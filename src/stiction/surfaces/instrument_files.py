@@ -1,0 +1,109 @@
+"""Reading instruments' own formats by the library SurfaceTopography, an optional extra that is imported when needed."""
+
+import logging
+import math
+import warnings
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from stiction.errors import InputError
+from stiction.surfaces.positions import equally_spaced
+from stiction.surfaces.raw_scan import RawScan, ends_in_a_line, unreadable
+
+__all__ = ["read_instrument"]
+
+# Formats without a mark of their own, which the library sees in any file of a fitting length, and arrays, which it takes with
+# the first index along x: to be told by the ending of the name, or not at all.
+_BY_NAME = ("hgt", "nms", "npy", "npz")
+_DENSEST = 32  # points per byte of a file, beyond which its header is wrong: compressed heights have about one
+
+
+def read_instrument(path: Path, channel) -> RawScan:
+    """A file in an instrument's format; channel: name or place of one, without it the library's choice if that is heights."""
+    with _quiet():
+        try:
+            from SurfaceTopography.Exceptions import CannotDetectFileFormat
+            from SurfaceTopography.IO import open_topography
+        except ImportError:
+            raise InputError("scan", str(path), "instrument files after: pip install stiction[scans]") from None
+        try:
+            with open_topography(str(path)) as reader:
+                return _library(reader, channel, path)
+        except InputError:
+            raise
+        except CannotDetectFileFormat:
+            raise unreadable(path) from None
+        except Exception as error:  # of a damaged file the 42 readers raise anything
+            problem = " ".join(str(error).split())[:120] or type(error).__name__
+            raise InputError("scan", str(path), f"an undamaged file (its reader says: {problem})") from None
+
+
+@contextmanager
+def _quiet():
+    """No warnings, log lines or floating-point complaints of the library: what is wrong is told by InputError."""
+    before = logging.root.manager.disable
+    logging.disable(logging.CRITICAL)
+    try:
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            yield
+    finally:
+        logging.disable(before)
+
+
+def _library(reader, channel, path: Path) -> RawScan:
+    form = reader.format()
+    if form in _BY_NAME and path.suffix.lower() != f".{form}":
+        raise unreadable(path)
+    chosen = _channel(reader, channel)
+    points = math.prod(chosen.nb_grid_pts or ())
+    if points > _DENSEST * path.stat().st_size:
+        raise InputError("scan", str(path), f"an undamaged file (its header claims {points} points, more than it can hold)")
+    unknown = chosen.physical_sizes is None or any(length is None for length in chosen.physical_sizes)
+    topography = chosen.topography(physical_sizes=(1.0,) * chosen.dim) if unknown else chosen.topography()
+    names = [each.name for each in reader.channels]
+    said = f"format {form}" + (f", channel {chosen.name!r} of {', '.join(names)}" if len(names) > 1 else "")
+    heights, size, notes = _on_grid(topography)
+    if form == "xyz":
+        _no_line_lost(path, heights.size)
+        notes += ends_in_a_line(path)
+    return RawScan(heights, said, None if unknown else size, str(topography.unit) if topography.unit else None, notes)
+
+
+def _on_grid(topography) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
+    """Heights (rows, columns), where the library has x first, size (y, x), and what was done."""
+    heights: Any = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan)
+    if topography.dim == 2:
+        width, depth = (float(length) for length in topography.physical_sizes)
+        return np.ascontiguousarray(heights.T), (depth, width), ()
+    if topography.is_uniform:
+        length = float(topography.physical_sizes[0])
+        return heights[None, :], (length / heights.size, length), ()
+    return equally_spaced(np.asarray(topography.positions(), dtype=float), heights.ravel())
+
+
+def _no_line_lost(path: Path, points: int) -> None:
+    """InputError if there are more lines of numbers than points: the library skips all lines above one that it cannot read."""
+    with path.open("rb") as file:
+        lines = sum(line.lstrip()[:1] in b"+-.0123456789" and bool(line.strip()) for line in file)
+    if lines > points:
+        raise InputError("scan", str(path), f"an undamaged file (of {lines} lines of numbers {points} could be read)")
+
+
+def _channel(reader, wanted):
+    """The channel of that name or place, or the library's choice; InputError naming the channels if it has no heights."""
+    channels = list(reader.channels)
+    with_heights = [each for each in channels if each.is_height_channel and not isinstance(each.unit, tuple)]
+    names = ", ".join(f"{place} {each.name!r}" for place, each in enumerate(channels) if each in with_heights)
+    if not with_heights:
+        raise InputError("scan", ", ".join(each.name for each in channels), "a file with a channel of heights")
+    if wanted is None:
+        default = channels[reader._default_channel_index]
+        return default if default in with_heights else with_heights[0]
+    for place, each in enumerate(channels):
+        if each in with_heights and (wanted in (each.name, each.channel_id) or str(wanted) == str(place)):
+            return each
+    raise InputError("channel", wanted, f"a channel with heights: {names}")

@@ -1,0 +1,112 @@
+"""Heights of a given skewness and kurtosis, as a rising function of a Gaussian variable: Johnson's system (1949).
+
+With u = (z - gamma) / delta of a standard Gaussian z, a height is up to its mean and scale
+
+    sinh u            unbounded     kurtosis above the lognormal line
+    exp u             lognormal     on it: with w = exp(1 / delta^2), skewness^2 = (w - 1) (w + 2)^2,
+                                    kurtosis = w^4 + 2 w^3 + 3 w^2 - 3
+    1 / (1 + e^-u)    bounded       below it, down to skewness^2 + 1, which no distribution reaches
+
+so that every pair that some distribution has, has one curve. Kurtosis is the fourth moment, 3 of a Gaussian.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from scipy.optimize import brentq, least_squares
+from scipy.special import expit
+
+from ..errors import InputError
+
+__all__ = ["johnson"]
+
+# The trapezoidal rule is exact to rounding for what falls off like a Gaussian.
+_Z = np.linspace(-16.0, 16.0, 3201)
+_WEIGHT = np.exp(-0.5 * _Z * _Z) * (_Z[1] - _Z[0]) / math.sqrt(2.0 * math.pi)
+
+_NEAR = 2e-3  # a pair this near to the lognormal line, in kurtosis, is taken as on it: the neighbouring curves end there
+_AGREED = 1e-6  # largest remaining difference in skewness and kurtosis
+_LARGEST = 50.0  # kurtosis; the mean of fourth powers of any map is far from its limit before that
+
+
+def johnson(skewness: float, kurtosis: float) -> Callable[[np.ndarray], np.ndarray]:
+    """The rising function that makes a standard Gaussian variable into one of mean 0, variance 1, this skewness and kurtosis.
+
+    kurtosis: 3 of a Gaussian; above skewness^2 + 1 and at most 50. Raises InputError otherwise, or where the curve is not
+    found (close to that limit, where the heights are two values).
+    """
+    limit = skewness * skewness + 1.0
+    if not (math.isfinite(skewness) and limit < kurtosis <= _LARGEST):
+        raise InputError("kurtosis", kurtosis, f"> {limit:g} (skewness^2 + 1) and <= {_LARGEST:g}; 3 for Gaussian heights")
+    if skewness < 0.0:
+        mirrored = johnson(-skewness, kurtosis)
+        return lambda z: -mirrored(-z)
+    over = kurtosis - _lognormal_kurtosis(skewness)
+    if abs(over) > _NEAR:
+        return _standardised(*_fitted(_unbounded if over > 0.0 else _bounded, skewness, kurtosis))
+    if skewness < _NEAR:
+        return lambda z: np.array(z, dtype=float)
+    return _standardised(_lognormal, math.log(_lognormal_base(skewness)) ** -0.5, 0.0)
+
+
+def _unbounded(z, delta, gamma):
+    return np.sinh((z - gamma) / delta)
+
+
+def _bounded(z, delta, gamma):
+    return expit((z - gamma) / delta)
+
+
+def _lognormal(z, delta, gamma):
+    return np.exp((z - gamma) / delta)
+
+
+def _lognormal_base(skewness: float) -> float:
+    """w of the lognormal distribution of this skewness."""
+    return brentq(lambda w: (w - 1.0) * (w + 2.0) ** 2 - skewness**2, 1.0, 2.0 + abs(skewness))
+
+
+def _lognormal_kurtosis(skewness: float) -> float:
+    w = _lognormal_base(skewness)
+    return w**4 + 2.0 * w**3 + 3.0 * w**2 - 3.0
+
+
+def _mean_and_deviation(curve, delta, gamma) -> tuple[float, float]:
+    values = curve(_Z, delta, gamma)
+    mean = float(_WEIGHT @ values)
+    return mean, math.sqrt(float(_WEIGHT @ (values - mean) ** 2))
+
+
+def _skewness_and_kurtosis(curve, delta, gamma) -> tuple[float, float]:
+    mean, deviation = _mean_and_deviation(curve, delta, gamma)
+    over = (curve(_Z, delta, gamma) - mean) / deviation
+    return float(_WEIGHT @ over**3), float(_WEIGHT @ over**4)
+
+
+def _fitted(curve, skewness: float, kurtosis: float):
+    """(curve, delta, gamma) with this skewness >= 0 and kurtosis; from the best point of a coarse grid of both parameters.
+
+    gamma / delta rather than gamma is sought: it stays of order one.
+    """
+    sign = -1.0 if curve is _unbounded else 1.0
+
+    def difference(x):
+        delta = math.exp(x[0])
+        found = _skewness_and_kurtosis(curve, delta, sign * x[1] * delta)
+        return np.array([found[0] - skewness, found[1] - kurtosis])
+
+    deltas = (0.3, 0.6, 1.0, 1.5, 2.5, 5.0, 20.0)[2 if curve is _unbounded else 0 :]  # below, fourth powers are too large
+    starts = [(math.log(delta), shift) for delta in deltas for shift in (0.0, 0.2, 0.5, 1.0, 2.0, 4.0)]
+    starts.sort(key=lambda x: float(np.abs(difference(x)).max()))
+    for start in starts[:3]:
+        found = least_squares(difference, start, bounds=([-2.0, -0.1], [6.0, 12.0]), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        if np.abs(found.fun).max() < _AGREED:
+            delta = math.exp(found.x[0])
+            return curve, delta, sign * found.x[1] * delta
+    raise InputError("kurtosis", kurtosis, f"further from its limit for the skewness {skewness:g}: no Johnson curve was found")
+
+
+def _standardised(curve, delta, gamma):
+    mean, deviation = _mean_and_deviation(curve, delta, gamma)
+    return lambda z: (curve(np.asarray(z, dtype=float), delta, gamma) - mean) / deviation

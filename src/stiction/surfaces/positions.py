@@ -1,0 +1,93 @@
+"""Heights that come with their positions, brought to a regular grid."""
+
+import numpy as np
+
+from stiction.errors import InputError
+from stiction.surfaces.raw_scan import FEWEST_POINTS
+
+__all__ = ["equally_spaced", "gridded"]
+
+_ROUNDED = 0.75  # of a last digit that positions may be off: half of it, and as much again where both ends are rounded
+
+
+def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
+    """A profile with equal spacing: heights (1, n), size (y, x) in the unit of x, and what was done.
+
+    Positions that are equally spaced but for the rounding of their last written digit are taken as that: interpolating
+    between rounded positions would make slopes that are not there. Others are resampled to as many points.
+    """
+    count = len(x)
+    if count < FEWEST_POINTS:
+        raise InputError("scan", f"profile of {count} points", f"at least {FEWEST_POINTS} points")
+    if x[-1] < x[0]:
+        x, z = x[::-1], z[::-1]
+    if not (np.isfinite(x).all() and x[-1] > x[0]):
+        raise InputError("scan", "positions that are missing or all alike", "finite positions x that increase")
+    place = np.arange(count) - (count - 1) / 2.0
+    pitch = float(place @ (x - x.mean()) / (place @ place))
+    off = float(np.abs(x - x.mean() - pitch * place).max())
+    if off <= max(_ROUNDED * _last_digit(x), 1e-6 * pitch):
+        return z[None, :], (pitch, pitch * count), _rounding(off, pitch)
+    if not (np.diff(x) > 0.0).all():
+        raise InputError("scan", "positions that go back", "positions x that increase along the profile")
+    pitch = float(x[-1] - x[0]) / (count - 1)
+    heights = np.interp(np.linspace(x[0], x[-1], count), x, z)
+    note = f"positions not equally spaced: resampled by linear interpolation to {count} points with equal spacing"
+    return heights[None, :], (pitch, pitch * count), (note,)
+
+
+def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
+    """Heights (rows, columns) of points in any order that lie on a grid, NaN where none lies, size (y, x), and what was done.
+
+    Points along one line, in whichever direction, are a profile.
+    """
+    column, dx, columns, notes_x = _places(x, "x")
+    row, dy, rows, notes_y = _places(y, "y")
+    if columns * rows > 4 * len(z) + 16:
+        raise InputError("scan", f"{len(z)} points on a grid of {rows} x {columns}", "points x y z on a regular grid")
+    flat = row * columns + column
+    if np.bincount(flat).max() > 1:
+        raise InputError("scan", "several heights at one point x y", "one height per point of a regular grid")
+    heights = np.full((rows, columns), np.nan)
+    heights.flat[flat] = z
+    dx, dy = dx or dy, dy or dx  # a profile is as wide as its points are apart
+    notes = tuple(dict.fromkeys(notes_x + notes_y))
+    if columns == 1:
+        return heights.T, (dy, dy * rows), notes
+    return heights, (dy * rows, dx * columns), notes
+
+
+def _places(x: np.ndarray, name: str) -> tuple[np.ndarray, float, int, tuple[str, ...]]:
+    """Place of each coordinate on its grid, the pitch (0 of a single line), the count, and what to say of it."""
+    if not np.isfinite(x).all():
+        raise InputError("scan", f"missing {name}", "finite positions x y of all points")
+    start, extent = float(x.min()), float(x.max() - x.min())
+    if extent == 0.0:
+        return np.zeros(len(x), dtype=int), 0.0, 1, ()
+    steps = np.diff(np.unique(x))
+    steps = steps[steps > 1e-6 * extent]  # smaller ones are rounding
+    tried = []
+    for intervals in {len(steps), round(extent / float(np.median(steps)))}:  # with no line left out, and with some
+        pitch = extent / intervals
+        tried.append((float(np.abs((x - start) / pitch - np.rint((x - start) / pitch)).max()), pitch))
+    off, pitch = min(tried)
+    if off > max(0.1, min(_ROUNDED * _last_digit(x) / pitch, 0.45)):
+        raise InputError("scan", f"positions {name} that are not equally spaced", "points x y z on a regular grid")
+    place = np.rint((x - start) / pitch).astype(int)
+    return place, pitch, int(place.max()) + 1, _rounding(off * pitch, pitch)
+
+
+def _rounding(off: float, pitch: float) -> tuple[str, ...]:
+    if off <= 1e-6 * pitch:
+        return ()
+    return (f"positions equally spaced to {off / pitch:.2g} of the pitch, which is their rounding",)
+
+
+def _last_digit(x: np.ndarray) -> float:
+    """The largest power of ten that all positions are multiples of; 0 if none of ten digits is."""
+    largest = int(np.floor(np.log10(np.abs(x).max())))
+    for exponent in range(largest, largest - 10, -1):
+        multiples = x / 10.0**exponent
+        if np.abs(multiples - np.rint(multiples)).max() < 1e-5:
+            return 10.0**exponent
+    return 0.0

@@ -1,0 +1,197 @@
+"""Preparing a measured surface: level, remove form, fill missing points, crop, filter to a band.
+
+Each step takes a HeightMap and returns another, with what was done in its history. Missing points stay missing unless
+filled; fits and filters work from the points that are there.
+"""
+
+import math
+
+import numpy as np
+import scipy.fft
+from numpy.polynomial.legendre import legvander
+
+from stiction.errors import InputError
+from stiction.surfaces.fill import FILLS, fill_missing
+from stiction.surfaces.heightmap import HeightMap, metres
+from stiction.units import show
+
+__all__ = ["FILLS", "crop", "fill_missing", "filter_band", "level", "remove_form"]
+
+
+# ---- form
+
+
+def level(surface: HeightMap) -> HeightMap:
+    """Without the mean plane (the mean line of a profile): the least-squares fit to the points that are there."""
+    fitted = "line" if surface.is_profile else "plane"
+    return surface.with_heights(_without_polynomial(surface, 1), f"levelled: least-squares {fitted} removed")
+
+
+def remove_form(surface: HeightMap, order: int) -> HeightMap:
+    """Without the least-squares polynomial of total order 1 to 4 in x and y, fitted to the points that are there."""
+    if isinstance(order, bool) or order not in (1, 2, 3, 4):
+        raise InputError("order", order, "1, 2, 3 or 4: of the polynomial that is removed")
+    return surface.with_heights(_without_polynomial(surface, order), f"form removed: least-squares polynomial of order {order}")
+
+
+def _without_polynomial(surface: HeightMap, order: int) -> np.ndarray:
+    """Heights less their least-squares polynomial; InputError if fewer points are there than it has coefficients.
+
+    In Legendre polynomials over -1..1, which keep the normal equations well conditioned, and these summed row by row: the
+    matrix of all points and terms never exists. The fit to what is left makes up for the rounding of the first.
+    """
+    heights = surface.heights
+    rows, columns = heights.shape
+    there = None if surface.complete else ~np.isnan(heights)
+    along_x, along_y = legvander(_unit(columns), order), legvander(_unit(rows), order)
+    terms = [(i, j) for i in range(order + 1) for j in range(order + 1 - i) if rows > 1 or j == 0]
+    if heights.size - surface.missing < len(terms):
+        raise InputError("scan", f"{heights.size - surface.missing} points with heights", f"at least {len(terms)} to fit to")
+    left = heights - np.nanmean(heights)
+    gram = _gram(there, along_x, along_y, terms)
+    for _ in range(2):
+        known = left if there is None else np.where(there, left, 0.0)
+        moments = along_y.T @ (known @ along_x)
+        solved = np.linalg.lstsq(gram, np.array([moments[j, i] for i, j in terms]), rcond=1e-13)[0]
+        coefficients = np.zeros((order + 1, order + 1))  # of y, of x
+        coefficients[[j for _, j in terms], [i for i, _ in terms]] = solved
+        left -= along_y @ coefficients @ along_x.T
+    return left
+
+
+def _unit(count: int) -> np.ndarray:
+    return np.linspace(-1.0, 1.0, count) if count > 1 else np.zeros(1)
+
+
+def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, terms) -> np.ndarray:
+    """Sums over the points that are there of the products of all pairs of terms (i, j) = P_i(x) P_j(y)."""
+    n = along_x.shape[1]
+    pairs_x = (along_x[:, :, None] * along_x[:, None, :]).reshape(-1, n * n)
+    pairs_y = (along_y[:, :, None] * along_y[:, None, :]).reshape(-1, n * n)
+    if there is None:
+        sums = np.outer(pairs_y.sum(axis=0), pairs_x.sum(axis=0))
+    else:
+        sums = pairs_y.T @ np.stack([row @ pairs_x for row in there])
+    sums = sums.reshape(n, n, n, n)
+    return np.array([[sums[j, q, i, p] for p, q in terms] for i, j in terms])
+
+
+# ---- crop
+
+
+def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) -> HeightMap:
+    """The part between two places along y and along x, from the first row and column, as (start, stop).
+
+    Numbers in metres or text with unit ("2 um"); point i lies at i times the pitch and is kept if start <= i pitch < stop.
+    None keeps all. The size is again count times pitch. InputError if a place is outside the map or nothing is left.
+    """
+    kept, sizes, words = [], [], []
+    for name, given, count, pitch in zip("yx", (y, x), surface.heights.shape, surface.pitch, strict=True):
+        first, last = (0, count) if given is None else _range(name, given, count, pitch)
+        kept.append(slice(first, last))
+        sizes.append((last - first) * pitch)
+        if given is not None:
+            words.append(f"{name} {show(first * pitch, 'scan_size')} to {show(last * pitch, 'scan_size')}")
+    step = "cropped: " + (", ".join(words) or "nothing")
+    return surface.with_heights(surface.heights[tuple(kept)].copy(), step, size=(sizes[0], sizes[1]))
+
+
+def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
+    """First point kept, and the one past the last."""
+    allowed = f"(start, stop) with 0 m <= start < stop <= {count * pitch:.6g} m and a point between them"
+    if not isinstance(given, tuple | list) or len(given) != 2:
+        raise InputError(f"crop {name}", given, allowed)
+    start, stop = (0.0 if isinstance(place, int | float) and place == 0 else metres(place, f"crop {name}") for place in given)
+    first, last = (math.ceil(place / pitch - 1e-6) for place in (start, stop))  # 1e-6: rounding of text and of the pitch
+    if not first < last <= count:
+        raise InputError(f"crop {name}", given, allowed)
+    return first, last
+
+
+# ---- filter
+
+
+def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
+    """With the wavelengths between two cutoffs: Gaussian filters, 50 % at the cutoff. Source: ISO 16610-21 and -61.
+
+    shortest, longest: numbers in metres or text with unit ("800 nm"), None for no such cutoff. The weights are
+    exp(-pi (x / (alpha lambda))^2) / (alpha lambda) with alpha = sqrt(ln 2 / pi), along x times along y, and pass
+    exp(-ln 2 (lambda / wavelength)^2). Beyond the edges and where points are missing weights are left out, and the others
+    renormalised: there a slope is not followed, so level first; half a cutoff from an edge is better left out of statistics.
+    Missing points stay missing. InputError unless 2 pitch <= shortest < longest <= size (of the longest side).
+    """
+    low = None if shortest is None else metres(shortest, "shortest")
+    high = None if longest is None else metres(longest, "longest")
+    _check_band(surface, low, high)
+    heights = surface.heights
+    if low is not None:
+        heights = _smooth(heights, surface.pitch, low)
+    if high is not None:
+        heights = heights - _smooth(heights, surface.pitch, high)
+    ends = ["all" if end is None else show(end, "scan_size") for end in (low, high)]
+    step = (
+        f"filtered to wavelengths {ends[0]} to {ends[1]}: Gaussian ISO 16610, 50 % at the cutoffs, weights renormalised at "
+        "edges and missing points"
+    )
+    return surface.with_heights(heights, step)
+
+
+def _check_band(surface: HeightMap, low: float | None, high: float | None) -> None:
+    if low is None and high is None:
+        raise InputError("band", None, "the shortest wavelength, the longest, or both")
+    finest = 2.0 * (surface.pitch[1] if surface.is_profile else max(surface.pitch))
+    size = surface.size[1] if surface.is_profile else max(surface.size)
+    for name, end in (("shortest", low), ("longest", high)):
+        if end is not None and not finest * (1.0 - 1e-9) <= end <= size * (1.0 + 1e-9):
+            raise InputError(name, end, f"{finest:.6g} m (twice the pitch) to {size:.6g} m (the size)")
+    if low is not None and high is not None and not low < high:
+        raise InputError("longest", high, f"> {low:.6g} m, the shortest")
+
+
+def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> np.ndarray:
+    """Gaussian mean of the points that are there, NaN where they are not.
+
+    The weight of the points that are there is a product of one function of y and one of x if none is missing.
+    """
+    missing = np.isnan(heights)
+    axes = [axis for axis in (0, 1) if heights.shape[axis] > 1]
+    if not missing.any():
+        mean = heights.copy()
+        for axis in axes:
+            shape = [1, 1]
+            shape[axis] = heights.shape[axis]
+            _convolve(mean, axis, cutoff / pitch[axis])
+            weight = np.ones(shape)
+            _convolve(weight, axis, cutoff / pitch[axis])
+            mean /= weight
+        return mean
+    mean = np.where(missing, 0.0, heights)
+    weight = (~missing).astype(float)
+    for axis in axes:
+        _convolve(mean, axis, cutoff / pitch[axis])
+        _convolve(weight, axis, cutoff / pitch[axis])
+    weight[missing] = 1.0
+    mean /= weight
+    mean[missing] = np.nan
+    return mean
+
+
+_REACH = 1.5  # cutoffs; there the weight is 1e-14 of the largest
+_AT_ONCE = 1 << 21  # numbers transformed together: the memory that a filter takes beside the map
+
+
+def _convolve(values: np.ndarray, axis: int, cutoff: float) -> None:
+    """Gaussian convolution along an axis, in place, with zeros beyond the ends; cutoff in points.
+
+    By its transmission on a padded line, some lines at a time.
+    """
+    lines = np.moveaxis(values, axis, 1)
+    count = lines.shape[1]
+    padded = scipy.fft.next_fast_len(count + min(count, math.ceil(_REACH * cutoff)), real=True)
+    exponent = math.log(2.0) * (cutoff * scipy.fft.rfftfreq(padded)) ** 2
+    passed = np.exp(-np.minimum(exponent, 700.0))
+    block = max(1, _AT_ONCE // padded)
+    for start in range(0, lines.shape[0], block):
+        part = scipy.fft.rfft(lines[start : start + block], padded, axis=1, workers=2)
+        part *= passed
+        lines[start : start + block] = scipy.fft.irfft(part, padded, axis=1, workers=2)[:, :count]

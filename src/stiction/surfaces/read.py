@@ -1,0 +1,179 @@
+"""Reading what instruments write, into heights in metres.
+
+Arrays and numbers in text are read without any library, all else by the library SurfaceTopography, an optional extra.
+Libraries and instruments disagree on the size, the unit and the height factor of one file, so all of them can be overridden,
+and the history says what was taken.
+"""
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from stiction.errors import InputError
+from stiction.surfaces.array_files import read_npy, read_npz
+from stiction.surfaces.heightmap import HeightMap, metres
+from stiction.surfaces.instrument_files import read_instrument
+from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan
+from stiction.surfaces.text_files import read_positions, read_table, read_text
+from stiction.units import show
+
+__all__ = ["FEWEST_POINTS", "read_scan"]
+
+_FLATTEST, _STEEPEST = 1e-12, 1e3  # peak to valley over size, beyond which a unit or a factor must be wrong
+_READERS: dict[str, Callable[[Path, object], RawScan]] = {
+    ".npy": read_npy,
+    ".npz": read_npz,
+    ".csv": read_table,
+    ".xyz": read_positions,
+    ".txt": read_text,
+    ".asc": read_text,
+    ".dat": read_text,
+}
+
+
+def read_scan(path, *, size=None, unit=None, height_unit=None, height_scale=None, channel=None) -> HeightMap:
+    """The heights of a scan, in metres, with what was read and what was overridden in its history.
+
+    path: of the file. size: instead of that of the file, or where it has none: one length is that along x, with square
+    pixels, two are (y, x); numbers in metres, text with unit ("10 um"), or text without in `unit`. unit: of the numbers in the
+    file ("nm"), heights included unless height_unit is given. height_scale: factor on the heights, not 0. channel: name or
+    place of a channel of a file with several; without it the library's choice if that is heights, else the first heights.
+
+    Arrays (.npy, .npz) and matrices in text need size and unit, columns x y z or x z need unit. Missing points are NaN.
+    Profiles whose points are not equally spaced are resampled. Raises InputError, one line, for a file that is absent, empty,
+    damaged, of no known format, without heights, constant, with fewer than FEWEST_POINTS along a direction, or wrongly scaled,
+    and where size or unit are lacking.
+    """
+    path = _file(path)
+    raw = _READERS.get(path.suffix.lower(), read_instrument)(path, channel)
+    _check_numbers(raw.heights, path.name)
+    factor, height_factor, units = _factors(raw, size, unit, height_unit, height_scale)
+    extent, override = _size(raw, size, unit, factor)
+    with np.errstate(over="ignore", invalid="ignore"):  # told of as heights that are not finite
+        heights = np.asarray(raw.heights, dtype=np.float64) * height_factor
+    _check_scale(heights, extent, path.name)
+    surface = HeightMap(heights, extent, name=path.name)
+    history = (_said(surface, raw), *raw.notes, *units, *override, *_doubt(heights, extent))
+    return HeightMap(heights, extent, history, path.name)
+
+
+def _said(surface: HeightMap, raw: RawScan) -> str:
+    rows, columns = surface.heights.shape
+    (dy, dx), (y, x) = ([show(length, "scan_size") for length in pair] for pair in (surface.pitch, surface.size))
+    if surface.is_profile:
+        points = f"profile of {columns} points, length {x}, pitch = length/count = {dx}"
+    else:
+        points = f"{rows} x {columns} points, size {y} x {x} (y x x), pitch = size/count = {dy} x {dx}"
+    return f"read {surface.name}, {raw.said}: {points}, {surface.missing} points missing"
+
+
+# ---- checks
+
+
+def _file(path) -> Path:
+    if not isinstance(path, str | Path):
+        raise InputError("scan", path, "the name of an existing file")
+    path = Path(path)
+    try:
+        if not path.is_file():
+            raise InputError("scan", str(path), "the name of an existing file")
+        with path.open("rb") as file:
+            if not file.read(1 << 20).strip():
+                raise InputError("scan", str(path), "a file that is not empty")
+    except OSError as error:
+        raise InputError("scan", str(path), f"a file that can be read ({error.strerror})") from None
+    return path
+
+
+def _check_numbers(heights: np.ndarray, name: str) -> None:
+    """InputError unless there are enough heights, whatever their unit, that are not all missing or constant."""
+    rows, columns = heights.shape
+    if columns < FEWEST_POINTS or (rows != 1 and rows < FEWEST_POINTS):
+        hint = "; columns x z or x y z are read from .csv and .xyz" if columns in (2, 3) else ""
+        allowed = f"at least {FEWEST_POINTS} points along a profile or each direction of a map{hint}"
+        raise InputError("scan", f"{name} of {rows} x {columns} points", allowed)
+    if np.isnan(heights).all():
+        raise InputError("scan", f"{name}: all {heights.size} points missing", "a scan with heights")
+    if np.nanmax(heights) == np.nanmin(heights):
+        raise InputError("scan", f"{name}: constant heights", "heights that differ")
+
+
+def _check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> None:
+    """InputError unless the heights in metres are finite and not out of all proportion to the size."""
+    if np.isinf(heights).any():
+        raise InputError("scan", f"{name} with infinite heights", "finite heights, nan where missing")
+    with np.errstate(over="ignore"):
+        range_ = float(np.nanmax(heights) - np.nanmin(heights))
+    if not _FLATTEST * max(size) <= range_ <= _STEEPEST * max(size):
+        told = f"{name}: peak to valley {range_:.3g} m on a size of {max(size):.3g} m"
+        raise InputError("scan", told, f"{_FLATTEST:g} to {_STEEPEST:g} of the size; check unit, height unit and size")
+
+
+def _doubt(heights: np.ndarray, size: tuple[float, float]) -> tuple[str, ...]:
+    if np.nanmax(heights) - np.nanmin(heights) > max(size):
+        return ("doubtful: peak to valley is larger than the size; check unit, height unit and size",)
+    return ()
+
+
+# ---- units and size
+
+
+def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float, float, tuple[str, ...]]:
+    """Metres per number of the file, along the surface and of heights, and what to say of them."""
+    taken = unit or raw.unit
+    heights_in = height_unit or taken
+    if heights_in is None or (taken is None and size is None and raw.size is not None):
+        raise InputError("unit", None, 'the length unit of the numbers in the file, e.g. "nm"')
+    scale = 1.0 if height_scale is None else height_scale
+    if isinstance(scale, bool) or not isinstance(scale, int | float) or not 0.0 < abs(scale) <= 1e300:
+        raise InputError("height_scale", height_scale, "a finite number that is not 0")
+    steps = []
+    if unit and raw.unit:
+        steps.append(f"unit overridden: {unit} for {raw.unit} of the file")
+    elif taken:
+        steps.append(f"unit as given: {unit}" if unit else f"unit of the file: {raw.unit}")
+    if height_unit:
+        steps.append(f"unit of heights overridden: {height_unit}" if raw.unit else f"unit of heights as given: {height_unit}")
+    if height_scale is not None:
+        steps.append(f"heights multiplied by {height_scale:g} as given")
+    lateral = _one(taken, "unit") if taken else 1.0
+    return lateral, _one(heights_in, "height_unit" if height_unit else "unit") * scale, tuple(steps)
+
+
+def _one(unit: str, field: str) -> float:
+    try:
+        return metres(f"1 {unit}", field)
+    except InputError:
+        raise InputError(field, unit, 'a length unit, e.g. "nm"') from None
+
+
+def _size(raw: RawScan, size, unit, factor: float) -> tuple[tuple[float, float], tuple[str, ...]]:
+    """The size (y, x) [m] as given, or that of the file, and what to say of it."""
+    rows, columns = raw.heights.shape
+    if size is None:
+        if raw.size is None:
+            raise InputError("size", None, 'the length along x ("10 um") or (y, x), which the file does not say')
+        y, x = raw.size[0] * factor, raw.size[1] * factor
+        if not (np.isfinite([y, x]).all() and y > 0.0 and x > 0.0):
+            raise InputError("size", f"{y:g} m x {x:g} m in the file", "finite and > 0 m, to be given if the file is wrong")
+        return (y, x), ()
+    lengths = [_given(entry, unit) for entry in (size if isinstance(size, tuple | list) else (size,))]
+    if len(lengths) not in (1, 2):
+        raise InputError("size", size, "one length along x, or two (y, x)")
+    x = lengths[-1]
+    y = x / columns * rows if len(lengths) == 1 or rows == 1 else lengths[0]
+    return (y, x), (_override(raw),)
+
+
+def _override(raw: RawScan) -> str:
+    if raw.size is None:
+        return "size as given"
+    return f"size overridden: in the file {raw.size[0]:g} x {raw.size[1]:g} {raw.unit or 'without unit'} (y x x)"
+
+
+def _given(length, unit) -> float:
+    if isinstance(length, str) and unit and re.fullmatch(r"[\s\d.eE+-]+", length):
+        length = f"{length} {unit}"
+    return metres(length, "size")

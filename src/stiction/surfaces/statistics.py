@@ -1,0 +1,247 @@
+"""Numbers that describe a height map: its heights, slopes and curvatures, and its spectral moments in two ways.
+
+All are about the mean height and nothing else: level the map first. Height parameters are those of ISO 25178-2, with means
+over all points that have a height:
+
+    Sq = <d^2>^(1/2)    Sa = <|d|>    Ssk = <d^3> / Sq^3    Sku = <d^4> / Sq^4 (Gaussian: 3)    Sz = highest - lowest
+
+Slopes are differences of neighbouring points over the pitch (the slope midway between them), second derivatives are
+(z[i+1] - 2 z[i] + z[i-1]) / pitch^2. Means go over all places whose points all have a height; nothing is carried around the
+ends. Of a wave of wavevector q along the line, differences of points p apart see less than there is, by a factor of exactly
+s = sin(q p / 2) / (q p / 2) for slopes and s^2 for second derivatives. ISO 25178-2 leaves open how Sdq is differentiated; a
+difference over two pitches, or a polynomial through seven points, gives other numbers where the pitch is short of points.
+
+Spectral moments are those of a profile (Nayak 1971), m0 = <z^2>, m2 = <(dz/dx)^2>, m4 = <(d2z/dx2)^2>:
+
+    by differences   along x and along y as above, and their mean
+    by spectrum      along x: sum_q C {1, q_x^2, q_x^4} / A over all waves |q| <= 2 pi / cutoff, along y alike; for an isotropic
+                     surface from the radial average:   {1, 1/2, 3/8} (1/2 pi) Int q C(q) {1, q^2, q^4} dq
+
+On a surface with no shortest wave both grow without bound as the cutoff shrinks: m2 and m4 without their cutoff mean nothing.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from stiction.errors import InputError
+from stiction.moments import Moments
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.spectrum import PowerSpectrum
+
+__all__ = ["ProfileMoments", "Statistics", "combine", "moments_by_differences", "moments_by_spectrum", "statistics"]
+
+_BLOCK = 2**18  # points handled at once, so that a large map needs little more memory than itself
+_ROUNDING = 1.0 + 1e-9  # a wave at the cutoff is counted in
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """Statistics of a map or profile, with the definitions at the top. None where a profile has none.
+
+    Sq, Sa, Sz [m]; Ssk, Sku [1]; mean: height from which they count [m]. slope_x, slope_y: root mean square slopes along x and
+    y [1]; slope: of the gradient, Sdq, (slope_x^2 + slope_y^2)^(1/2). curvature_x, curvature_y: root mean square second
+    derivatives [1/m]; curvature: of half the Laplacian (the mean of the two principal curvatures where slopes are small) [1/m].
+    """
+
+    Sq: float
+    Sa: float
+    Sz: float
+    Ssk: float
+    Sku: float
+    mean: float
+    slope_x: float
+    slope_y: float | None
+    slope: float | None
+    curvature_x: float
+    curvature_y: float | None
+    curvature: float | None
+
+
+@dataclass(frozen=True)
+class ProfileMoments:
+    """Spectral moments of the profiles of a map in one of two ways.
+
+    x, y: of profiles along x and y, which shows the anisotropy (y: None for a profile); isotropic: of the isotropic surface
+    taken in its place; cutoff: shortest wavelength that entered [m]; method: in words.
+    """
+
+    x: Moments
+    y: Moments | None
+    isotropic: Moments
+    cutoff: float
+    method: str
+
+
+def statistics(surface: HeightMap) -> Statistics:
+    """Height parameters, slopes and curvatures of a map or profile, over the points that have a height.
+
+    InputError if no point has one, all heights are alike, or no three neighbouring points along x (and along y) have one.
+    """
+    heights, (dy, dx) = surface.heights, surface.pitch
+    mean, heights_of = _height_parameters(heights)
+    slope_x = _rms_difference(heights, 1, 1) / dx
+    curvature_x = _rms_difference(heights, 1, 2) / dx**2
+    if surface.is_profile:
+        return Statistics(*heights_of, mean, slope_x, None, None, curvature_x, None, None)
+    slope_y = _rms_difference(heights, 0, 1) / dy
+    curvature_y = _rms_difference(heights, 0, 2) / dy**2
+    curvature = 0.5 * _rms_laplacian(heights, dy, dx)
+    return Statistics(
+        *heights_of, mean, slope_x, slope_y, math.hypot(slope_x, slope_y), curvature_x, curvature_y, curvature,
+    )
+
+
+def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> ProfileMoments:
+    """Spectral moments by finite differences of points half a cutoff wavelength apart, rounded to whole pitches.
+
+    cutoff: [m], > 0, by default two pitches: differences of neighbours. Shorter waves are not smoothed away first but sampled,
+    as by an instrument of that pitch: m0 stays that of all points. InputError as for `statistics`, or if the cutoff is too
+    long.
+    """
+    if cutoff is not None and not (cutoff > 0.0 and math.isfinite(cutoff)):
+        raise InputError("cutoff", cutoff, "> 0 m, finite")
+    heights, pitches = surface.heights, surface.pitch
+    _, (deviation, *_) = _height_parameters(heights)
+    profiles, reached = [], 0.0
+    for axis in (1,) if surface.is_profile else (1, 0):
+        step = 1 if cutoff is None else max(1, round(cutoff / (2.0 * pitches[axis])))
+        distance = step * pitches[axis]
+        if step > 1 and heights.shape[axis] <= 2 * step:
+            longest = (heights.shape[axis] - 1) * pitches[axis]
+            raise InputError("cutoff", cutoff, f"at most {longest:.4g} m, from the first to the last point along {'yx'[axis]}")
+        slope = _rms_difference(heights, axis, 1, step) / distance
+        second = _rms_difference(heights, axis, 2, step) / distance**2
+        profiles.append(Moments(deviation**2, slope**2, second**2))
+        reached = max(reached, 2.0 * distance)
+    isotropic = _mean(profiles[0], profiles[-1])
+    return ProfileMoments(profiles[0], None if surface.is_profile else profiles[1], isotropic, reached, "finite differences")
+
+
+def moments_by_spectrum(spectrum: PowerSpectrum, cutoff: float | None = None) -> ProfileMoments:
+    """Spectral moments by integration of the power spectrum over all waves not shorter than the cutoff.
+
+    cutoff: wavelength [m], >= 0, by default two (of the larger) pitches, Nyquist's; 0 takes every wave on the grid, the
+    shortest of which are along its diagonals. Reliable only if it is not below `spectrum.shortest`. `isotropic` is that of the
+    radial average; x and y are integrated each. InputError if no wave is that long.
+    """
+    cutoff = 2.0 * spectrum.pitch if cutoff is None else float(cutoff)
+    if not (cutoff >= 0.0 and math.isfinite(cutoff)):
+        raise InputError("cutoff", cutoff, ">= 0 m, finite")
+    powers = _powers(spectrum, math.inf if cutoff == 0.0 else 2.0 * math.pi / cutoff * _ROUNDING)
+    if not powers[0, 0] > 0.0:
+        longest = 2.0 * math.pi / spectrum.lowest
+        raise InputError("cutoff", cutoff, f"at most {longest:.4g} m, the longest wave, and heights that are not all alike")
+    x = Moments(*map(float, powers[0]))
+    if spectrum.is_profile:
+        return ProfileMoments(x, None, x, cutoff, "power spectrum")
+    y = Moments(*map(float, powers[:, 0]))
+    fourth = powers[0, 2] + 2.0 * powers[1, 1] + powers[2, 0]
+    isotropic = Moments(x.m0, (x.m2 + y.m2) / 2.0, float(3.0 / 8.0 * fourth))  # means of cos^2 and cos^4 over directions
+    return ProfileMoments(x, y, isotropic, cutoff, "power spectrum")
+
+
+def combine(first: Moments, second: Moments) -> Moments:
+    """Moments of the sum of two surfaces that know nothing of each other: they add. For the gap between two rough bodies; both
+    must have been taken with the same cutoff."""
+    return Moments(first.m0 + second.m0, first.m2 + second.m2, first.m4 + second.m4)
+
+
+# ---- heights
+
+
+def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, float, float, float]]:
+    """Mean [m] and (Sq, Sa, Sz, Ssk, Sku)."""
+    count = int(np.count_nonzero(~np.isnan(heights)))
+    if not count:
+        raise InputError("heights", "all missing", "some points that have a height")
+    highest, lowest = float(np.nanmax(heights)), float(np.nanmin(heights))
+    if not highest > lowest:
+        raise InputError("heights", highest, "heights that are not all alike")
+    start = (highest + lowest) / 2.0  # near the mean, so that a large offset costs no digits
+    mean = start + sum(float(np.nansum(block - start)) for block in _blocks(heights)) / count
+    span = highest - lowest  # heights over it: their fourth powers do not underflow
+    sums = np.zeros(4)
+    for block in _blocks(heights):
+        d = (block[~np.isnan(block)] - mean) / span
+        squares = d * d
+        sums += np.abs(d).sum(), squares.sum(), squares @ d, squares @ squares
+    first, second, third, fourth = (float(value) for value in sums / count)
+    deviation = math.sqrt(second)
+    return mean, (deviation * span, first * span, span, third / deviation**3, fourth / deviation**4)
+
+
+# ---- differences
+
+
+def _blocks(heights: np.ndarray, overlap: int = 0) -> Iterator[np.ndarray]:
+    """Views of some rows, _BLOCK points, and `overlap` more of the next."""
+    rows = max(1, _BLOCK // heights.shape[1])
+    for start in range(0, max(1, heights.shape[0] - overlap), rows):
+        yield heights[start : start + rows + overlap]
+
+
+def _difference(heights: np.ndarray, order: int, step: int) -> np.ndarray:
+    """First or second differences along the rows, of points `step` apart."""
+    for _ in range(order):
+        heights = heights[:, step:] - heights[:, :-step]
+    return heights
+
+
+def _rms_difference(heights: np.ndarray, axis: int, order: int, step: int = 1) -> float:
+    """Root mean square of the differences of an order along an axis, where all their points have a height."""
+    total, count = 0.0, 0
+    if heights.shape[axis] > order * step:
+        for block in _blocks(heights if axis == 1 else heights.T):
+            part, number = _sum_of_squares(_difference(block, order, step))
+            total, count = total + part, count + number
+    return _root_mean(total, count, heights, f"{order * step + 1} points in a row along {'yx'[axis]}")
+
+
+def _rms_laplacian(heights: np.ndarray, dy: float, dx: float) -> float:
+    """Root mean square of the sum of both second derivatives, where all five points have a height."""
+    total, count = 0.0, 0
+    if min(heights.shape) > 2:
+        for block in _blocks(heights, overlap=2):
+            along_x = _difference(block[1:-1], 2, 1) / dx**2
+            along_y = _difference(block[:, 1:-1].T, 2, 1).T / dy**2
+            part, number = _sum_of_squares(along_x + along_y)
+            total, count = total + part, count + number
+    return _root_mean(total, count, heights, "a point with its four neighbours")
+
+
+def _sum_of_squares(values: np.ndarray) -> tuple[float, int]:
+    """Sum of the squares and number of the values that are there."""
+    total, count = float(np.einsum("ij,ij->", values, values)), values.size
+    if math.isnan(total):
+        there = values[~np.isnan(values)]
+        total, count = float(there @ there), there.size
+    return total, count
+
+
+def _root_mean(total: float, count: int, heights: np.ndarray, needed: str) -> float:
+    if not count:
+        missing = int(np.count_nonzero(np.isnan(heights)))
+        shape = f"{heights.shape[0]} x {heights.shape[1]} points, {missing} missing"
+        raise InputError("heights", shape, f"at least {needed}, none of them missing")
+    return math.sqrt(total / count)
+
+
+# ---- moments
+
+
+def _mean(x: Moments, y: Moments) -> Moments:
+    return Moments((x.m0 + y.m0) / 2.0, (x.m2 + y.m2) / 2.0, (x.m4 + y.m4) / 2.0)
+
+
+def _powers(spectrum: PowerSpectrum, highest: float) -> np.ndarray:
+    """(3, 3): sum_q C q_y^(2 i) q_x^(2 j) / A over the waves 0 < |q| <= highest."""
+    qy, qx = spectrum.wavevectors
+    columns = spectrum.waves[:, None] * qx[:, None] ** np.array([0, 2, 4])
+    reach = np.sqrt(np.maximum(highest * highest - qy * qy, 0.0))
+    ends = np.where(np.abs(qy) <= highest, np.searchsorted(qx, reach, side="right"), 0)
+    sums = np.array([row[:end] @ columns[:end] for row, end in zip(spectrum.density, ends.tolist(), strict=True)])
+    sums[0, 0] -= spectrum.density[0, 0]  # the wave q = 0
+    return (qy[:, None] ** np.array([0, 2, 4])).T @ sums / spectrum.extent

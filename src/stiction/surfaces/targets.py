@@ -1,0 +1,145 @@
+"""Power spectra to generate surfaces from, with their moments in closed form.
+
+The spectrum C of a surface is that of the wave vector's length q [rad/m], counted so that the mean square height is
+
+    m0 = Int C(q) d^2q / (2 pi)^2   of a surface, C in m^4,        m0 = Int C(q) dq / (2 pi)   of a profile, C in m^3,
+
+over both signs of every component. The moments are those of a profile along a line, as in `stiction.moments`: of an isotropic
+surface, with the mean squares M_k = Int C q^(k+1) dq / (2 pi), they are m0 = M_0, m2 = M_2 / 2, m4 = 3 M_4 / 8, because the
+mean of cos^2 over all directions is 1/2 and that of cos^4 is 3/8 (Nayak 1971).
+"""
+
+import math
+from dataclasses import dataclass, replace
+from numbers import Real
+
+import numpy as np
+
+from ..errors import InputError
+from ..moments import Moments
+from ..units import show
+
+__all__ = ["GaussianCorrelation", "SelfAffine", "require_positive"]
+
+_SHARES = {1: (1.0, 1.0, 1.0), 2: (1.0, 1.0 / 2.0, 3.0 / 8.0)}  # of M_k that a line sees, by dimensions
+_EDGE = 1e-9  # a wave that lies on an edge of the spectrum belongs to it, whatever the rounding
+
+
+def require_positive(**values: float) -> None:
+    """InputError for the first of these that is not a finite number > 0."""
+    for name, value in values.items():
+        if not (isinstance(value, Real) and 0.0 < float(value) < math.inf):
+            raise InputError(name, value, "a finite number > 0")
+
+
+def _powers(low: float, high: float, exponent: float) -> float:
+    """Int q^(exponent - 1) dq from low to high."""
+    if abs(exponent) < 1e-12:
+        return math.log(high / low)
+    return (high**exponent - low**exponent) / exponent
+
+
+@dataclass(frozen=True)
+class SelfAffine:
+    """A self-affine surface between two wavelengths: C falls as q^(-2 - 2 H), below its roll-off it is constant.
+
+    hurst: exponent H, 0 to 1; rolloff: wavelength [m] above which C is constant; shortest: the shortest wavelength [m];
+    deviation: root mean square height [m]; longest: wavelength [m] above which there is nothing, infinite if not given;
+    dimensions: 2 of a surface, 1 of a profile, whose C falls as q^(-1 - 2 H).
+    0 < shortest <= rolloff <= longest; InputError otherwise.
+    """
+
+    hurst: float
+    rolloff: float
+    shortest: float
+    deviation: float
+    longest: float = math.inf
+    dimensions: int = 2
+
+    def __post_init__(self) -> None:
+        if not 0.0 <= self.hurst <= 1.0:
+            raise InputError("hurst", self.hurst, "0 to 1")
+        if self.dimensions not in _SHARES:
+            raise InputError("dimensions", self.dimensions, "2 of a surface, 1 of a profile")
+        require_positive(shortest=self.shortest, deviation=self.deviation)
+        if not self.shortest <= self.rolloff < math.inf:
+            raise InputError("rolloff", self.rolloff, f"a wavelength in m, not below the shortest, {self.shortest:g} m")
+        if not self.longest >= self.rolloff:
+            raise InputError("longest", self.longest, f"a wavelength in m, not below the roll-off, {self.rolloff:g} m")
+        if self.shortest == self.longest:
+            raise InputError("longest", self.longest, f"above the shortest wavelength, {self.shortest:g} m")
+
+    def with_slope(self, slope: float) -> "SelfAffine":
+        """The same with this root mean square gradient [1] instead of its root mean square height."""
+        require_positive(slope=slope)
+        return replace(self, deviation=self.deviation * slope / self.rms_slope)
+
+    def __str__(self) -> str:
+        lengths = {"roll-off": self.rolloff, "shortest wave": self.shortest, "longest wave": self.longest}
+        said = [f"{name} {show(value, 'mean_separation')}" for name, value in lengths.items() if math.isfinite(value)]
+        return f"self-affine, H {self.hurst:g}, {', '.join(said)}, rms height {show(self.deviation, 'mean_separation')}"
+
+    @property
+    def rms_slope(self) -> float:
+        """Root mean square gradient [1], sqrt(2 m2) of a surface and sqrt(m2) of a profile."""
+        return math.sqrt(self.dimensions * self.moments.m2)
+
+    @property
+    def moments(self) -> Moments:
+        """m0 [m^2], m2 [1], m4 [1/m^2] of a profile, of waves that lie close: of an infinite surface. In closed form."""
+        zeroth, second, fourth = (self._shape(k) for k in (0, 2, 4))
+        m0 = self.deviation**2
+        _, two, four = _SHARES[self.dimensions]
+        return Moments(m0, two * m0 * second / zeroth, four * m0 * fourth / zeroth)
+
+    def __call__(self, q: np.ndarray) -> np.ndarray:
+        """C at wave numbers q >= 0 [rad/m]: m^4 of a surface, m^3 of a profile."""
+        lowest, corner, highest = self._edges()
+        solid = {1: math.pi, 2: 2.0 * math.pi}[self.dimensions]
+        plateau = self.deviation**2 * solid / self._shape(0)
+        inside = (q >= lowest * (1.0 - _EDGE)) & (q <= highest * (1.0 + _EDGE))
+        falling = np.maximum(q, corner) / corner
+        return np.where(inside, plateau * falling ** (-self.dimensions - 2.0 * self.hurst), 0.0)
+
+    def _edges(self) -> tuple[float, float, float]:
+        """Wave numbers [rad/m] of the longest wave, the roll-off, the shortest wave."""
+        return 2.0 * math.pi / self.longest, 2.0 * math.pi / self.rolloff, 2.0 * math.pi / self.shortest
+
+    def _shape(self, k: int) -> float:
+        """Int C q^(k + dimensions - 1) dq over the plateau's C."""
+        lowest, corner, highest = self._edges()
+        d, h = self.dimensions, self.hurst
+        flat = _powers(lowest, corner, k + d)
+        return flat + corner ** (d + 2.0 * h) * _powers(corner, highest, k - 2.0 * h)
+
+
+@dataclass(frozen=True)
+class GaussianCorrelation:
+    """A surface whose autocorrelation is deviation^2 exp(-r^2 / length^2): smooth, of one scale, alpha = 3 in closed form.
+
+    deviation: root mean square height [m]; length: correlation length [m]; dimensions: 2 of a surface, 1 of a profile.
+    """
+
+    deviation: float
+    length: float
+    dimensions: int = 2
+
+    def __post_init__(self) -> None:
+        require_positive(deviation=self.deviation, length=self.length)
+        if self.dimensions not in _SHARES:
+            raise InputError("dimensions", self.dimensions, "2 of a surface, 1 of a profile")
+
+    def __str__(self) -> str:
+        length, deviation = (show(value, "mean_separation") for value in (self.length, self.deviation))
+        return f"Gaussian autocorrelation, correlation length {length}, rms height {deviation}"
+
+    @property
+    def moments(self) -> Moments:
+        """m0 [m^2], m2 [1], m4 [1/m^2]: the derivatives of the autocorrelation at 0."""
+        m0 = self.deviation**2
+        return Moments(m0, 2.0 * m0 / self.length**2, 12.0 * m0 / self.length**4)
+
+    def __call__(self, q: np.ndarray) -> np.ndarray:
+        """C at wave numbers q >= 0 [rad/m]: m^4 of a surface, m^3 of a profile."""
+        plateau = self.deviation**2 * (math.sqrt(math.pi) * self.length) ** self.dimensions
+        return plateau * np.exp(-np.minimum((0.5 * q * self.length) ** 2, 700.0))

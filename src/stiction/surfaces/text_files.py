@@ -1,0 +1,179 @@
+"""Reading numbers in text: a matrix of heights, columns x y z, or columns x z of a profile.
+
+How columns are parted and decimals are marked is found from the file. Tables with two or three columns are positions and
+heights: a map that narrow would be too small anyway. One line of words above the columns is passed over and told of, not
+read for units. Lines that begin with # are left out.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+
+from stiction.errors import InputError
+from stiction.surfaces.instrument_files import read_instrument
+from stiction.surfaces.positions import equally_spaced, gridded
+from stiction.surfaces.raw_scan import RawScan, ends_in_a_line, no_channel
+
+__all__ = ["read_positions", "read_table", "read_text"]
+
+
+def read_table(path: Path, channel) -> RawScan:
+    """A .csv file: rows of heights along x, or columns x z or x y z. Others, that begin with words, are an instrument's."""
+    layout = _layout(path)
+    if layout is None:
+        return read_instrument(path, channel)
+    no_channel(channel)
+    table, notes = _numbers(path, layout)
+    if table.shape[1] in _COLUMNS:
+        return _COLUMNS[table.shape[1]](table, notes)
+    _no_numbering(table, path.name)
+    return RawScan(table.T if table.shape[1] == 1 else table, "matrix of heights", notes=notes)
+
+
+def read_positions(path: Path, channel) -> RawScan:
+    """An .xyz file: columns x z or x y z. Others, that begin with words, are an instrument's."""
+    layout = _layout(path)
+    if layout is None:
+        return read_instrument(path, channel)
+    no_channel(channel)
+    table, notes = _numbers(path, layout)
+    if table.shape[1] not in _COLUMNS:
+        raise InputError("scan", f"{path.name} with {table.shape[1]} columns", "columns x y z, or x z of a profile")
+    return _COLUMNS[table.shape[1]](table, notes)
+
+
+def read_text(path: Path, channel) -> RawScan:
+    """A .txt, .asc or .dat file: as .csv, but with remarks at its head an instrument's, which may say size and unit there."""
+    with path.open("rb") as file:
+        remarks = file.read(1) == b"#"
+    return read_instrument(path, channel) if remarks else read_table(path, channel)
+
+
+# ---- columns
+
+
+def _profile(table: np.ndarray, notes: tuple[str, ...]) -> RawScan:
+    heights, size, done = equally_spaced(*table.T)
+    return RawScan(heights, "columns x z", size, notes=notes + done)
+
+
+def _map(table: np.ndarray, notes: tuple[str, ...]) -> RawScan:
+    heights, size, done = gridded(*table.T)
+    return RawScan(heights, "columns x y z", size, notes=notes + done)
+
+
+_COLUMNS = {2: _profile, 3: _map}
+
+
+def _no_numbering(table: np.ndarray, name: str) -> None:
+    """InputError if the first row and column number the others, as spreadsheets and data frames are written."""
+    rows, columns = table.shape
+    if (
+        np.isnan(table[0, 0])
+        and np.array_equal(table[0, 1:], np.arange(columns - 1))
+        and np.array_equal(table[1:, 0], np.arange(rows - 1))
+    ):
+        raise InputError("scan", f"{name} with numbers of its rows and columns", "heights only")
+
+
+# ---- layout
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """delimiter: None for blanks. commas: whether decimals are marked by them. ends_rows: whether the delimiter ends each row
+    too. heading: the line of words above the columns, if there is one."""
+
+    delimiter: str | None
+    commas: bool
+    ends_rows: bool
+    heading: str | None
+
+
+def _layout(path: Path) -> _Layout | None:
+    """How the numbers of a file are written; None if it does not begin with numbers, but for one line of words."""
+    first, second = [*islice(_lines(path), 2), "", ""][:2]
+    if not first:
+        raise InputError("scan", str(path), "a file with numbers")
+    delimiter = _delimiter(second or first)
+    names, cells = ([cell.strip() for cell in line.split(delimiter)] for line in (first, second))
+    numbers = any(map(_is_number, names)) or not any(names)  # a row of empty cells is one of missing heights
+    if numbers:
+        return _surveyed(path, delimiter, None) if not names[0] or _is_number(names[0]) else None
+    if len(names) != len(cells) or not any(map(_is_number, cells)):
+        return None
+    if not names[0]:
+        raise InputError("scan", f"{path.name} with numbers of its rows", "columns x z, x y z, or heights only")
+    return _surveyed(path, delimiter, first)
+
+
+def _surveyed(path: Path, delimiter: str | None, heading: str | None) -> _Layout:
+    """The layout, with what only all lines together show."""
+    commas, points, ends_rows = False, False, delimiter is not None
+    for line in islice(_lines(path), bool(heading), None):
+        commas = commas or (delimiter != "," and "," in line)
+        points = points or "." in line
+        ends_rows = ends_rows and line.endswith(delimiter or "")
+    if commas and points:
+        raise InputError("scan", f"{path.name} with commas and points in its numbers", "decimal commas or decimal points")
+    return _Layout(delimiter, commas, ends_rows, heading)
+
+
+def _delimiter(line: str) -> str | None:
+    for mark in "\t;":
+        if mark in line:
+            return mark
+    if "," in line and not re.search(r"\d[ ]+[-+\d]", line):
+        return ","
+    return None  # blanks, between which a comma marks decimals
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text.replace(",", "."))
+    except ValueError:
+        return False
+    return True
+
+
+def _lines(path: Path) -> Iterator[str]:
+    """Lines that hold something and are no remark. Bytes that are no UTF-8 are replaced: numbers have none."""
+    with path.open(encoding="utf-8-sig", errors="replace") as file:
+        for line in file:
+            line = line.strip(" \r\n")
+            if line and not line.startswith("#"):
+                yield line
+
+
+# ---- numbers
+
+
+def _numbers(path: Path, layout: _Layout) -> tuple[np.ndarray, tuple[str, ...]]:
+    """(rows, columns), NaN for empty cells, and what to say of them."""
+    try:
+        table = np.loadtxt(_rows(path, layout), delimiter=layout.delimiter, ndmin=2, comments=None)
+    except ValueError as error:
+        problem = str(error).partition(";")[0].rstrip(".")
+        raise InputError("scan", path.name, f"rows of numbers, equally many in each ({problem})") from None
+    notes: tuple[str, ...] = ("decimal commas",) if layout.commas else ()
+    if layout.heading:
+        notes += (f"heading {layout.heading[:60]!r} passed over, not read for units",)
+    return table, notes + ends_in_a_line(path)
+
+
+def _rows(path: Path, layout: _Layout) -> Iterator[str]:
+    """The lines with nan in empty cells and points for decimal commas."""
+    mark = layout.delimiter
+    empty = re.compile(f"(?:^|{mark}) *(?:{mark}|$)")
+    for line in islice(_lines(path), bool(layout.heading), None):
+        if layout.commas:
+            line = line.replace(",", ".")
+        if mark is not None:
+            line = line[:-1] if layout.ends_rows else line
+            if empty.search(line):
+                line = mark.join(cell.strip(" ") or "nan" for cell in line.split(mark))
+        yield line

@@ -1,0 +1,229 @@
+"""A case that names scans: the friction of the roughness that is found in them, with its band over the methods."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+import xarray
+from comparing import near
+from typer.testing import CliRunner
+
+import stiction as st
+from stiction.case import json_schema
+from stiction.cli import app
+
+SIZE, PITCHES, AMPLITUDE = 20e-6, 256, 4e-9
+CASE = """
+title = "a scan"
+[contact]
+first = "silver"
+second = "hardened_steel_52100"
+work_of_adhesion = "0.05 J/m^2"
+nominal_area = "1 mm^2"
+[contact.roughness]
+{roughness}
+[solve]
+load = ["1 mN", "1 N"]
+"""
+ONE = 'first = { file = "rough.npy", size = "20 um", unit = "m" }'
+
+
+def command(*words, code=0):
+    result = CliRunner().invoke(app, [str(word) for word in words])
+    assert result.exit_code == code, (result.output, result.exception)
+    return result
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A folder with two rough surfaces, an egg crate, and a profile."""
+    folder = tmp_path_factory.mktemp("scans")
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=0.6e-6, deviation=30e-9)
+    for name, seed in (("rough", 1), ("other", 2)):
+        made = st.gaussian_surface((PITCHES, PITCHES), (SIZE, SIZE), spectrum, seed)
+        np.save(folder / f"{name}.npy", made.heights)
+    x = 2.0 * np.pi * np.arange(PITCHES) / PITCHES
+    np.save(folder / "eggs.npy", AMPLITUDE * np.cos(8.0 * x)[:, None] * np.cos(8.0 * x))
+    np.save(folder / "line.npy", made.heights[7])
+    return folder
+
+
+def case(folder, roughness=ONE):
+    path = folder / f"case-{abs(hash(roughness))}.toml"
+    path.write_text(CASE.format(roughness=roughness))
+    return path
+
+
+def test_a_scan_is_solved_as_the_numbers_that_are_found_in_it(folder):
+    """The same as giving these numbers by hand; and each line of the band is that of its method."""
+    read = st.read_case(case(folder))
+    data = st.solve_case(read)
+    assert read.measured.method == data.attrs["roughness_method"] == "persistence"
+    surface = st.prepared(st.read_scan(folder / "rough.npy", size="20 um", unit="m"))
+    for method in data["asperity_method"].values:
+        found = st.asperities(surface, str(method))
+        numbers = {
+            "asperity_height_deviation": found.deviation, "asperity_radius": found.radius, "asperity_density": found.density,
+        }
+        model = read.measured.by_method[method]
+        by_hand = st.Roughness(
+            **numbers, height_distribution=model.height_distribution, height_parameters=model.height_parameters
+        )
+        contact = read.subject.model_copy(update={"roughness": by_hand})
+        expected = st.solve(contact, load=["1 mN", "1 N"])["friction_coefficient"].values
+        assert data["friction_coefficient_by_method"].sel(asperity_method=method).values == pytest.approx(expected, rel=1e-9)
+    table = data["friction_coefficient_by_method"].values
+    assert data["friction_coefficient_low"].values == pytest.approx(table.min(axis=0))
+    assert data["friction_coefficient_high"].values == pytest.approx(table.max(axis=0))
+    assert data["friction_coefficient"].values == pytest.approx(table[0])
+    assert "rough.npy" in data.attrs["scans"] and "levelled" in data.attrs["scans"]
+
+
+def test_two_scans_are_added(folder):
+    """sigma^2 of McCool's asperities adds with m0, m2 and m4: of two surfaces alike it doubles, and slopes with it."""
+    two = ONE + '\nsecond = { file = "other.npy", size = "20 um", unit = "m" }'
+    one = st.read_case(case(folder)).measured.by_method["mccool"]
+    both = st.read_case(case(folder, two)).measured
+    assert set(both.history) == {"first", "second"}
+    found = both.by_method["mccool"]
+    assert found.asperity_height_deviation / one.asperity_height_deviation == pytest.approx(math.sqrt(2.0), rel=0.2)
+    assert found.asperity_radius / one.asperity_radius == pytest.approx(1.0 / math.sqrt(2.0), rel=0.1)
+    assert found.asperity_density / one.asperity_density == pytest.approx(1.0, rel=0.1)
+
+
+def test_a_profile_has_methods_of_its_own(folder):
+    read = st.read_case(case(folder, 'second = { file = "line.npy", size = "20 um", unit = "m" }'))
+    assert read.measured.method == "three_point"
+    assert {"eight_neighbour", "persistence"} == set(read.measured.failures)
+    assert {"three_point", "n_point", "mccool"} == set(read.measured.by_method)
+
+
+def test_few_asperities_in_contact_are_flagged(folder):
+    """The share that touches times the number found: fewer than ten at light loads, which is said, and more at heavy ones."""
+    heavy = folder / "heavy.toml"
+    heavy.write_text(CASE.format(roughness=ONE).replace('"1 N"', '"30 N"'))
+    read = st.read_case(heavy)
+    data = st.solve_case(read)
+    method = read.measured.method
+    touching = data["found_touching_by_method"].sel(asperity_method=method).values
+    share = data["touching_asperities"].values / (read.subject.roughness.asperity_density * read.subject.nominal_area)
+    assert touching == pytest.approx(share * read.measured.counts[method])
+    assert touching[0] < 10.0 < touching[1]
+    assert f"{method} up to 1 mN" in data.attrs["outside_validity"]
+    assert np.isnan(data["found_touching_by_method"].sel(asperity_method="mccool").values).all()
+
+
+def test_run_writes_the_band(folder):
+    out = folder / "out"
+    text = command("run", case(folder), "--out", out).stdout
+    assert "persistence" in text and "spread over all methods" in text
+    heads = (out / "curve.csv").read_text().splitlines()
+    assert len(heads) == 3
+    assert {"friction_coefficient_low", "friction_coefficient_high", "friction_coefficient_mccool"} <= set(heads[0].split(","))
+    with xarray.open_dataset(out / "curve.nc") as data:
+        assert data["friction_coefficient_by_method"].dims == ("asperity_method", "load")
+    answer = json.loads(command("run", case(folder), "--json").stdout)
+    assert answer["measured"]["method"] == "persistence"
+    assert set(answer["measured"]["by_method"]["mccool"]) >= {"sigma", "R", "N"}
+    assert answer["variables"]["friction_coefficient_by_method"]["dims"] == ["asperity_method", "load"]
+
+
+def test_compare_gives_each_model_its_band(folder):
+    answer = json.loads(command("compare", case(folder), "--load", "1 N", "--json", "--out", folder / "compared").stdout)
+    rows = {row["model"]: row for row in answer["models"]}
+    mu = rows["soft_coating_2015"]["friction_coefficient_by_method"]
+    one = st.solve_case(st.read_case(case(folder)))["friction_coefficient_by_method"].sel(load=1.0)
+    assert mu == pytest.approx({str(name): float(one.sel(asperity_method=name)) for name in one["asperity_method"].values})
+    assert rows["soft_coating_2015"]["friction_coefficient_low"] == pytest.approx(min(mu.values()))
+    assert rows["soft_coating_2015"]["friction_coefficient_high"] == pytest.approx(max(mu.values()))
+    assert answer["measured"]["method"] == "persistence"
+    assert "over methods" in command("compare", case(folder), "--load", "1 N").stdout
+
+
+@pytest.mark.parametrize(
+    ("roughness", "field"),
+    [
+        ('first = { file = "none.npy", size = "20 um", unit = "m" }', "contact.roughness.first"),
+        ('first = { file = "rough.npy" }', "contact.roughness.first.unit"),
+        ('first = { file = "rough.npy", unit = "m" }', "contact.roughness.first.size"),
+        ('first = { file = "rough.npy", size = 20, unit = "m" }', "contact.roughness.first.size"),
+        ('first = { file = "rough.npy", size = "20 um", unit = "kg" }', "contact.roughness.first.unit"),
+        (ONE + '\nmethod = "guess"', "contact.roughness.method"),
+        (ONE + "\nform = 9", "contact.roughness.form"),
+        (ONE + '\nshortest = "1 nm"', "contact.roughness.first.shortest"),
+        (ONE + '\nheights = "square"', "contact.roughness.heights"),
+        (ONE + '\nasperity_radius = "1 um"', "contact.roughness.asperity_radius"),
+        ('first = "rough.npy"', "contact.roughness.first"),
+        ('second = { file = "line.npy", size = "20 um", unit = "m" }\nmethod = "persistence"', "contact.roughness.method"),
+    ],
+)
+def test_bad_scans_in_a_case_are_one_line(folder, roughness, field):
+    result = command("run", case(folder, roughness), code=2)
+    assert result.stderr.startswith(f"stiction: {field}") and result.stderr.count("\n") == 1
+
+
+def test_the_height_distribution_can_be_chosen(folder):
+    for name in ("gaussian", "weibull", "empirical"):
+        read = st.read_case(case(folder, ONE + f'\nheights = "{name}"'))
+        assert read.subject.roughness.height_distribution == name
+        assert read.measured.by_method["mccool"].height_distribution == "gaussian"  # it has no heights to fit to
+
+
+def test_the_schema_knows_scans():
+    places = json_schema()["$defs"]["Contact"]["properties"]["roughness"]["anyOf"]
+    names = [entry["$ref"].rpartition("/")[2] for entry in places]
+    assert names == ["Roughness", "MeasuredRoughness"]
+    assert "file" in json_schema()["$defs"]["Scan"]["properties"]
+
+
+# ---- stiction surface
+
+
+def test_surface_prints_closed_forms_of_an_egg_crate(folder):
+    """A cos cos: Sq = A/2, 2 of 8 x 8 periods are summits, and R is 1/(A q^2)."""
+    answer = json.loads(command("surface", folder / "eggs.npy", "--size", "20 um", "--unit", "m", "--json").stdout)
+    assert answer["Sq"] == near(AMPLITUDE / 2.0, rel=1e-9)
+    assert answer["size"] == {"x": SIZE, "y": SIZE} and answer["pixels"] == {"x": PITCHES, "y": PITCHES}
+    assert answer["missing_points"] == 0
+    q = 2.0 * np.pi * 8.0 / SIZE
+    for method in ("eight_neighbour", "persistence"):
+        found = answer["asperities"][method]
+        assert found["R"] == near(1.0 / (AMPLITUDE * q * q), rel=0.06)
+        assert found["N"] == pytest.approx(128.0 / SIZE**2, rel=0.15)  # less those at the edge
+    assert set(answer["asperities"]) | set(answer["failures"]) == {
+        "three_point", "eight_neighbour", "persistence", "n_point", "mccool",
+    }
+
+
+def test_surface_writes_pictures_and_tables(folder):
+    out = folder / "surface"
+    words = ("surface", folder / "rough.npy", "--size", "20 um", "--unit", "m", "--out", out, "--case", case(folder))
+    text = command(*words).stdout
+    assert "Sq = " in text and "nm" in text
+    names = {path.name for path in out.iterdir()}
+    assert names == {
+        "map.png", "spectrum.png", "asperities.png", "fan.png", "fan.csv", "fan.nc", "spectrum.csv", "surface.json",
+    }
+    for name in names:
+        assert (out / name).stat().st_size > 200
+    with xarray.open_dataset(out / "fan.nc") as fan:
+        assert set(fan.dims) == {"asperity_method", "cutoff"}
+        assert np.isfinite(fan["mu"].sel(asperity_method="mccool").values).all()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["none.npy"], "stiction: scan: 'none.npy'"),
+        (["rough.npy"], "stiction: unit"),
+        (["rough.npy", "--unit", "m", "--size", "0 um"], "stiction: size"),
+        (["rough.npy", "--unit", "m", "--size", "20 um", "--height-scale", "0"], "stiction: height_scale"),
+        (["rough.npy", "--unit", "m", "--size", "20 um", "--load", "1 N"], "stiction: --load"),
+        (["rough.npy", "--unit", "Mm", "--size", "20 um"], "stiction: scan"),
+    ],
+)
+def test_bad_words_for_surface_are_one_line(folder, monkeypatch, words, said):
+    monkeypatch.chdir(folder)
+    result = command("surface", *words, code=2)
+    assert result.stderr.startswith(said) and result.stderr.count("\n") == 1
