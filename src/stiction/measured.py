@@ -15,9 +15,10 @@ if TYPE_CHECKING:
     from .surfaces.asperities import Asperities
     from .surfaces.heightmap import HeightMap
 
-# What stands for the surface unless a case says otherwise. Summits that stand out of the noise by a threshold are the least
-# touched by the resolution of the instrument; a profile has none.
-DEFAULT_METHOD, DEFAULT_OF_PROFILES = "persistence", "three_point"
+# What stands for the surface unless a case says otherwise: the first that finds FEW or more. Summits that stand out of the
+# noise by a threshold are the least touched by the resolution of the instrument; on a scan with spikes, which set the
+# threshold, they may be too few, and on a profile there are none.
+PREFERRED = ("persistence", "eight_neighbour", "three_point")
 
 
 def _length(value):
@@ -43,15 +44,17 @@ class Scan(Input):
 class MeasuredRoughness(Input):
     """Scans of one body, the other being smooth, or of both, and how asperities are found in them.
 
-    first, second: the scans. method: key of a way of finding asperities. form: order of the polynomial that is taken off, 1 for
-    a plane. shortest, longest: wavelengths between which the heights are kept. heights: gaussian, weibull or empirical, the
-    distribution of the asperity heights; else the simplest that fits. Raises InputError.
+    first, second: the scans. method: key of a way of finding asperities; else the first of PREFERRED that finds enough. form:
+    order of the polynomial that is taken off, 1 for a plane. fill: how missing points are filled, if they are. shortest,
+    longest: wavelengths between which the heights are kept. heights: gaussian, weibull or empirical, the distribution of the
+    asperity heights; else the simplest that fits. Raises InputError.
     """
 
     first: Scan | None = Field(None, description="a table with the scan of the first body")
     second: Scan | None = Field(None, description="a table with the scan of the second body")
     method: str | None = Field(None, description="persistence, eight_neighbour, three_point, n_point or mccool")
     form: int = Field(1, ge=0, le=4, strict=True, description="order of the polynomial that is taken off, 0 to 4")
+    fill: str | None = Field(None, description="harmonic or nearest: fill missing points; else they are left out")
     shortest: _Length | None = Field(None, description="shortest wavelength that is kept")
     longest: _Length | None = Field(None, description="longest wavelength that is kept")
     heights: str | None = Field(None, description="gaussian, weibull or empirical; else the simplest that fits")
@@ -69,7 +72,7 @@ class Measured:
 
     by_method: method -> Roughness; method: that which stands for the surface; failures: method -> why it found nothing.
     history: of each scan, in words; notes: method -> what was found, and what it rests on; counts: method -> how many
-    asperities it found, 0 where it has averages only.
+    asperities it found, on the body with fewer; 0 where it has averages only.
     """
 
     by_method: Mapping[str, Roughness]
@@ -115,6 +118,7 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
     """Read the scans, prepare them, and find asperities by every method. Raises InputError for scans that cannot be read or
     where the wanted method finds nothing."""
     from .surfaces.asperities import METHODS, asperities, combine
+    from .surfaces.asperity_set import FEW
     from .surfaces.height_model import height_model, roughness
 
     maps = {
@@ -123,28 +127,27 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
         if scan is not None
     }
     found: dict[str, Asperities] = {}
+    counts: dict[str, int] = {}
     failures: dict[str, str] = {}
     for method in METHODS:
         try:
             each = [asperities(one, method) for one in maps.values()]
             found[method] = each[0] if len(each) == 1 else combine(*each)
+            counts[method] = min(one.count for one in each)
         except InputError as error:
             failures[method] = str(error)
-    method = wanted.method or _default(maps.values())
+    method = wanted.method or next((one for one in PREFERRED if counts.get(one, 0) >= FEW), next(iter(found), ""))
     if method not in found:
-        raise InputError("roughness.method", method, f"{', '.join(found)}; {failures.get(method, 'no such method')}")
+        every = "; ".join(f"{name}: {why}" for name, why in failures.items())
+        raise InputError("roughness.method", method, f"{', '.join(found)}; {failures.get(method, every or 'no such method')}")
     return Measured(
         {name: roughness(one, height_model(one, wanted.heights)) for name, one in found.items()},
         method,
         failures,
         {body: one.history for body, one in maps.items()},
         {name: one.note for name, one in found.items()},
-        {name: one.count for name, one in found.items()},
+        counts,
     )
-
-
-def _default(maps) -> str:
-    return DEFAULT_OF_PROFILES if any(one.is_profile for one in maps) else DEFAULT_METHOD
 
 
 def _prepared(scan: Scan, wanted: MeasuredRoughness, folder: Path, body: str) -> "HeightMap":
@@ -154,6 +157,6 @@ def _prepared(scan: Scan, wanted: MeasuredRoughness, folder: Path, body: str) ->
     given: dict[str, Any] = {"size": scan.size, "unit": scan.unit, "height_unit": scan.height_unit, "channel": scan.channel}
     try:
         surface = read_scan(folder / scan.file, **given)
-        return prepared(surface, wanted.form, wanted.shortest, wanted.longest)
+        return prepared(surface, wanted.form, wanted.fill, wanted.shortest, wanted.longest)
     except InputError as error:
         raise InputError(f"roughness.{body}.{error.field}", error.value, error.allowed) from None

@@ -362,7 +362,7 @@ def banded_at(load):
         "n_point": contact(21e-9, 1.08e-6, 4e11),
     }
     counts = dict.fromkeys(contacts, 1000)
-        return with_band(solve(contacts["persistence"], load=load), contacts, counts, Choice())
+    return with_band(solve(contacts["persistence"], load=load), contacts, counts, Choice())
 
 
 def test_the_band_lies_between_the_lowest_and_the_highest_of_the_methods(banded):

@@ -20,7 +20,8 @@ __all__ = ["Analysis", "analyse", "prepared", "spectrum_rows", "summary"]
 class Analysis:
     """What is said of a scan.
 
-    surface: as prepared. statistics; spectrum: radial average of it, gaps filled. by_differences, by_spectrum: spectral
+    surface: as prepared. statistics; spectrum: radial average of it; of_spectrum: how its gaps were filled for that, if there
+    are any. by_differences, by_spectrum: spectral
     moments, both with the same cutoff. asperities: method -> what was found; heights: method -> their distribution; failures:
     method -> why nothing was found.
     """
@@ -28,6 +29,7 @@ class Analysis:
     surface: HeightMap
     statistics: Statistics
     spectrum: BinnedSpectrum
+    of_spectrum: str
     by_differences: ProfileMoments
     by_spectrum: ProfileMoments
     asperities: dict[str, Asperities]
@@ -35,16 +37,21 @@ class Analysis:
     failures: dict[str, str]
 
 
-def prepared(surface: HeightMap, form: int = 1, shortest: Any = None, longest: Any = None) -> HeightMap:
+def prepared(
+    surface: HeightMap, form: int = 1, fill: str | None = None, shortest: Any = None, longest: Any = None
+) -> HeightMap:
     """The scan without its form and without the waves outside of a band.
 
-    form: order of the polynomial that is taken off, 1 for the mean plane, 0 for nothing. shortest, longest: ends of the band,
-    metres or text with a unit; None for no end. Missing points stay missing. Raises InputError.
+    form: order of the polynomial that is taken off, 1 for the mean plane, 0 for nothing. fill: "harmonic" or "nearest" fills
+    missing points, None leaves them missing. shortest, longest: ends of the band, metres or text with a unit; None for no end.
+    Raises InputError.
     """
     if form == 1:
         surface = level(surface)
     elif form > 1:
         surface = remove_form(surface, order=form)
+    if fill is not None:
+        surface = fill_missing(surface, fill)
     if shortest is None and longest is None:
         return surface
     band = {name: None if one is None else metres(one, name) for name, one in (("shortest", shortest), ("longest", longest))}
@@ -58,7 +65,9 @@ def analyse(surface: HeightMap, progress: Callable[[Iterable], Iterable] = iter)
     failures: dict[str, str] = {}
 
     def spectral() -> None:
-        whole = power_spectrum(surface if surface.complete else fill_missing(surface))
+        filled = surface if surface.complete else fill_missing(surface)
+        found["of_spectrum"] = "" if surface.complete else filled.history[-1]
+        whole = power_spectrum(filled)
         found["spectrum"] = radial_average(whole)
         found["by_spectrum"] = moments_by_spectrum(whole)
 
@@ -93,6 +102,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         "missing_points": surface.missing,
         "units": {"lengths": "m", "N": "1/m^2", "m0": "m^2", "m2": "1", "m4": "1/m^2", "curvatures": "1/m"},
         "statistics": asdict(analysis.statistics),
+        "spectrum_of": analysis.of_spectrum or "the heights as prepared",
         "reliable_band": {"longest": analysis.spectrum.longest, "shortest": analysis.spectrum.shortest},
         "moments": {
             one.method: asdict(one.isotropic) | {"alpha": one.isotropic.alpha, "cutoff": one.cutoff}

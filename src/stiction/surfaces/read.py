@@ -21,7 +21,7 @@ from stiction.units import show
 
 __all__ = ["FEWEST_POINTS", "read_scan"]
 
-_FLATTEST, _STEEPEST = 1e-12, 1e3  # peak to valley over size, beyond which a unit or a factor must be wrong
+_FLATTEST, _STEEPEST = 1e-10, 10.0  # peak to valley over size, beyond which a unit or a factor must be wrong
 _READERS: dict[str, Callable[[Path, object], RawScan]] = {
     ".npy": read_npy,
     ".npz": read_npz,

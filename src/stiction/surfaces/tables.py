@@ -74,7 +74,8 @@ def asperity_table(analysis: Analysis) -> Table:
 
 def surface_notes(analysis: Analysis) -> list[Text]:
     """What each method rests on, and why one found nothing."""
-    lines = [f"{method}: {one.note}; {analysis.heights[method].reason}" for method, one in analysis.asperities.items()]
+    lines = [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
+    lines += [f"{method}: {one.note}; {analysis.heights[method].reason}" for method, one in analysis.asperities.items()]
     lines += [f"{method} found nothing: {why}" for method, why in analysis.failures.items()]
     return [Text(line, style="dim") for line in lines]
 
@@ -95,14 +96,16 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
 
 def roughness_notes(measured: "Measured") -> list[Text]:
     """What found nothing, what was done to the scans, and what the band is."""
-    lines = [f"taken: {measured.method}; the band of mu is the spread over all methods"]
+    count = measured.counts[measured.method]
+    found = f" ({count} asperities)" if count else ""
+    lines = [f"taken: {measured.method}{found}; the band of mu is the spread over all methods"]
     lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
     lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
     return [Text(line, style="dim") for line in lines]
 
 
 def _table(*more: str) -> Table:
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("method", no_wrap=True)
     for head in ("sigma", "R", "N\n1/m²", "N R\nsigma", *more):
         table.add_column(head, justify="right", no_wrap=True)
