@@ -22,6 +22,7 @@ for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
 import numpy as np  # noqa: E402
 from rich.console import Console  # noqa: E402
 from rich.progress import track  # noqa: E402
+from scans import scan_rows  # noqa: E402
 from scipy.integrate import quad  # noqa: E402
 from scipy.optimize import brentq  # noqa: E402
 
@@ -281,6 +282,7 @@ def main() -> None:
             ("grid, sequential film, evaluations/s", speed_on_grid(**film)),
             *((f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()),
             *comparison_rows(),
+            *scan_rows(folder),
             ("stiction --help, processor s", processor_seconds(command, "--help")),
             ("stiction run, fresh process, kernels cached, processor s", processor_seconds(command, "run", case)),
             (

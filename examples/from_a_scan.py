@@ -1,0 +1,30 @@
+"""How much of a friction coefficient is the reading of the surface: one scan, five ways to find asperities, eight resolutions.
+
+    python examples/from_a_scan.py
+
+A made surface stands for the scan; with one of your own, give its name to st.read_scan. The picture is the resolution fan: sigma,
+R, N and mu against the shortest wavelength that is left in the scan, a line for each method.
+"""
+
+import numpy as np
+
+import stiction as st
+from stiction.surfaces.pictures import fan_figure
+
+spectrum = st.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=0.2e-6, deviation=10e-9)
+made = st.gaussian_surface((512, 512), (30e-6, 30e-6), spectrum, seed=7)
+np.save("scan.npy", made.heights)
+
+scan = st.prepared(st.read_scan("scan.npy", size="30 um", unit="m"), form=1)
+print(*scan.history, sep="\n")
+contact = st.Contact(
+    first="hardened_steel_52100",
+    second="hardened_steel_52100",
+    work_of_adhesion="0.1 J/m^2",
+    nominal_area="1 mm^2",
+    roughness=st.Roughness(asperity_height_deviation="10 nm", asperity_radius="1 um", asperity_density="1e12 1/m^2"),
+)  # its roughness is replaced by what is found
+fan = st.fan(scan, contact=contact, load="100 mN")
+lowest, highest = float(fan["mu"].min()), float(fan["mu"].max())
+print(f"static friction coefficient from {lowest:.3f} to {highest:.3f}, by method and resolution alone")
+fan_figure(fan).savefig("fan.png", dpi=150)
