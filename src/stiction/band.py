@@ -1,6 +1,6 @@
 """How much of a friction coefficient is the reading of the surface: the spread over methods that find asperities in a scan."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +9,8 @@ import numpy as np
 from .choice import Choice
 from .contact import Contact
 from .errors import InputError
+from .solve import solve
+from .units import show
 
 if TYPE_CHECKING:
     import xarray
@@ -40,8 +42,6 @@ def _at_loads(contact: Contact, loads: np.ndarray, choice: Choice) -> np.ndarray
 
 
 def _solved(contact: Contact, loads: np.ndarray, choice: Choice) -> np.ndarray:
-    from .solve import solve
-
     if not loads.size:
         return np.zeros((2, 0))
     found = solve(contact, load=loads, **choice.arguments())
@@ -68,10 +68,10 @@ def with_band(
     of_found = np.array([[_samples(contact, counts[name]) or np.nan] for name, contact in contacts.items()])
     touching = (tables[1] * of_found).reshape(shape)
     meaning = {"units": "1", "long_name": "how many of the asperities found would touch"}
-    banded = _banded(data, list(contacts), tables[0].reshape(shape), points, _MU)
-    banded = banded.assign(found_touching_by_method=((METHOD, *points), touching, meaning))
-    doubts = filter(None, (data.attrs["outside_validity"], _on_the_tail(banded)))
-    return banded.assign_attrs(outside_validity="; ".join(doubts))
+    result = banded(data, list(contacts), tables[0].reshape(shape), points, _MU)
+    result = result.assign(found_touching_by_method=((METHOD, *points), touching, meaning))
+    doubts = filter(None, (data.attrs["outside_validity"], _on_the_tail(result)))
+    return result.assign_attrs(outside_validity="; ".join(doubts))
 
 
 def _samples(contact: Contact, count: int) -> int:
@@ -81,8 +81,6 @@ def _samples(contact: Contact, count: int) -> int:
 
 def _on_the_tail(data: "xarray.Dataset") -> str:
     """By which methods, and up to which load, FEW of the asperities found touch; "" if nowhere."""
-    from .units import show
-
     loads = np.atleast_1d(data["load"].values)
     said = []
     for method in data[METHOD].values:
@@ -97,25 +95,7 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
     )
 
 
-def over_methods(
-    data: "xarray.Dataset", contacts: Mapping[str, Contact], load: Any, progress: Callable[[Iterable], Iterable] = iter
-) -> "xarray.Dataset":
-    """The result of `compare` on the first of the contacts, with what its models say of all of them at the working load [N]:
-    friction_coefficient_at_load_by_method (asperity_method, model), and over the methods friction_coefficient_at_load_low and
-    friction_coefficient_at_load_high."""
-    from .compare import compare
-
-    name = f"{_MU}_at_load"
-    if name not in data or len(contacts) < 2:
-        return data
-    each = [
-        data[name] if at == 0 else compare(contact, load=load, separations=[0.0])[name].reindex(model=data["model"])
-        for at, contact in enumerate(progress(list(contacts.values())))
-    ]
-    return _banded(data, list(contacts), np.array([one.values for one in each]), ("model",), name)
-
-
-def _banded(data: "xarray.Dataset", methods: list[str], each: np.ndarray, points, name: str) -> "xarray.Dataset":
+def banded(data: "xarray.Dataset", methods: list[str], each: np.ndarray, points, name: str) -> "xarray.Dataset":
     """The dataset with what each method says (methods, points), and the ends of it over the methods that say something."""
     ends = {"low": (points, np.fmin.reduce(each)), "high": (points, np.fmax.reduce(each))}
     tables: dict[str, Any] = {"by_method": ((METHOD, *points), each)} | ends

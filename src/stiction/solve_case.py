@@ -1,13 +1,16 @@
 """A case, solved or compared: also one whose surface was measured, with the spread over the methods of finding asperities."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from . import __version__
-from .band import over_methods, with_band
+from .band import banded, with_band
 from .case import Case
 from .choice import Choice
 from .compare import compare
+from .contact import Contact
 from .output import groups_of
 from .solve import solve
 
@@ -42,8 +45,24 @@ def compare_case(
     """
     data = compare(case.subject, load=load, progress=progress("Asking the models"))
     if case.measured is not None:
-        data = over_methods(data, case.by_method, load, progress("Asking them for every way to find asperities"))
+        data = _over_methods(data, case.by_method, load, progress("Asking them for every way to find asperities"))
     return _said(data, case)
+
+
+def _over_methods(
+    data: "xarray.Dataset", contacts: Mapping[str, Contact], load: Any, progress: Callable[[Iterable], Iterable]
+) -> "xarray.Dataset":
+    """The result of `compare` on the first of the contacts, with what its models say of all of them at the working load [N]:
+    friction_coefficient_at_load_by_method (asperity_method, model), and over the methods friction_coefficient_at_load_low and
+    friction_coefficient_at_load_high."""
+    name = "friction_coefficient_at_load"
+    if name not in data or len(contacts) < 2:
+        return data
+    each = [
+        data[name] if at == 0 else compare(contact, load=load, separations=[0.0])[name].reindex(model=data["model"])
+        for at, contact in enumerate(progress(list(contacts.values())))
+    ]
+    return banded(data, list(contacts), np.array([one.values for one in each]), ("model",), name)
 
 
 def _said(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
