@@ -41,17 +41,36 @@ class Scan(Input):
     channel: str | None = None
 
 
-class MeasuredRoughness(Input):
-    """Scans of one body, the other being smooth, or of both, and how asperities are found in them.
+def _body(value):
+    """A scan, or the numbers of a body that was not measured."""
+    if not isinstance(value, Mapping) or "file" in value or not (value.keys() & Roughness.model_fields.keys()):
+        return value if isinstance(value, Scan | Roughness) else Scan(**_table(value))
+    numbers = Roughness(**value)
+    if numbers.height_distribution != "gaussian":
+        raise InputError("height_distribution", numbers.height_distribution, "gaussian, of a body beside one that was measured")
+    return numbers
 
-    first, second: the scans. method: key of a way of finding asperities; else the first of PREFERRED that finds enough. form:
-    order of the polynomial that is taken off, 1 for a plane. fill: how missing points are filled, if they are. shortest,
-    longest: wavelengths between which the heights are kept. heights: gaussian, weibull or empirical, the distribution of the
-    asperity heights; else the simplest that fits. Raises InputError.
+
+def _table(value) -> Mapping:
+    if not isinstance(value, Mapping):
+        raise InputError("", value, 'a table, e.g. { file = "scan.npy", size = "10 um", unit = "nm" }')
+    return value
+
+
+_Body = Annotated[Scan | Roughness, BeforeValidator(_body, json_schema_input_type=Scan | Roughness)]
+
+
+class MeasuredRoughness(Input):
+    """Scans of one body, the other being smooth or known by its numbers, or of both, and how asperities are found in them.
+
+    first, second: a scan, or a Roughness with Gaussian heights, one of them a scan. method: key of a way of finding asperities;
+    else the first of PREFERRED that finds enough. form: order of the polynomial that is taken off, 1 for a plane. fill: how
+    missing points are filled, if they are. shortest, longest: wavelengths between which the heights are kept. heights:
+    gaussian, weibull or empirical, the distribution of the asperity heights; else the simplest that fits. Raises InputError.
     """
 
-    first: Scan | None = Field(None, description="a table with the scan of the first body")
-    second: Scan | None = Field(None, description="a table with the scan of the second body")
+    first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
+    second: _Body | None = Field(None, description="a table with the scan, or the numbers, of the second body")
     method: str | None = Field(None, description="persistence, eight_neighbour, three_point, n_point or mccool")
     form: int = Field(1, ge=0, le=4, strict=True, description="order of the polynomial that is taken off, 0 to 4")
     fill: str | None = Field(None, description="harmonic or nearest: fill missing points; else they are left out")
@@ -61,7 +80,7 @@ class MeasuredRoughness(Input):
 
     @model_validator(mode="after")
     def _some_scan(self):
-        if self.first is None and self.second is None:
+        if not any(isinstance(body, Scan) for body in (self.first, self.second)):
             raise InputError("first or second", None, 'a scan, e.g. first = { file = "scan.npy", size = "10 um", unit = "nm" }')
         return self
 
@@ -118,21 +137,20 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
     """Read the scans, prepare them, and find asperities by every method. Raises InputError for scans that cannot be read or
     where the wanted method finds nothing."""
     from .surfaces.asperities import METHODS, asperities, combine
-    from .surfaces.asperity_set import FEW
+    from .surfaces.asperity_set import FEW, of_numbers
     from .surfaces.height_model import height_model, roughness
 
-    maps = {
-        body: _prepared(scan, wanted, folder, body)
-        for body, scan in (("first", wanted.first), ("second", wanted.second))
-        if scan is not None
-    }
+    bodies = {"first": wanted.first, "second": wanted.second}
+    maps = {name: _prepared(body, wanted, folder, name) for name, body in bodies.items() if isinstance(body, Scan)}
+    known = [of_numbers(body) for body in bodies.values() if isinstance(body, Roughness)]
     found: dict[str, Asperities] = {}
     counts: dict[str, int] = {}
     failures: dict[str, str] = {}
     for method in METHODS:
         try:
             each = [asperities(one, method) for one in maps.values()]
-            found[method] = each[0] if len(each) == 1 else combine(*each)
+            together = [*each, *known]
+            found[method] = together[0] if len(together) == 1 else combine(*together)
             counts[method] = min(one.count for one in each)
         except InputError as error:
             failures[method] = str(error)

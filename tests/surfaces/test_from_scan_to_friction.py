@@ -92,6 +92,22 @@ def test_two_scans_are_added(folder):
     assert found.asperity_density / one.asperity_density == pytest.approx(1.0, rel=0.1)
 
 
+def test_a_scan_may_meet_a_body_known_by_numbers(folder):
+    """With the numbers that McCool's method finds on the other scan it is the same as with that scan."""
+    two = ONE + '\nsecond = { file = "other.npy", size = "20 um", unit = "m" }'
+    alone = ONE.replace("rough.npy", "other.npy")
+    other = st.read_case(case(folder, alone)).measured.by_method["mccool"]
+    numbers = (
+        f'{{ asperity_height_deviation = "{other.asperity_height_deviation!r} m", '
+        f'asperity_radius = "{other.asperity_radius!r} m", asperity_density = "{other.asperity_density!r} 1/m^2" }}'
+    )
+    mixed = st.read_case(case(folder, ONE + f"\nsecond = {numbers}")).measured
+    both = st.read_case(case(folder, two)).measured
+    assert set(mixed.history) == {"first"} and mixed.counts["persistence"] > both.counts["mccool"] == 0
+    for name in ("asperity_height_deviation", "asperity_radius", "asperity_density"):
+        assert getattr(mixed.by_method["mccool"], name) == near(getattr(both.by_method["mccool"], name), rel=1e-9)
+
+
 def test_a_profile_has_methods_of_its_own(folder):
     read = st.read_case(case(folder, 'second = { file = "line.npy", size = "20 um", unit = "m" }'))
     assert read.measured.method == "three_point"
@@ -177,6 +193,8 @@ def test_compare_gives_each_model_its_band(folder):
         (ONE + '\nheights = "square"', "contact.roughness.heights"),
         (ONE + '\nasperity_radius = "1 um"', "contact.roughness.asperity_radius"),
         ('first = "rough.npy"', "contact.roughness.first"),
+        ('first = { asperity_radius = "1 um" }', "contact.roughness.first.asperity_height_deviation"),
+        (ONE + "\nsecond = { files = 1 }", "contact.roughness.second.files"),
         ('second = { file = "line.npy", size = "20 um", unit = "m" }\nmethod = "persistence"', "contact.roughness.method"),
     ],
 )

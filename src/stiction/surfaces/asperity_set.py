@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from stiction.contact import Roughness
 from stiction.errors import InputError
 
 from .heightmap import HeightMap
@@ -77,6 +78,12 @@ def spread(samples: np.ndarray) -> float:
     """Standard deviation; 0 where all are equal to rounding."""
     deviation = float(samples.std())
     return deviation if deviation > _ROUNDING * np.abs(samples).max() else 0.0
+
+
+def of_numbers(surface: Roughness) -> Asperities:
+    """Asperities of a body that was not measured, from its numbers; heights counted from their own mean."""
+    deviation, radius, density = surface.asperity_height_deviation, surface.asperity_radius, surface.asperity_density
+    return Asperities("numbers", density, deviation, radius, 0.0, 0.0, "as given")
 
 
 def skewness(samples: np.ndarray) -> float:
