@@ -64,15 +64,17 @@ class MeasuredRoughness(Input):
     """Scans of one body, the other being smooth or known by its numbers, or of both, and how asperities are found in them.
 
     first, second: a scan, or a Roughness with Gaussian heights, one of them a scan. method: key of a way of finding asperities;
-    else the first of PREFERRED that finds enough. form: order of the polynomial that is taken off, 1 for a plane. fill: how
-    missing points are filled, if they are. shortest, longest: wavelengths between which the heights are kept. heights:
-    gaussian, weibull or empirical, the distribution of the asperity heights; else the simplest that fits. Raises InputError.
+    else the first of PREFERRED that finds enough. form: order of the polynomial that is taken off, 1 for a plane. spikes:
+    robust deviations from the median beyond which points are masked. fill: how missing points are filled, if they are.
+    shortest, longest: wavelengths between which the heights are kept. heights: gaussian, weibull or empirical, the distribution
+    of the asperity heights; else the simplest that fits. Raises InputError.
     """
 
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
     second: _Body | None = Field(None, description="a table with the scan, or the numbers, of the second body")
     method: str | None = Field(None, description="persistence, eight_neighbour, three_point, n_point or mccool")
     form: int = Field(1, ge=0, le=4, strict=True, description="order of the polynomial that is taken off, 0 to 4")
+    spikes: float | None = Field(None, gt=0, description="mask points so many robust deviations from the median, e.g. 10")
     fill: str | None = Field(None, description="harmonic or nearest: fill missing points; else they are left out")
     shortest: _Length | None = Field(None, description="shortest wavelength that is kept")
     longest: _Length | None = Field(None, description="longest wavelength that is kept")
@@ -175,6 +177,6 @@ def _prepared(scan: Scan, wanted: MeasuredRoughness, folder: Path, body: str) ->
     given: dict[str, Any] = {"size": scan.size, "unit": scan.unit, "height_unit": scan.height_unit, "channel": scan.channel}
     try:
         surface = read_scan(folder / scan.file, **given)
-        return prepared(surface, wanted.form, wanted.fill, wanted.shortest, wanted.longest)
+        return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest)
     except InputError as error:
         raise InputError(f"roughness.{body}.{error.field}", error.value, error.allowed) from None

@@ -9,6 +9,7 @@ from scipy.special import erf
 from stiction.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import crop, fill_missing, filter_band, level, remove_form
+from stiction.surfaces.spikes import mask_spikes, spikes
 
 
 def grid(rows, columns):
@@ -223,3 +224,36 @@ def test_weights_left_out_and_renormalised():
 def test_bands_that_cannot_be(shortest, longest, field):
     with pytest.raises(InputError, match=f"^{field}: "):
         filter_band(HeightMap(rough(), (60e-6, 90e-6)), shortest, longest)
+
+
+# ---- spikes
+
+
+def test_robust_deviation_is_the_standard_one_of_a_gaussian_surface():
+    """Of standard normal heights, 0.27 % are beyond 3: a binomial count, within four of its deviations."""
+    surface = HeightMap(np.random.default_rng(3).standard_normal((400, 400)), (1.0, 1.0))
+    expected = 160_000 * 0.0026998
+    assert abs(np.count_nonzero(spikes(surface, 3.0)) - expected) < 4.0 * np.sqrt(expected) + 0.01 * expected
+    assert not spikes(surface).any()
+
+
+def test_spikes_are_masked_and_nothing_else():
+    heights = np.random.default_rng(3).standard_normal((60, 60)) * 1e-9
+    heights[[3, 40], [7, 9]] += [60e-9, -80e-9]
+    heights[5, 5] = np.nan
+    masked = mask_spikes(HeightMap(heights, (1e-5, 1e-5)), 10.0)
+    assert set(zip(*np.nonzero(np.isnan(masked.heights)), strict=True)) == {(3, 7), (5, 5), (40, 9)}
+    there = ~np.isnan(masked.heights)
+    np.testing.assert_array_equal(masked.heights[there], heights[there])
+    assert masked.history[-1] == "2 points further than 10 robust deviations from the median masked"
+
+
+def test_half_of_the_points_alike_say_nothing_of_spikes():
+    assert not spikes(HeightMap(np.where(np.arange(100) < 60, 0.0, 1.0)[None], (1.0, 1.0))).any()
+
+
+@pytest.mark.parametrize("times", [0.0, -1.0, np.nan, np.inf, "many"])
+def test_bounds_of_spikes(times):
+    with pytest.raises(InputError) as caught:
+        mask_spikes(HeightMap(np.eye(9), (1.0, 1.0)), times)
+    assert caught.value.field == "spikes"

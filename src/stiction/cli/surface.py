@@ -25,6 +25,7 @@ def surface(
     height_scale: Annotated[float | None, typer.Option(help="Factor on the heights, not 0.")] = None,
     channel: Annotated[str | None, typer.Option(help="Name or place of a channel, of a file with several.")] = None,
     form: Annotated[int, typer.Option(min=0, max=4, help="Order of the polynomial taken off: 1 a plane, 0 nothing.")] = 1,
+    spikes: Annotated[float | None, typer.Option(help="Mask points this many robust deviations off the median: 10.")] = None,
     fill: Annotated[str | None, typer.Option(help="Fill missing points: harmonic or nearest; else they stay missing.")] = None,
     shortest: Annotated[str | None, typer.Option(help='Shortest wavelength kept, e.g. "200 nm".')] = None,
     longest: Annotated[str | None, typer.Option(help='Longest wavelength kept, e.g. "5 um".')] = None,
@@ -50,7 +51,7 @@ def surface(
         from ..surfaces.read import read_scan
 
         chosen, at = _chosen(case, load)
-        scan = prepared(read_scan(file, **given), form, fill, shortest, longest)
+        scan = prepared(read_scan(file, **given), form, spikes, fill, shortest, longest)
     analysis = analyse(scan, progress=bar("Analysing"))
     names = _write(out, analysis, chosen, at) if out is not None else []
     if json:

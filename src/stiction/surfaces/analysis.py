@@ -4,6 +4,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import numpy as np
+
 from stiction.errors import InputError
 
 from .asperities import METHODS, Asperities, asperities
@@ -11,6 +13,8 @@ from .height_model import HeightModel, height_model
 from .heightmap import HeightMap, metres
 from .prepare import fill_missing, filter_band, level, remove_form
 from .spectrum import BinnedSpectrum, power_spectrum, radial_average
+from .spikes import mask_spikes
+from .spikes import spikes as spikes_of
 from .statistics import ProfileMoments, Statistics, moments_by_differences, moments_by_spectrum, statistics
 
 __all__ = ["Analysis", "analyse", "prepared", "spectrum_rows", "summary"]
@@ -21,7 +25,7 @@ class Analysis:
     """What is said of a scan.
 
     surface: as prepared. statistics; spectrum: radial average of it; of_spectrum: how its gaps were filled for that, if there
-    are any. by_differences, by_spectrum: spectral
+    are any. spikes: how many points are SUSPICIOUS robust deviations from the median. by_differences, by_spectrum: spectral
     moments, both with the same cutoff. asperities: method -> what was found; heights: method -> their distribution; failures:
     method -> why nothing was found.
     """
@@ -30,6 +34,7 @@ class Analysis:
     statistics: Statistics
     spectrum: BinnedSpectrum
     of_spectrum: str
+    spikes: int
     by_differences: ProfileMoments
     by_spectrum: ProfileMoments
     asperities: dict[str, Asperities]
@@ -38,14 +43,22 @@ class Analysis:
 
 
 def prepared(
-    surface: HeightMap, form: int = 1, fill: str | None = None, shortest: Any = None, longest: Any = None
+    surface: HeightMap,
+    form: int = 1,
+    spikes: float | None = None,
+    fill: str | None = None,
+    shortest: Any = None,
+    longest: Any = None,
 ) -> HeightMap:
     """The scan without its form and without the waves outside of a band.
 
-    form: order of the polynomial that is taken off, 1 for the mean plane, 0 for nothing. fill: "harmonic" or "nearest" fills
-    missing points, None leaves them missing. shortest, longest: ends of the band, metres or text with a unit; None for no end.
-    Raises InputError.
+    form: order of the polynomial that is taken off, 1 for the mean plane, 0 for nothing. spikes: points further from the
+    median of the levelled heights than so many robust deviations are masked before that; None for none. fill: "harmonic" or
+    "nearest" fills missing points, None leaves them missing. shortest, longest: ends of the band, metres or text with a unit;
+    None for no end. Raises InputError.
     """
+    if spikes is not None:
+        surface = mask_spikes(level(surface), spikes)
     if form == 1:
         surface = level(surface)
     elif form > 1:
@@ -60,7 +73,7 @@ def prepared(
 
 def analyse(surface: HeightMap, progress: Callable[[Iterable], Iterable] = iter) -> Analysis:
     """Statistics, spectrum, moments and asperities of a prepared scan. progress: wraps the list of steps. Raises InputError."""
-    found: dict[str, Any] = {}
+    found: dict[str, Any] = {"spikes": int(np.count_nonzero(spikes_of(surface)))}
     each: dict[str, Asperities] = {}
     failures: dict[str, str] = {}
 
@@ -100,6 +113,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         "size": {"x": surface.size[1], "y": None if surface.is_profile else surface.size[0]},
         "pixels": {"x": columns, "y": rows},
         "missing_points": surface.missing,
+        "suspected_spikes": analysis.spikes,
         "units": {"lengths": "m", "N": "1/m^2", "m0": "m^2", "m2": "1", "m4": "1/m^2", "curvatures": "1/m"},
         "statistics": asdict(analysis.statistics),
         "spectrum_of": analysis.of_spectrum or "the heights as prepared",

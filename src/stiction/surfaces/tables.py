@@ -10,6 +10,7 @@ from stiction.tables import facts, shown
 
 from .analysis import Analysis
 from .heightmap import HeightMap
+from .spikes import SUSPICIOUS
 from .statistics import ProfileMoments
 
 if TYPE_CHECKING:
@@ -74,7 +75,13 @@ def asperity_table(analysis: Analysis) -> Table:
 
 def surface_notes(analysis: Analysis) -> list[Text]:
     """What each method rests on, and why one found nothing."""
-    lines = [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
+    lines = []
+    if analysis.spikes:
+        lines.append(
+            f"doubtful: {analysis.spikes} points are more than {SUSPICIOUS:g} robust deviations from the median: spikes? "
+            f"They set Sq, Sz and the threshold of persistent summits; --spikes {SUSPICIOUS:g} masks them"
+        )
+    lines += [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
     lines += [f"{method}: {one.note}; {analysis.heights[method].reason}" for method, one in analysis.asperities.items()]
     lines += [f"{method} found nothing: {why}" for method, why in analysis.failures.items()]
     return [Text(line, style="dim") for line in lines]

@@ -1,0 +1,36 @@
+"""Spikes: single points that an instrument drew far from the surface, where it saw dust, an edge, or nothing at all.
+
+A point is a spike if it is further from the median than so many robust deviations: 1.4826 times the median distance from the
+median, which is the standard deviation of a Gaussian surface and is not moved by the spikes themselves.
+A few of them decide Sq, Sz and with that the threshold of persistent summits.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.errors import InputError
+from stiction.surfaces.heightmap import HeightMap
+
+__all__ = ["SUSPICIOUS", "mask_spikes", "spikes"]
+
+SUSPICIOUS = 10.0  # robust deviations: of a Gaussian surface no point is as far
+_GAUSSIAN = 1.4826  # standard deviation over median distance from the median
+
+
+def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
+    """Which points (rows, columns) are more than `times` robust deviations from the median; none where half of all points have
+    the same height. InputError unless times > 0 and finite."""
+    if not (isinstance(times, int | float) and 0.0 < times < math.inf):
+        raise InputError("spikes", times, "> 0 robust deviations, e.g. 10")
+    heights = surface.heights
+    distance = np.abs(heights - np.nanmedian(heights))
+    deviation = _GAUSSIAN * float(np.nanmedian(distance))
+    return distance > times * deviation if deviation > 0.0 else np.zeros(heights.shape, dtype=bool)
+
+
+def mask_spikes(surface: HeightMap, times: float) -> HeightMap:
+    """The levelled map with its spikes missing. InputError as of `spikes`."""
+    found = spikes(surface, times)
+    step = f"{np.count_nonzero(found)} points further than {times:g} robust deviations from the median masked"
+    return surface.with_heights(np.where(found, np.nan, surface.heights), step)
