@@ -4,11 +4,6 @@ elapsed time with all processors of the machine, and their peak memory."""
 import os
 import subprocess
 import sys
-from pathlib import Path
-
-import numpy as np
-
-import stiction as st
 
 POINTS, SIZE = 4096, 100e-6
 _ENDING = """
@@ -16,6 +11,10 @@ import resource, time
 before = time.perf_counter()
 {work}
 print(time.perf_counter() - before, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6)
+"""
+_MAKE = f"""
+target = st.SelfAffine(hurst=0.8, rolloff={SIZE / 5.0}, shortest={4.0 * SIZE / POINTS}, deviation=50e-9)
+np.save("map.npy", st.gaussian_surface(({POINTS}, {POINTS}), ({SIZE}, {SIZE}), target, seed=1).heights)
 """
 _OURS = """
 from stiction.surfaces.spectrum import power_spectrum, radial_average
@@ -43,8 +42,8 @@ def _measured(folder: str, imports: str, work: str) -> tuple[float, float]:
 
 def scan_rows(folder: str) -> list[tuple[str, float]]:
     """Rows of the table of results."""
-    target = st.SelfAffine(hurst=0.8, rolloff=SIZE / 5.0, shortest=4.0 * SIZE / POINTS, deviation=50e-9)
-    np.save(Path(folder) / "map.npy", st.gaussian_surface((POINTS, POINTS), (SIZE, SIZE), target, seed=1).heights)
+    # Made in a process of its own: a child's peak memory counts from that of its parent.
+    _measured(folder, "import numpy as np\nimport stiction as st\n", _MAKE)
     whole = 'st.analyse(st.prepared(st.read_scan("map.npy", size="100 um", unit="m")))'
     imports = "import stiction as st\n"
     _measured(folder, imports, whole)  # kernels are compiled here, once per installation
