@@ -54,10 +54,11 @@ def with_band(
 ) -> "xarray.Dataset":
     """The result of `solve` on the first of the contacts, with the friction coefficients of all at the same loads.
 
-    contacts: the same bodies with the roughness that each method finds; counts: how many asperities it found, 0 where it has
-    averages only. Added: friction_coefficient_by_method (asperity_method, points), over the methods friction_coefficient_low
-    and friction_coefficient_high, and found_touching_by_method, how many of the asperities found would touch: where they are
-    FEW, friction follows from the tail of the heights that is assumed, which `outside_validity` then says. As it is where
+    contacts: the same bodies with the roughness that each method finds; counts: how many separate asperities it found, 0 where
+    it has averages only. Added: friction_coefficient_by_method (asperity_method, points), over the methods
+    friction_coefficient_low and friction_coefficient_high, and found_touching_by_method, how many of the asperities found would
+    touch: where they are FEW, friction follows from the tail of the heights that is assumed, which `outside_validity` then
+    says, and nothing else than assumed where there are averages only (not a number). As it is where
     there is no friction.
     """
     if _MU not in data:
@@ -65,7 +66,7 @@ def with_band(
     points, shape = data["load"].dims, (len(contacts), *data["load"].shape)
     loads = np.atleast_1d(data["load"].values)
     tables = np.stack([_at_loads(contact, loads, choice) for contact in contacts.values()], axis=1)
-    of_found = np.array([[_samples(contact, counts[name]) or np.nan] for name, contact in contacts.items()])
+    of_found = np.array([[counts[name] or np.nan] for name in contacts])
     touching = (tables[1] * of_found).reshape(shape)
     meaning = {"units": "1", "long_name": "how many of the asperities found would touch"}
     result = banded(data, list(contacts), tables[0].reshape(shape), points, _MU)
@@ -74,19 +75,17 @@ def with_band(
     return result.assign_attrs(outside_validity="; ".join(doubts))
 
 
-def _samples(contact: Contact, count: int) -> int:
-    """How many heights stand for the asperities found: all, or the quantiles of an empirical distribution."""
-    return min(count, len(contact.roughness.height_parameters.get("samples", range(count))))
-
-
 def _on_the_tail(data: "xarray.Dataset") -> str:
-    """By which methods, and up to which load, FEW of the asperities found touch; "" if nowhere."""
+    """By which methods, and up to which load, FEW of the asperities found touch, or none were found; "" if nowhere."""
     loads = np.atleast_1d(data["load"].values)
     said = []
     for method in data[METHOD].values:
-        few = np.atleast_1d(data["found_touching_by_method"].sel({METHOD: method}).values) < FEW
+        touching = np.atleast_1d(data["found_touching_by_method"].sel({METHOD: method}).values)
+        few = (touching < FEW) & (loads > 0.0)
         if few.any():
             said.append(f"{method} up to {show(float(f'{loads[few].max():.3g}'), 'load')}")
+        elif np.isnan(touching).all():
+            said.append(f"{method} at every load")
     if not said:
         return ""
     return (

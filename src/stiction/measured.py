@@ -10,15 +10,18 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.contact import Contact, Roughness
 from stiction.errors import InputError
 from stiction.inputs import Input
+from stiction.units import show
 
 if TYPE_CHECKING:
     from .surfaces.asperities import Asperities
     from .surfaces.heightmap import HeightMap
 
-# What stands for the surface unless a case says otherwise: the first that finds FEW or more. Summits that stand out of the
-# noise by a threshold are the least touched by the resolution of the instrument; on a scan with spikes, which set the
-# threshold, they may be too few, and on a profile there are none.
-PREFERRED = ("persistence", "eight_neighbour", "three_point")
+# What stands for the surface unless a case says otherwise: the first of these that finds FEW or more, or has averages. Both
+# agree with Nayak's summits where the waves are resolved (docs/surfaces.md), so that they may be added for two bodies, and
+# theories of Gaussian surfaces get the slope that was measured. Of a profile there are averages only.
+PREFERRED = ("eight_neighbour", "mccool")
+# Cutoffs of two scans that differ by more than this: the sum of both is of no resolution.
+_ALIKE = 1.5
 
 
 def _length(value):
@@ -31,13 +34,17 @@ _Length = Annotated[str, BeforeValidator(_length)]
 
 
 class Scan(Input):
-    """A scan of one body. file: path, from the folder of the case file. size: along x, in place of what the file says; unit and
-    height_unit: of the numbers in the file; channel: of a file with several. Raises InputError."""
+    """A scan of one body.
+
+    file: path, from the folder of the case file. size: along x, in place of what the file says; unit and height_unit: of the
+    numbers in the file; height_scale: factor on the heights; channel: of a file with several. Raises InputError.
+    """
 
     file: str
     size: _Length | None = None
     unit: str | None = None
     height_unit: str | None = None
+    height_scale: float | None = None
     channel: str | None = None
 
 
@@ -93,7 +100,8 @@ class Measured:
 
     by_method: method -> Roughness; method: that which stands for the surface; failures: method -> why it found nothing.
     history: of each scan, in words; notes: method -> what was found, and what it rests on; counts: method -> how many
-    asperities it found, on the body with fewer; 0 where it has averages only.
+    separate asperities it found, 0 where it has averages only or two bodies are taken together. mean_heights: of the
+    asperities, over the mean plane [m]: separations count from them. doubts: what is to be said of two bodies taken together.
     """
 
     by_method: Mapping[str, Roughness]
@@ -102,6 +110,8 @@ class Measured:
     history: Mapping[str, tuple[str, ...]]
     notes: Mapping[str, str]
     counts: Mapping[str, int]
+    mean_heights: Mapping[str, float]
+    doubts: tuple[str, ...] = ()
 
     def contacts(self, contact: Contact) -> dict[str, Contact]:
         """The contact with the roughness that each method finds, the chosen method first."""
@@ -121,6 +131,7 @@ class Measured:
                 "R": one.asperity_radius,
                 "N": one.asperity_density,
                 "height_distribution": one.height_distribution,
+                "mean_height": self.mean_heights[name],
                 "count": self.counts[name],
                 "note": self.notes[name],
             }
@@ -128,9 +139,10 @@ class Measured:
         }
         return {
             "method": self.method,
-            "units": {"sigma": "m", "R": "m", "N": "1/m^2"},
+            "units": {"sigma": "m", "R": "m", "N": "1/m^2", "mean_height": "m"},
             "by_method": by_method,
             "failures": dict(self.failures),
+            "doubts": list(self.doubts),
             "history": {body: list(steps) for body, steps in self.history.items()},
         }
 
@@ -139,34 +151,93 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
     """Read the scans, prepare them, and find asperities by every method. Raises InputError for scans that cannot be read or
     where the wanted method finds nothing."""
     from .surfaces.asperities import METHODS, asperities, combine
-    from .surfaces.asperity_set import FEW, of_numbers
-    from .surfaces.height_model import height_model, roughness
+    from .surfaces.asperity_set import of_numbers
+    from .surfaces.height_model import MODELS, height_model, roughness
 
     bodies = {"first": wanted.first, "second": wanted.second}
     maps = {name: _prepared(body, wanted, folder, name) for name, body in bodies.items() if isinstance(body, Scan)}
     known = [of_numbers(body) for body in bodies.values() if isinstance(body, Roughness)]
+    alone = len(maps) + len(known) == 1
+    if wanted.heights not in (None, *MODELS):
+        raise InputError("roughness.heights", wanted.heights, ", ".join(MODELS))
+    if wanted.heights not in (None, "gaussian") and not alone:
+        raise InputError("roughness.heights", wanted.heights, "gaussian: heights of two rough bodies are taken together")
     found: dict[str, Asperities] = {}
+    surfaces: dict[str, Roughness] = {}
     counts: dict[str, int] = {}
     failures: dict[str, str] = {}
     for method in METHODS:
         try:
             each = [asperities(one, method) for one in maps.values()]
             together = [*each, *known]
-            found[method] = together[0] if len(together) == 1 else combine(*together)
-            counts[method] = min(one.count for one in each)
+            one = together[0] if alone else combine(*together)
+            surfaces[method] = roughness(one, height_model(one, wanted.heights))
+            counts[method] = min(map(independent, each, maps.values()))
+            found[method] = one
         except InputError as error:
             failures[method] = str(error)
-    method = wanted.method or next((one for one in PREFERRED if counts.get(one, 0) >= FEW), next(iter(found), ""))
+    if not found:
+        raise InputError("roughness", "no asperities by any method", "scans with asperities: see `stiction surface` of them")
+    method = wanted.method or _standing(found, counts)
     if method not in found:
-        every = "; ".join(f"{name}: {why}" for name, why in failures.items())
-        raise InputError("roughness.method", method, f"{', '.join(found)}; {failures.get(method, every or 'no such method')}")
+        why = f"; nothing by {method}: {failures[method]}" if method in failures else ""
+        raise InputError("roughness.method", method, ", ".join(found) + why)
     return Measured(
-        {name: roughness(one, height_model(one, wanted.heights)) for name, one in found.items()},
+        {name: surfaces[name] for name in found},
         method,
         failures,
         {body: one.history for body, one in maps.items()},
         {name: one.note for name, one in found.items()},
-        counts,
+        counts if alone else dict.fromkeys(counts, 0),
+        {name: one.mean_height for name, one in found.items()},
+        (*_spikes(maps), *_doubts(list(maps.values()), bool(known), wanted)),
+    )
+
+
+def independent(found: "Asperities", surface: "HeightMap") -> int:
+    """How many separate asperities were found: not more than there are, by their density, on the area of a map, where the
+    same hill is crossed by many profiles."""
+    if surface.is_profile:
+        return found.count
+    return min(found.count, round(found.density * surface.size[0] * surface.size[1]))
+
+
+def _standing(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
+    """The method that stands for the surface where none is named."""
+    from .surfaces.asperity_set import FEW
+
+    enough = [name for name in (*PREFERRED, *found) if name in found and (counts[name] >= FEW or not found[name].count)]
+    return next(iter([*enough, *found]), "")
+
+
+def _spikes(maps: "Mapping[str, HeightMap]") -> tuple[str, ...]:
+    from .surfaces.spikes import SUSPICIOUS, spikes
+
+    counts = {body: int(spikes(one).sum()) for body, one in maps.items()}
+    return tuple(
+        f"{count} points of the scan of the {body} body are more than {SUSPICIOUS:g} robust deviations from the median: if "
+        f"these are spikes, mask them with spikes = {SUSPICIOUS:g}"
+        for body, count in counts.items()
+        if count
+    )
+
+
+def _doubts(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
+    """What is to be said of two rough bodies taken together."""
+    if numbers:
+        return ("of the body that is given by numbers the resolution is not known: it must be that of the scan beside it",)
+    if len(maps) < 2:
+        return ()
+    from .surfaces.heightmap import metres
+
+    kept = 0.0 if wanted.shortest is None else metres(wanted.shortest, "shortest")
+    cutoffs = [max(kept, 2.0 * (one.pitch[1] if one.is_profile else max(one.pitch))) for one in maps]
+    if max(cutoffs) <= _ALIKE * min(cutoffs):
+        return ()
+    first, second = (show(float(f"{cutoff:.3g}"), "scan_size") for cutoff in cutoffs)
+    return (
+        f"the scans have different resolutions (shortest waves {first} and {second}), and the finer one alone decides R and N: "
+        "give shortest, the same for both",
     )
 
 
@@ -174,9 +245,14 @@ def _prepared(scan: Scan, wanted: MeasuredRoughness, folder: Path, body: str) ->
     from .surfaces.analysis import prepared
     from .surfaces.read import read_scan
 
-    given: dict[str, Any] = {"size": scan.size, "unit": scan.unit, "height_unit": scan.height_unit, "channel": scan.channel}
+    given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}
     try:
         surface = read_scan(folder / scan.file, **given)
+    except InputError as error:
+        field = "file" if error.field == "scan" else error.field
+        raise InputError(f"roughness.{body}.{field}", error.value, error.allowed) from None
+    try:
         return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest)
     except InputError as error:
-        raise InputError(f"roughness.{body}.{error.field}", error.value, error.allowed) from None
+        field = f"{body}.file" if error.field == "scan" else error.field
+        raise InputError(f"roughness.{field}", error.value, error.allowed) from None

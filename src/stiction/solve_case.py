@@ -11,6 +11,7 @@ from .case import Case
 from .choice import Choice
 from .compare import compare
 from .contact import Contact
+from .errors import InputError
 from .output import groups_of
 from .solve import solve
 
@@ -28,7 +29,11 @@ def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
     attributes say the method and what was done to the scans. Raises InputError.
     """
     choice = choice or case.choice
-    data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
+    try:
+        data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
+    except InputError as error:
+        doubts = "".join(f"; {doubt}" for doubt in (case.measured.doubts if case.measured else ()))
+        raise InputError(error.field, error.value, error.allowed + doubts) from None
     if case.measured is not None:
         data = with_band(data, case.by_method, case.measured.counts, choice)
     return _said(data, case).assign_attrs(groups_of(case.subject))
@@ -69,4 +74,7 @@ def _said(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
     """With the title of the case, the program, and what was measured."""
     title = {"case": case.title} if case.title else {}
     measured = {} if case.measured is None else case.measured.attributes()
+    said = data.attrs.get("outside_validity", "")
+    if case.measured is not None and case.measured.doubts:
+        measured["outside_validity"] = "; ".join(filter(None, (said, *case.measured.doubts)))
     return data.assign_attrs(title | measured, program=f"stiction {__version__}")

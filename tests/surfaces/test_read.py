@@ -127,10 +127,10 @@ def test_size_and_unit_of_an_instrument_file_can_be_overridden():
         "unit overridden: um for nm of the file",
         "unit of heights overridden: pm",
         "heights multiplied by 2 as given",
-        "size overridden: in the file 600 x 600 nm (y x x)",
+        "size overridden: in the file 600 x 600 nm (x, y)",
     )
     assert other.history[0].endswith(
-        "size 1.2 µm x 600 nm (y x x), pitch = size/count = 4.6875 nm x 2.34375 nm, 0 points missing"
+        "size 600 nm x 1.2 µm (x, y), pitch = size/count = 2.34375 nm x 4.6875 nm, 0 points missing"
     )
     wider = read_scan(SCANS / "stp-1.stp", unit="um")
     assert wider.size == pytest.approx((600e-6, 600e-6))
@@ -163,7 +163,7 @@ def test_npy(tmp_path, dtype):
     np.testing.assert_allclose(surface.heights, heights.astype(float) * 1e-9, rtol=1e-15)
     assert surface.heights.dtype == np.float64
     assert surface.size == pytest.approx((8e-6, 12e-6)) and surface.pitch == pytest.approx((1e-6, 1e-6))
-    assert "8 x 12 points" in surface.history[0] and "unit as given: nm" in surface.history
+    assert "12 x 8 points" in surface.history[0] and "unit as given: nm" in surface.history
 
 
 def test_npy_profile_and_missing(tmp_path):

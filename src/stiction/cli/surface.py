@@ -29,6 +29,7 @@ def surface(
     fill: Annotated[str | None, typer.Option(help="Fill missing points: harmonic or nearest; else they stay missing.")] = None,
     shortest: Annotated[str | None, typer.Option(help='Shortest wavelength kept, e.g. "200 nm".')] = None,
     longest: Annotated[str | None, typer.Option(help='Longest wavelength kept, e.g. "5 um".')] = None,
+    tip_radius: Annotated[str | None, typer.Option(help='Of the stylus, e.g. "2 um": ends the reliable band.')] = None,
     case: Annotated[Path | None, typer.Option(help="Case file: draw its mu in the fan, with this surface in it.")] = None,
     load: Annotated[str | None, typer.Option(help='Load of that, e.g. "1 N"; default: the middle load of the case.')] = None,
     out: Out = None,
@@ -44,7 +45,8 @@ def surface(
     if out is not None:
         check_folder(out)
     if out is None and (case is not None or load is not None):
-        raise InputError("--case" if case is not None else "--load", case or load, "together with --out: it is for the fan")
+        what, value = ("--load", load) if case is None else ("--case", str(case))
+        raise InputError(what, value, "together with --out: it is for the fan")
     given = {"size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel}
     with busy("Reading the scan"):
         from ..surfaces.analysis import analyse, prepared, summary
@@ -52,7 +54,7 @@ def surface(
 
         chosen, at = _chosen(case, load)
         scan = prepared(read_scan(file, **given), form, spikes, fill, shortest, longest)
-    analysis = analyse(scan, progress=bar("Analysing"))
+    analysis = analyse(scan, progress=bar("Analysing"), tip_radius=tip_radius)
     names = _write(out, analysis, chosen, at) if out is not None else []
     if json:
         print(as_json(summary(analysis)))

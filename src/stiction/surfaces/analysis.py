@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from stiction.errors import InputError
+from stiction.moments import Moments
 
 from .asperities import METHODS, Asperities, asperities
 from .height_model import HeightModel, height_model
@@ -57,12 +58,14 @@ def prepared(
     "nearest" fills missing points, None leaves them missing. shortest, longest: ends of the band, metres or text with a unit;
     None for no end. Raises InputError.
     """
+    raw = surface
     if spikes is not None:
         surface = mask_spikes(level(surface), spikes)
     if form == 1:
         surface = level(surface)
     elif form > 1:
         surface = remove_form(surface, order=form)
+    _check_left(raw, surface)
     if fill is not None:
         surface = fill_missing(surface, fill)
     if shortest is None and longest is None:
@@ -71,8 +74,25 @@ def prepared(
     return filter_band(surface, **band)
 
 
-def analyse(surface: HeightMap, progress: Callable[[Iterable], Iterable] = iter) -> Analysis:
-    """Statistics, spectrum, moments and asperities of a prepared scan. progress: wraps the list of steps. Raises InputError."""
+def _check_left(raw: HeightMap, surface: HeightMap) -> None:
+    """InputError if what is left without form and spikes is no more than the rounding of the heights."""
+    if surface is raw or not np.isfinite(surface.heights).any():
+        return
+    before, after = (float(np.nanmax(one.heights) - np.nanmin(one.heights)) for one in (raw, surface))
+    offset = max(abs(float(np.nanmax(raw.heights))), abs(float(np.nanmin(raw.heights))))
+    if after <= 1e-12 * before + 8.0 * np.finfo(float).eps * offset:
+        raise InputError("scan", f"{surface.name}: heights that are all form", "heights that differ without their form")
+
+
+def analyse(
+    surface: HeightMap, progress: Callable[[Iterable], Iterable] = iter, tip_radius: Any = None
+) -> Analysis:
+    """Statistics, spectrum, moments and asperities of a prepared scan.
+
+    progress: wraps the list of steps. tip_radius: of the stylus, metres or text with a unit: ends the reliable band of the
+    spectrum where it could not follow. Raises InputError.
+    """
+    tip = None if tip_radius is None else metres(tip_radius, "tip_radius")
     found: dict[str, Any] = {"spikes": int(np.count_nonzero(spikes_of(surface)))}
     each: dict[str, Asperities] = {}
     failures: dict[str, str] = {}
@@ -81,7 +101,7 @@ def analyse(surface: HeightMap, progress: Callable[[Iterable], Iterable] = iter)
         filled = surface if surface.complete else fill_missing(surface)
         found["of_spectrum"] = "" if surface.complete else filled.history[-1]
         whole = power_spectrum(filled)
-        found["spectrum"] = radial_average(whole)
+        found["spectrum"] = radial_average(whole, tip_radius=tip)
         found["by_spectrum"] = moments_by_spectrum(whole)
 
     def search(method: str) -> Callable[[], None]:
@@ -117,9 +137,10 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         "units": {"lengths": "m", "N": "1/m^2", "m0": "m^2", "m2": "1", "m4": "1/m^2", "curvatures": "1/m"},
         "statistics": asdict(analysis.statistics),
         "spectrum_of": analysis.of_spectrum or "the heights as prepared",
-        "reliable_band": {"longest": analysis.spectrum.longest, "shortest": analysis.spectrum.shortest},
+        "reliable_band": _band(analysis.spectrum),
         "moments": {
-            one.method: asdict(one.isotropic) | {"alpha": one.isotropic.alpha, "cutoff": one.cutoff}
+            one.method: _moments(one.isotropic)
+            | {"cutoff": one.cutoff, "equivalent": one.equivalent and _moments(one.equivalent)}
             for one in (analysis.by_differences, analysis.by_spectrum)
         },
         "asperities": {
@@ -138,6 +159,17 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         "failures": analysis.failures,
         "history": list(surface.history),
     }
+
+
+def _band(spectrum: BinnedSpectrum) -> dict[str, float] | None:
+    """Ends of the reliable band; None where too few points leave none."""
+    if spectrum.shortest >= spectrum.longest:
+        return None
+    return {"longest": spectrum.longest, "shortest": spectrum.shortest}
+
+
+def _moments(one: Moments) -> dict[str, Any]:
+    return asdict(one) | {"alpha": one.alpha}
 
 
 def spectrum_rows(spectrum: BinnedSpectrum) -> tuple[list[str], Iterable[list[Any]]]:

@@ -14,7 +14,7 @@ from scipy.ndimage import minimum_filter
 
 from stiction.errors import InputError
 
-from .asperity_set import Asperities, of_samples, over_mean_plane
+from .asperity_set import Asperities, of_samples, over_mean_plane, rounding
 from .heightmap import HeightMap
 from .persistence import persistent_maxima
 
@@ -33,6 +33,7 @@ def eight_neighbour(surface: HeightMap, fit_points: int = 9) -> Asperities:
     middle = heights[1:-1, 1:-1]
     top = np.ones(middle.shape, dtype=bool)
     rows, columns = heights.shape
+    middle = middle - rounding(heights)
     for i, j in product(range(3), range(3)):
         if (i, j) != (1, 1):
             top &= middle > heights[i : rows - 2 + i, j : columns - 2 + j]  # never beside NaN

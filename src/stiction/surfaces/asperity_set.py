@@ -58,6 +58,8 @@ def of_samples(
     """
     if len(heights) < 2:
         raise InputError(f"asperities by {method}", f"{len(heights)} found", f"2 or more: {remedy}")
+    if not density > 0.0:
+        raise InputError(f"asperities by {method}", "none along one direction", "some along both: a surface, not grooves")
     mean_curvature = float(curvatures.mean())
     if not mean_curvature > 0.0:
         raise InputError(f"asperities by {method}", f"mean curvature {mean_curvature:g} 1/m", "> 0: summits that curve down")
@@ -84,6 +86,11 @@ def of_numbers(surface: Roughness) -> Asperities:
     """Asperities of a body that was not measured, from its numbers; heights counted from their own mean."""
     deviation, radius, density = surface.asperity_height_deviation, surface.asperity_radius, surface.asperity_density
     return Asperities("numbers", density, deviation, radius, 0.0, 0.0, "as given")
+
+
+def rounding(heights: np.ndarray) -> float:
+    """Differences in height [m] that may be the rounding of levelling: not to be taken for peaks of a groove's ridge."""
+    return _ROUNDING * float(np.nanmax(heights) - np.nanmin(heights))
 
 
 def skewness(samples: np.ndarray) -> float:

@@ -184,7 +184,7 @@ def _labelled(xarray, surface, keys, cutoffs, numbers, words) -> "xarray.Dataset
     data |= {name: (dims, table.astype(str), meanings[name]) for name, table in words.items()}
     coords = {
         METHOD: list(keys),
-        "cutoff": ("cutoff", cutoffs, {"long_name": "shortest wavelength that is left", "units": "m"}),
+        "cutoff": ("cutoff", cutoffs, {"long_name": "cutoff wavelength, half the amplitude left", "units": "m"}),
     }
     attributes = {"title": "The resolution fan", "surface": surface.name, "history": "; ".join(surface.history)}
     return xarray.Dataset(data, coords=coords, attrs=attributes)

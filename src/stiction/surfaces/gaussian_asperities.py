@@ -1,4 +1,4 @@
-"""Asperities that a surface would have if it were Gaussian and isotropic: McCool's, from three spectral moments.
+"""Asperities that a surface would have if it were Gaussian, isotropic but for a stretch: McCool's, from spectral moments.
 
 No asperity is looked for. The mean squares of height, slope and second derivative along profiles (m0, m2, m4), put into Nayak's
 statistics (1971) as McCool (1986) does, give sigma, R and N; stiction.moments has the relations.
@@ -14,12 +14,15 @@ from .statistics import moments_by_differences
 
 
 def mccool(surface: HeightMap, cutoff: float | None = None) -> Asperities:
-    """Summits of the isotropic Gaussian surface with the moments of this one, by finite differences, means over x and y.
+    """Summits of the Gaussian surface with the moments of this one, by finite differences; isotropic, or stretched (a lay).
 
     cutoff: [m], as of `moments_by_differences`, by default two pitches. Differences see less of the waves near the cutoff than
-    there is; for moments by the spectrum see `of_moments`. InputError as of both.
+    there is; for moments by the spectrum see `of_moments`. InputError as of both, and for grooves all along one line.
     """
-    return of_moments("mccool", moments_by_differences(surface, cutoff).isotropic, "from moments by finite differences")
+    moments = moments_by_differences(surface, cutoff).equivalent
+    if moments is None:
+        raise InputError("asperities by mccool", "slopes along one line only", "a surface with summits, not grooves")
+    return of_moments("mccool", moments, "from moments by finite differences")
 
 
 def of_moments(method: str, moments: Moments, note: str) -> Asperities:

@@ -16,10 +16,12 @@ __all__ = ["MODELS", "HeightModel", "height_model", "roughness"]
 
 MODELS = ("gaussian", "weibull", "empirical")
 
-# A distribution is good enough if the distance of Kolmogorov and Smirnov is below what one of 20 true samples exceeds,
-# 1.358 / sqrt(n), or below this: with very many asperities every formula is refused, however small the difference.
-_ENOUGH = 0.02
-_ONE_IN_TWENTY = 1.358
+# A distribution is good enough if the distance of Kolmogorov and Smirnov is below what one of 20 true samples exceeds, with
+# mean and deviation taken from the sample: 0.886 / sqrt(n) for a Gaussian (Lilliefors 1967), taken for Weibull's too.
+# Asperities ride together on the long waves of a surface: however many there are, not more than _INDEPENDENT are counted. To
+# refuse a formula has a price: heights as found end at the highest of the scan, which a larger contact surpasses.
+_ONE_IN_TWENTY = 0.886
+_INDEPENDENT = 100
 FEWEST_SAMPLES = 30  # for anything but Gaussian
 _QUANTILES = 2000  # that stand for the samples, if there are more
 _LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # as of stiction.heights.weibull
@@ -44,13 +46,15 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
     """The simplest distribution that is good enough: Gaussian, else Weibull, else the heights as found; or the one wanted.
 
     All have the mean and deviation of the heights; the exponent of the Weibull distribution is that of the same skewness. Good
-    enough: see _ENOUGH. Gaussian, whatever is wanted, if there are no heights (averages only), all are equal, or fewer than
-    FEWEST_SAMPLES. InputError if another than gaussian, weibull and empirical is wanted.
+    enough: see _INDEPENDENT. Gaussian, whatever is wanted, if there are no heights (averages only), all are equal, or fewer
+    than FEWEST_SAMPLES. InputError if another than gaussian, weibull and empirical is wanted.
     """
     if wanted is not None and wanted not in MODELS:
         raise InputError("heights", wanted, ", ".join(MODELS))
     if found.count < FEWEST_SAMPLES or not found.deviation > 0.0:
-        return HeightModel("gaussian", {}, f"assumed: {found.count} heights to judge by", found.skewness)
+        why = f"only {found.count} heights" if 0 < found.count < FEWEST_SAMPLES else "averages only"
+        why = why if found.deviation > 0.0 else "all heights equal"
+        return HeightModel("gaussian", {}, f"Gaussian assumed: {why}", found.skewness)
     from scipy import stats  # slow to import
 
     z = np.sort((found.heights - found.mean_height) / found.deviation)
@@ -60,13 +64,16 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
     fits = {"gaussian": stats.norm, "weibull": stats.weibull_min(exponent, loc=-mean / deviation, scale=1.0 / deviation)}
     distances = {name: _distance(z, fit.cdf) for name, fit in fits.items()}
     likelihoods = {name: float(np.mean(fit.logpdf(z))) for name, fit in fits.items()}
-    allowed = max(_ONE_IN_TWENTY / math.sqrt(found.count), _ENOUGH)
+    allowed = _ONE_IN_TWENTY / math.sqrt(min(found.count, _INDEPENDENT))
     name = wanted or next((one for one in fits if distances[one] <= allowed), "empirical")
     parameters: dict[str, dict[str, Any]] = {
         "gaussian": {}, "weibull": {"exponent": exponent}, "empirical": {"samples": _representatives(z)},
     }  # fmt: skip
+    bounds = (_LEAST_EXPONENT, _LARGEST_EXPONENT)
+    clipped = "; Weibull's exponent at its bound: no such skewness" if exponent in bounds else ""
     said = ", ".join(f"{one} {distance:.3g}" for one, distance in distances.items())
-    reason = ("as wanted; " if wanted else "") + f"distances {said}; allowed {allowed:.3g}; skewness {found.skewness:.3g}"
+    reason = f"distances {said}; allowed {allowed:.3g}; skewness {found.skewness:.3g}{clipped}"
+    reason = f"as wanted; {reason}" if wanted else reason
     return HeightModel(name, parameters[name], reason, found.skewness, allowed, distances, likelihoods)
 
 
@@ -107,7 +114,7 @@ def _distance(ascending: np.ndarray, cumulative: Callable) -> float:
 
 
 def _representatives(ascending: np.ndarray) -> list[float]:
-    """The samples, or as many quantiles as stand for them."""
+    """The samples, or as many quantiles as stand for them; the lowest and the highest are among them: these touch first."""
     if len(ascending) <= _QUANTILES:
         return ascending.tolist()
-    return np.quantile(ascending, (np.arange(_QUANTILES) + 0.5) / _QUANTILES).tolist()
+    return np.quantile(ascending, np.arange(_QUANTILES) / (_QUANTILES - 1)).tolist()

@@ -26,7 +26,7 @@ class HeightMap:
     name: str = ""
 
     def __post_init__(self) -> None:
-        heights = np.asarray(self.heights)
+        heights = _unmasked(self.heights)
         if heights.ndim != 2 or heights.size == 0 or heights.dtype.kind not in "iuf":
             raise InputError("heights", f"{heights.dtype} of shape {heights.shape}", "numbers of shape (rows, columns), in m")
         heights = np.asarray(heights, dtype=np.float64)
@@ -63,6 +63,13 @@ class HeightMap:
     def with_heights(self, heights: np.ndarray, step: str, size: tuple[float, float] | None = None) -> "HeightMap":
         """The map after one more step: its new heights [m], the step in words, and its size (y, x) [m] if that changed."""
         return replace(self, heights=heights, size=self.size if size is None else size, history=(*self.history, step))
+
+
+def _unmasked(heights) -> np.ndarray:
+    """NaN where a masked array is masked."""
+    if not isinstance(heights, np.ma.MaskedArray) or heights.dtype.kind not in "iuf":
+        return np.asarray(heights)
+    return np.ma.filled(heights.astype(np.float64), np.nan)
 
 
 def metres(value, field: str) -> float:

@@ -36,6 +36,9 @@ _DISTRIBUTIONS: dict[str, dict[str, Any]] = {
 _HEIGHTS = {"gaussian": "Gaussian heights", "weibull": "Weibull heights", "empirical": "heights as found"}
 
 
+_MOST_NOTES = 5  # of values that are missing, below a fan
+
+
 # ---- the fan
 
 
@@ -58,6 +61,9 @@ def fan_figure(fan: "xarray.Dataset", title: str = "") -> Figure:
     look: dict[str, Any] = {"title": title, "title_fontsize": 11, "fontsize": 9, "frameon": False, "ncols": len(fan[METHOD])}
     figure.legend(*grid[0].get_legend_handles_labels(), loc="outside upper center", **look)
     if notes := _without_value(fan, [variable for variable, _, _ in panels]):
+        if len(notes) > _MOST_NOTES:
+            more = f"and for {len(notes) - _MOST_NOTES} more reasons: `failure` of the table has them all"
+            notes = [*notes[:_MOST_NOTES], more]
         text = "\n".join(line for note in notes for line in textwrap.wrap(note, int(16 * figure.get_figwidth())))
         figure.supxlabel(text, fontsize=8, color=GREY, x=0.01, ha="left")
     return figure

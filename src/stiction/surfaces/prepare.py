@@ -176,7 +176,7 @@ def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> n
     return mean
 
 
-_REACH = 1.5  # cutoffs; there the weight is 1e-14 of the largest
+_REACH = 1.5  # cutoffs; there the weight is 1e-14 of the largest, and 1e-3 for cutoffs of 2 or 3 pitches, whose weights ring
 _AT_ONCE = 1 << 21  # numbers transformed together: the memory that a filter takes beside the map
 
 

@@ -20,12 +20,12 @@ import numpy as np
 from stiction.errors import InputError
 from stiction.n_point import n_point_asperities
 
-from .asperity_set import Asperities, of_samples, over_mean_plane
+from .asperity_set import Asperities, of_samples, over_mean_plane, rounding
 from .heightmap import HeightMap
 
 # Of equation (1).
 SUMMITS_PER_PEAKS_SQUARED = 2.0 * math.pi / (3.0 * math.sqrt(3.0))
-_RELATION = f"N = {SUMMITS_PER_PEAKS_SQUARED:.4f} D_x D_y of an isotropic Gaussian surface"
+_RELATION = f"N = {SUMMITS_PER_PEAKS_SQUARED:.4f} D_x D_y (one direction: D^2) of an isotropic Gaussian surface"
 
 
 def three_point(surface: HeightMap, directions: str = "xy") -> Asperities:
@@ -45,7 +45,7 @@ def three_point(surface: HeightMap, directions: str = "xy") -> Asperities:
 
 def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, float]:
     """Heights and curvatures of the peaks of all lines (lines, points), and how many there are per length."""
-    middle = lines[:, 1:-1]
+    middle = lines[:, 1:-1] - rounding(lines)
     peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # never beside NaN
     line, point = np.nonzero(peak)
     heights = lines[line, point + 1]
@@ -81,7 +81,7 @@ def n_point(surface: HeightMap, level: float = 0.0, directions: str = "xy") -> A
 
 def _rises(lines: np.ndarray, level: float) -> float:
     """Share of the neighbours of all lines (lines, points) between which the height comes up through the level."""
-    rises = np.count_nonzero((lines[:, :-1] <= level) & (lines[:, 1:] > level))  # never beside NaN
+    rises = np.count_nonzero((lines[:, :-1] <= level) & (lines[:, 1:] > level + rounding(lines)))  # never beside NaN
     known = np.isfinite(lines)
     return float(rises / max(int(np.count_nonzero(known[:, :-1] & known[:, 1:])), 1))
 

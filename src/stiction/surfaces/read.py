@@ -65,7 +65,7 @@ def _said(surface: HeightMap, raw: RawScan) -> str:
     if surface.is_profile:
         points = f"profile of {columns} points, length {x}, pitch = length/count = {dx}"
     else:
-        points = f"{rows} x {columns} points, size {y} x {x} (y x x), pitch = size/count = {dy} x {dx}"
+        points = f"{columns} x {rows} points, size {x} x {y} (x, y), pitch = size/count = {dx} x {dy}"
     return f"read {surface.name}, {raw.said}: {points}, {surface.missing} points missing"
 
 
@@ -170,7 +170,7 @@ def _size(raw: RawScan, size, unit, factor: float) -> tuple[tuple[float, float],
 def _override(raw: RawScan) -> str:
     if raw.size is None:
         return "size as given"
-    return f"size overridden: in the file {raw.size[0]:g} x {raw.size[1]:g} {raw.unit or 'without unit'} (y x x)"
+    return f"size overridden: in the file {raw.size[1]:g} x {raw.size[0]:g} {raw.unit or 'without unit'} (x, y)"
 
 
 def _given(length, unit) -> float:

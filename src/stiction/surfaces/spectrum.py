@@ -16,8 +16,9 @@ the slope, and gives every wave a width of two wavenumbers, so that what is long
 The reliable band, criteria of this package:
 
     longest   smallest size / LEAST_PERIODS: fewer waves are no average, and the window mixes them with mean and tilt
-    shortest  POINTS_PER_WAVE largest pitch: half of Nyquist's wavevector q_N. A wave beyond q_N appears at 2 q_N - q: at q_N/2
-              that is what the surface has at 3 q_N/2, of a self-affine spectrum q^(-2 - 2H) at most 1/9 of what belongs there
+    shortest  POINTS_PER_WAVE largest pitch: half of Nyquist's wavevector q_N. Waves beyond q_N appear folded back: at q_N/2
+              all of them together are, of a self-affine spectrum q^(-2 - 2H), 5 % of what belongs there for H = 0.8, 15 %
+              for 0.5 and 37 % for 0.3; of a profile 9, 23 and 53 %
     shortest  with a tip radius R: where waves up to q have together a root mean square curvature (half the Laplacian) 1/(2 R).
               A tip cannot follow a valley more curved than itself; what it drew below this wavelength is its own shape
 """

@@ -24,6 +24,8 @@ def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
     if not (isinstance(times, int | float) and 0.0 < times < math.inf):
         raise InputError("spikes", times, "> 0 robust deviations, e.g. 10")
     heights = surface.heights
+    if surface.missing == heights.size:
+        return np.zeros(heights.shape, dtype=bool)
     distance = np.abs(heights - np.nanmedian(heights))
     deviation = _GAUSSIAN * float(np.nanmedian(distance))
     return distance > times * deviation if deviation > 0.0 else np.zeros(heights.shape, dtype=bool)

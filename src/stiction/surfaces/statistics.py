@@ -13,9 +13,17 @@ difference over two pitches, or a polynomial through seven points, gives other n
 
 Spectral moments are those of a profile (Nayak 1971), m0 = <z^2>, m2 = <(dz/dx)^2>, m4 = <(d2z/dx2)^2>:
 
-    by differences   along x and along y as above, and their mean
+    by differences   along x and along y as above, and their mean; points are as far apart along both as the coarser pitch says
     by spectrum      along x: sum_q C {1, q_x^2, q_x^4} / A over all waves |q| <= 2 pi / cutoff, along y alike; for an isotropic
                      surface from the radial average:   {1, 1/2, 3/8} (1/2 pi) Int q C(q) {1, q^2, q^4} dq
+
+Where a surface has a lay, neither mean belongs to an isotropic surface. If it is an isotropic one stretched in any direction,
+m4/m2^2 is the same along every line, and the product of the principal m2 is the determinant of the mean slope tensor: so
+
+    m2 = (<z_x^2><z_y^2> - <z_x z_y>^2)^(1/2),        m4 = m2^2 times the geometric mean of m4/m2^2 along x and y           (1)
+
+are those of the isotropic surface with as many summits per area, whose curvature is the geometric mean of the two principal
+ones: by the affine map, derived here. On an isotropic surface both are the same.
 
 On a surface with no shortest wave both grow without bound as the cutoff shrinks: m2 and m4 without their cutoff mean nothing.
 """
@@ -34,6 +42,7 @@ from stiction.surfaces.spectrum import PowerSpectrum
 __all__ = ["ProfileMoments", "Statistics", "combine", "moments_by_differences", "moments_by_spectrum", "statistics"]
 
 _BLOCK = 2**18  # points handled at once, so that a large map needs little more memory than itself
+_ROUNDED = 1e-20  # share of the mean square slope that may be rounding
 _ROUNDING = 1.0 + 1e-9  # a wave at the cutoff is counted in
 
 
@@ -65,12 +74,14 @@ class ProfileMoments:
     """Spectral moments of the profiles of a map in one of two ways.
 
     x, y: of profiles along x and y, which shows the anisotropy (y: None for a profile); isotropic: of the isotropic surface
-    taken in its place; cutoff: shortest wavelength that entered [m]; method: in words.
+    taken in its place by the mean; equivalent: by (1), which allows for a lay; None where all slopes are along one line, so
+    that there are no summits; cutoff: shortest wavelength that entered [m]; method: in words.
     """
 
     x: Moments
     y: Moments | None
     isotropic: Moments
+    equivalent: Moments | None
     cutoff: float
     method: str
 
@@ -97,27 +108,32 @@ def statistics(surface: HeightMap) -> Statistics:
 def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> ProfileMoments:
     """Spectral moments by finite differences of points half a cutoff wavelength apart, rounded to whole pitches.
 
-    cutoff: [m], > 0, by default two pitches: differences of neighbours. Shorter waves are not smoothed away first but sampled,
-    as by an instrument of that pitch: m0 stays that of all points. InputError as for `statistics`, or if the cutoff is too
-    long.
+    cutoff: [m], > 0, by default two of the larger pitches: differences of neighbours. Shorter waves are not smoothed away first
+    but sampled, as by an instrument of that pitch: m0 stays that of all points. InputError as for `statistics`, or if the
+    cutoff is too long.
     """
     if cutoff is not None and not (cutoff > 0.0 and math.isfinite(cutoff)):
         raise InputError("cutoff", cutoff, "> 0 m, finite")
     heights, pitches = surface.heights, surface.pitch
     _, (deviation, *_) = _height_parameters(heights)
-    profiles, reached = [], 0.0
+    wanted = 2.0 * (pitches[1] if surface.is_profile else max(pitches)) if cutoff is None else cutoff
+    profiles, steps, reached = [], [], 0.0
     for axis in (1,) if surface.is_profile else (1, 0):
-        step = 1 if cutoff is None else max(1, round(cutoff / (2.0 * pitches[axis])))
+        step = max(1, round(wanted / (2.0 * pitches[axis])))
         distance = step * pitches[axis]
         if step > 1 and heights.shape[axis] <= 2 * step:
             longest = (heights.shape[axis] - 1) * pitches[axis]
-            raise InputError("cutoff", cutoff, f"at most {longest:.4g} m, from the first to the last point along {'yx'[axis]}")
+            raise InputError("cutoff", wanted, f"at most {longest:.4g} m, from the first to the last point along {'yx'[axis]}")
         slope = _rms_difference(heights, axis, 1, step) / distance
         second = _rms_difference(heights, axis, 2, step) / distance**2
         profiles.append(Moments(deviation**2, slope**2, second**2))
+        steps.append(step)
         reached = max(reached, 2.0 * distance)
-    isotropic = _mean(profiles[0], profiles[-1])
-    return ProfileMoments(profiles[0], None if surface.is_profile else profiles[1], isotropic, reached, "finite differences")
+    if surface.is_profile:
+        return ProfileMoments(profiles[0], None, profiles[0], profiles[0], reached, "finite differences")
+    x, y = profiles
+    equivalent = _equivalent(x, y, _slope_correlation(heights, steps[1], steps[0]))
+    return ProfileMoments(x, y, _mean(x, y), equivalent, reached, "finite differences")
 
 
 def moments_by_spectrum(spectrum: PowerSpectrum, cutoff: float | None = None) -> ProfileMoments:
@@ -134,13 +150,14 @@ def moments_by_spectrum(spectrum: PowerSpectrum, cutoff: float | None = None) ->
     if not powers[0, 0] > 0.0:
         longest = 2.0 * math.pi / spectrum.lowest
         raise InputError("cutoff", cutoff, f"at most {longest:.4g} m, the longest wave, and heights that are not all alike")
-    x = Moments(*map(float, powers[0]))
+    x = Moments(*map(float, powers[0, _EVEN]))
     if spectrum.is_profile:
-        return ProfileMoments(x, None, x, cutoff, "power spectrum")
-    y = Moments(*map(float, powers[:, 0]))
-    fourth = powers[0, 2] + 2.0 * powers[1, 1] + powers[2, 0]
+        return ProfileMoments(x, None, x, x, cutoff, "power spectrum")
+    y = Moments(*map(float, powers[_EVEN, 0]))
+    fourth = powers[0, 3] + 2.0 * powers[2, 2] + powers[3, 0]
     isotropic = Moments(x.m0, (x.m2 + y.m2) / 2.0, float(3.0 / 8.0 * fourth))  # means of cos^2 and cos^4 over directions
-    return ProfileMoments(x, y, isotropic, cutoff, "power spectrum")
+    correlation = float(powers[1, 1]) / math.sqrt(x.m2 * y.m2) if x.m2 * y.m2 > 0.0 else 1.0
+    return ProfileMoments(x, y, isotropic, _equivalent(x, y, correlation), cutoff, "power spectrum")
 
 
 def combine(first: Moments, second: Moments) -> Moments:
@@ -236,12 +253,41 @@ def _mean(x: Moments, y: Moments) -> Moments:
     return Moments((x.m0 + y.m0) / 2.0, (x.m2 + y.m2) / 2.0, (x.m4 + y.m4) / 2.0)
 
 
+def _equivalent(x: Moments, y: Moments, correlation: float) -> Moments | None:
+    """Equation (1), from the moments along both axes and the correlation of the slopes along them."""
+    if not (min(x.m2, y.m2) > _ROUNDED * max(x.m2, y.m2) and abs(correlation) < 1.0 - 1e-9):
+        return None
+    m2 = math.sqrt(x.m2 * y.m2 * (1.0 - correlation * correlation))
+    return Moments(x.m0, m2, m2 * m2 * math.sqrt(x.m4 * y.m4) / (x.m2 * y.m2))
+
+
+def _slope_correlation(heights: np.ndarray, along_y: int, along_x: int) -> float:
+    """Correlation of the slopes along x and along y in the middle of every cell of four points that are all there, so many
+    points apart; 1 where there are no slopes along one of them."""
+    sums = np.zeros(3)
+    for block in _blocks(heights, overlap=along_y):
+        if block.shape[0] <= along_y:
+            continue
+        x, y = block[:, along_x:] - block[:, :-along_x], block[along_y:] - block[:-along_y]
+        x, y = x[along_y:] + x[:-along_y], y[:, along_x:] + y[:, :-along_x]
+        if np.isnan(block).any():
+            there = ~np.isnan(x + y)
+            x, y = x[there], y[there]
+        sums += np.vdot(x, x), np.vdot(y, y), np.vdot(x, y)
+    xx, yy, xy = map(float, sums)
+    return xy / math.sqrt(xx * yy) if xx * yy > 0.0 else 1.0
+
+
+_POWERS = np.array([0, 1, 2, 4])
+_EVEN = [0, 2, 3]  # their places of 0, 2 and 4
+
+
 def _powers(spectrum: PowerSpectrum, highest: float) -> np.ndarray:
-    """(3, 3): sum_q C q_y^(2 i) q_x^(2 j) / A over the waves 0 < |q| <= highest."""
+    """(4, 4): sum_q C q_y^i q_x^j / A over the waves 0 < |q| <= highest, for i and j of _POWERS."""
     qy, qx = spectrum.wavevectors
-    columns = spectrum.waves[:, None] * qx[:, None] ** np.array([0, 2, 4])
+    columns = spectrum.waves[:, None] * qx[:, None] ** _POWERS
     reach = np.sqrt(np.maximum(highest * highest - qy * qy, 0.0))
     ends = np.where(np.abs(qy) <= highest, np.searchsorted(qx, reach, side="right"), 0)
     sums = np.array([row[:end] @ columns[:end] for row, end in zip(spectrum.density, ends.tolist(), strict=True)])
     sums[0, 0] -= spectrum.density[0, 0]  # the wave q = 0
-    return (qy[:, None] ** np.array([0, 2, 4])).T @ sums / spectrum.extent
+    return (qy[:, None] ** _POWERS).T @ sums / spectrum.extent

@@ -32,7 +32,9 @@ def surface_summary(analysis: Analysis) -> Table:
     if not along:
         slopes += [f"{found.slope_y:.4g} along y", f"{found.slope:.4g} of the gradient (Sdq)"]
         curvatures += [f"{found.curvature_y:.4g} 1/m along y", f"{found.curvature:.4g} 1/m of half the Laplacian"]
-    reliable = [shown(length, "scan_size") for length in (spectrum.shortest, spectrum.longest)]
+    ends = [shown(length, "scan_size") for length in (spectrum.shortest, spectrum.longest)]
+    there = spectrum.shortest < spectrum.longest
+    reliable = f"wavelengths {ends[0]} to {ends[1]}" if there else "no wavelength: too few points"
     return facts(
         [
             ("scan", surface.name),
@@ -44,7 +46,7 @@ def surface_summary(analysis: Analysis) -> Table:
             ("", f"skewness Ssk = {found.Ssk:.4g}, kurtosis Sku = {found.Sku:.4g} (3 of a Gaussian)"),
             ("rms slope", ", ".join(slopes)),
             ("rms curvature", ", ".join(curvatures)),
-            ("reliable", f"wavelengths {reliable[0]} to {reliable[1]}: 4 pitches to a third of the size"),
+            ("reliable", reliable),
             ("moments", _moments(analysis.by_differences)),
             ("", _moments(analysis.by_spectrum)),
         ]
@@ -56,7 +58,7 @@ def _missing(surface: HeightMap) -> str:
 
 
 def _moments(one: ProfileMoments) -> str:
-    found = one.isotropic
+    found = one.equivalent or one.isotropic
     return (
         f"m0 = {found.m0:.4g} m², m2 = {found.m2:.4g}, m4 = {found.m4:.4g} 1/m², Nayak's alpha = {found.alpha:.4g} by "
         f"{one.method}, cutoff {shown(one.cutoff, 'scan_size')}"
