@@ -11,10 +11,10 @@ from .contact import Contact, Indices
 from .errors import InputError
 from .groups import Groups
 from .inversion import Unreachable, separations_at
-from .problem import ClosedForm, Problem, make_problem, problem_of
+from .problem import ClosedForm, Problem, as_asked, make_problem, problem_of
 from .registry import GRADES, Criterion, FilmLaw, RoughSurface, of_kind
-from .solve import labelled, units_of
-from .units import to_si
+from .solve import labelled, solve, units_of
+from .units import show, to_si
 from .validity import breaches
 
 if TYPE_CHECKING:
@@ -100,9 +100,9 @@ def compare(
 ) -> "xarray.Dataset":
     """Every applicable model at once on one contact.
 
-    contact: a Contact or Indices, of numbers (no arrays). load: the working load, N for a Contact (text with a unit is fine),
-    normalised for Indices; None: only curves. separations: mean separations over sigma of the curves, by default 80 from 5
-    to -2. progress: wraps the list of models while they are computed.
+    contact: a Contact or Indices, of numbers (no arrays). load: the working load, above 0, N for a Contact (text with a unit is
+    fine), normalised for Indices; None: only curves. separations: mean separations over sigma of the curves, by default 80
+    from 5 to -2. progress: wraps the list of models while they are computed.
 
     Where a model has no tangential law of its own and the contact states an interfacial shear strength, that law of the
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
@@ -119,7 +119,7 @@ def compare(
         raise InputError("contact", "arrays", "single numbers, for a comparison of models")
     h = SEPARATIONS if separations is None else np.asarray(list(separations), dtype=float)
     units = units_of(contact)
-    target = None if load is None else float(to_si(load, "load") if isinstance(contact, Contact) else load) / units["N"]
+    target = None if load is None else _pressing(contact, load, "load") / units["N"]
     groups = make_problem(contact, Choice()).groups
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
     interface = _law_of_the_interface(groups)
@@ -166,7 +166,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     if not problem.friction:
         answer.why_not = "of contact only: it needs an interfacial_shear_strength to say anything of friction"
     if situation.target is not None:
-        _at_working_load(problem, situation.target, answer)
+        _at_working_load(problem, situation, answer)
     results = answer.at_load or answer.curve
     left = breaches(situation.contact, records, {name: np.asarray(one) for name, one in results.items()})
     answer.outside = [breach.short for breach in left]
@@ -187,22 +187,28 @@ def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
     return {"mean_separation": situation.h} | {name: table[0] for name, table in problem.on_grid(situation.h).items()}
 
 
-def _at_working_load(problem: Problem, target: float, answer: Answer) -> None:
+def _at_working_load(problem: Problem, situation: _Situation, answer: Answer) -> None:
     """Fill in the results at the working load; where it is not carried, why."""
-    wanted = np.array([[target]])
+    wanted = np.array([[situation.target]])
     try:
         if isinstance(problem, ClosedForm) and problem.needs_load:
             results = problem.at_load(wanted)
         else:
             h = separations_at(problem, wanted).h
-            results = {"mean_separation": h} | problem.at(h)
+            results = {"mean_separation": h} | as_asked(problem.at(h), wanted)
     except Unreachable as error:
-        answer.why_not = f"carries loads up to {error.high:.4g} of those asked for" if target > error.high else "no such load"
+        answer.why_not = f"carries loads up to {_in_words(situation.contact, error.high)}"
         return
     except InputError as error:
         answer.why_not = _reason(error)
         return
     answer.at_load = {name: float(table[0, 0]) for name, table in results.items()}
+
+
+def _in_words(contact: Contact | Indices, load: float) -> str:
+    """A normalised load, in a force unit where the contact is real."""
+    real = isinstance(contact, Contact)
+    return show(float(f"{load * units_of(contact)['N']:.4g}"), "load") if real else f"{load:.4g}"
 
 
 def _effects(problem: Problem) -> list[str]:
@@ -303,26 +309,34 @@ def _spread(values: list[float]) -> list[float]:
     return [min(numbers), max(numbers)] if numbers else []
 
 
-def working_load(case: "Case", given: str | None) -> Any:
-    """The load at which the models of a case are judged: that given, else the middle one of the case; where the case names
-    separations, the load that its own model carries at the middle one. None where that is not compressive."""
-    from .solve import solve
-
+def working_load(case: "Case", given: str | None) -> float | None:
+    """The load at which the models of a case are judged: that given, else the middle one of the case, or the compressive one
+    that is nearest to it in the list; where the case names separations, of the loads that its own model carries there. None
+    where none is compressive."""
     if given is not None:
-        return to_si(given, "load") if isinstance(case.subject, Contact) else _plain_load(given)
-    if case.load is not None:
-        return float(case.load[(len(case.load) - 1) // 2])
-    assert case.separation is not None
-    middle = case.separation[(len(case.separation) - 1) // 2]
-    found = float(solve(case.subject, separation=middle, **case.choice.arguments())["load"])
-    return found if found > 0.0 else None
+        return _pressing(case.subject, given, "--load")
+    loads = case.load
+    if loads is None:
+        loads = solve(case.subject, separation=case.separation, **case.choice.arguments())["load"].values
+    pressing = np.flatnonzero(loads > 0.0)
+    if not pressing.size:
+        return None
+    middle = (len(loads) - 1) // 2
+    return float(loads[pressing[np.argmin(np.abs(pressing - middle))]])
 
 
-def _plain_load(given: str) -> float:
+def _pressing(contact: Contact | Indices, given: Any, field: str) -> float:
+    """The load given, in N for a Contact and normalised for Indices; InputError where it does not press."""
+    real = isinstance(contact, Contact)
     try:
-        return float(given)
-    except ValueError:
-        raise InputError("--load", given, "a plain number, normalised like the indices") from None
+        load = float(to_si(given, "load") if real else given)
+    except InputError as error:
+        raise InputError(field, error.value, error.allowed) from None
+    except (TypeError, ValueError):
+        raise InputError(field, given, "a plain number, normalised like the indices") from None
+    if not 0.0 < load < np.inf:
+        raise InputError(field, given, "> 0 N" if real else "> 0")
+    return load
 
 
 def comparison(data: "xarray.Dataset") -> dict[str, Any]:
@@ -361,9 +375,30 @@ def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
 
 def comparison_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
     """Heads and rows of a table: every point of every model."""
-    heads = [f"{name} [{unit}]" if (unit := data[name].attrs.get("units", "1")) != "1" else name for name in _RESULTS]
+    heads = [_head(data, name) for name in _RESULTS]
     columns = [data[name].values for name in _RESULTS]
     points = range(data.sizes["point"])
     names = data["model"].values
     rows = ([str(name), *(float(column[at, point]) for column in columns)] for at, name in enumerate(names) for point in points)
     return ["model", *heads], rows
+
+
+def _head(data: "xarray.Dataset", name: str) -> str:
+    unit = data[name].attrs.get("units", "1")
+    return name if unit == "1" else f"{name} [{unit}]"
+
+
+def at_load_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
+    """Heads and rows of a table: what every model says at the working load; of a measured surface also the lowest and the
+    highest friction coefficient over the methods of finding asperities."""
+    names = [f"{name}_at_load" for name in ("friction_coefficient", *_RESULTS[:-1])]
+    names[1:1] = [f"{names[0]}_{end}" for end in ("low", "high") if f"{names[0]}_{end}" in data]
+    heads = [_head(data, name).replace("_at_load", "") for name in names]
+    texts = ("outside_validity", "why_not")
+    rows = (
+        [str(one[name].item()) for name in ("model", "grade")]
+        + [one[name].item() for name in names]
+        + [str(one[name].item()) for name in texts]
+        for one in (data.isel(model=at) for at in range(data.sizes["model"]))
+    )
+    return ["model", "grade", *heads, *texts], rows

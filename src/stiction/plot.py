@@ -42,6 +42,10 @@ _PARTS: dict[str, tuple[str, dict[str, Any]]] = {
     "_film": ("film", {"color": ORANGE, "marker": "o", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
     "_substrate": ("substrate", {"color": GREEN, "marker": "s", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
 }
+# The panels of a curve: a quantity, and that against which it is drawn.
+_PANELS = (
+    ("friction_coefficient", "load"), ("contact_area", "load"), ("load", "mean_separation"), ("friction_force", "load"),
+)  # fmt: skip
 _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
 _MANY_DECADES = 1e3
 WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
@@ -74,21 +78,21 @@ def _unit(variable: "xarray.DataArray") -> str:
 def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """One curve: friction coefficient, contact area and friction against load, and load against separation.
 
-    data: result of `solve` with one dimension. Friction is left out where the model has none.
+    data: result of `solve` with one dimension. Friction, or the separation, is left out where the model has none.
     """
-    frictional = "friction_coefficient" in data
+    drawn = [names for names in _PANELS if all(name in data for name in names)]
+    rows, columns = (2, 2) if len(drawn) == 4 else (1, len(drawn))
+    width, height = max(5.5 * columns, 8.0), 8.2 if rows == 2 else 4.6
     # Fixed margins: matplotlib's automatic layouts draw everything twice, and this picture is made on every run.
-    figure = Figure(figsize=(11, 8.2) if frictional else (11, 4.6))
+    figure = Figure(figsize=(width, height))
     figure.suptitle(heading(data, title), fontsize=11)
-    axes = iter(figure.subplots(2 if frictional else 1, 2).flat)
-    edge = 1.0 if frictional else 0.6  # one row has less height for the same text
-    figure.subplots_adjust(0.085, 0.07 / edge, 0.985, 1.0 - 0.085 / edge, wspace=0.24, hspace=0.22)
-    if frictional:
-        _friction_panel(next(axes), data)
-    _parts_panel(next(axes), data, "contact_area", "load")
-    _parts_panel(next(axes), data, "load", "mean_separation")
-    if frictional:
-        _parts_panel(next(axes), data, "friction_force", "load")
+    edge, beside = (1.0 if rows == 2 else 0.6), width / 11.0  # the same text takes more of one row, or column
+    figure.subplots_adjust(0.085 / beside, 0.07 / edge, 1.0 - 0.015 / beside, 1.0 - 0.085 / edge, wspace=0.24, hspace=0.22)
+    for axes, (what, against) in zip(figure.subplots(rows, columns, squeeze=False).flat, drawn, strict=True):
+        if what == "friction_coefficient":
+            _friction_panel(axes, data)
+        else:
+            _parts_panel(axes, data, what, against)
     return figure
 
 
@@ -111,7 +115,7 @@ def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
         if max(each.max() for each in seen) > WIDE * min(each.min() for each in seen):
             axes.set_yscale("log")
         else:
-            axes.set_ylim(bottom=0.0)
+            axes.set_ylim(0.0, 1.08 * max(each.max() for each in seen))  # room above a friction that does not vary
     else:
         say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
     finish(axes)
@@ -142,7 +146,7 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
     names = [what] + [stem + part for part in _PARTS if part and stem + part in data]
     x = data[against].values
     floor = _LEAST * max(np.nanmax(np.abs(data[name].values), initial=0.0) for name in names)
-    tension, named = False, set()
+    tension, named, sizes = False, set(), []
     for name in names:
         text, look = _PARTS[name.removeprefix(what if name == what else stem)]
         y = data[name].values
@@ -152,9 +156,14 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
                 tension |= sign < 0.0
                 axes.plot(x, np.where(drawn, sign * y, np.nan), label=None if name in named else text, **style)
                 named.add(name)
+                sizes += [np.min(sign * y[drawn]), np.max(sign * y[drawn])]
     axes.set(xlabel=label(data[against]), ylabel=label(data[what], longest=42))
     if axes.lines:
+        alike = max(sizes) < (1.0 + 1e-9) * min(sizes)  # but for rounding: matplotlib finds no limits, and says so
+        axes.set_autoscaley_on(not alike)
         axes.set_yscale("log")
+        if alike:
+            axes.set_ylim(min(sizes) / 1.5, max(sizes) * 1.5)
     if tension:
         axes.plot([], [], ":", color=GREY, label="dotted: tension, its size")
     if against == "load":
@@ -279,7 +288,8 @@ _DASHES = ("-", "--", ":", "-.")
 
 def comparison_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """Friction coefficient against load of every model of a comparison: faint where it is outside its validity, with what it
-    says at the working load in the legend; the recommended one is black."""
+    says at the working load in the legend; the recommended one is black. A working load far beyond all the curves
+    is not marked."""
     from matplotlib.colors import TABLEAU_COLORS
 
     figure = Figure(figsize=(12, 7), layout="constrained")
@@ -301,19 +311,30 @@ def comparison_figure(data: "xarray.Dataset", title: str = "") -> Figure:
         drawn += 1
     axes.set(xscale="log", yscale="log", xlabel=label(data["load"]))
     axes.set_ylabel(f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
-    if "working_load" in data.attrs:
-        axes.axvline(data.attrs["working_load"], color=GREY, linestyle="--", linewidth=1.0)
-        axes.annotate("working load", (data.attrs["working_load"], 0.01), xycoords=("data", "axes fraction"), rotation=90,
-                      color=GREY, fontsize=8, ha="right", va="bottom")  # fmt: skip
-        _error_bar(axes, data)
     axes.set_title(title or "Static friction after every applicable model", fontsize=11)
     if drawn:
         _in_sight(axes)
+        if "working_load" in data.attrs:
+            _mark_working_load(axes, data)
         axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
     else:
         say(axes, "no model says anything of friction here:\ngive the contact an interfacial_shear_strength")
     finish(axes)
     return figure
+
+
+def _mark_working_load(axes: Axes, data: "xarray.Dataset") -> None:
+    """A line at the working load, with the error bar of the recommended model, unless it is far beyond what is in sight."""
+    load = data.attrs["working_load"]
+    low, high = axes.get_xlim()
+    if not low < load < high * _MANY_DECADES:
+        return
+    if high < 1.5 * load:
+        axes.set_xlim(low, 1.5 * load)
+    axes.axvline(load, color=GREY, linestyle="--", linewidth=1.0)
+    axes.annotate("working load", (load, 0.01), xycoords=("data", "axes fraction"), rotation=90,
+                  color=GREY, fontsize=8, ha="right", va="bottom")  # fmt: skip
+    _error_bar(axes, data)
 
 
 def _error_bar(axes: Axes, data: "xarray.Dataset") -> None:
@@ -326,6 +347,8 @@ def _error_bar(axes: Axes, data: "xarray.Dataset") -> None:
         reach = [[mu - low], [high - mu]]
         label = f"over methods of finding asperities:\n{low:.3g} to {high:.3g}"
         axes.errorbar([data.attrs["working_load"]], [mu], yerr=reach, fmt="ko", capsize=6, linewidth=2.0, label=label)
+        bottom, top = axes.get_ylim()
+        axes.set_ylim(min(bottom, max(low, bottom * 1e-3)), max(top, 1.5 * high))
 
 
 def _in_sight(axes: Axes) -> None:

@@ -221,6 +221,13 @@ def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.nda
     return {"friction_force": friction, "friction_coefficient": ratio}
 
 
+def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
+    """Normalised results at the loads that were asked for: these are the load, and what friction is compared to. What the
+    search for a separation leaves of no load makes no friction coefficient."""
+    exact = results | {"load": load}
+    return exact | with_coefficient(load, results["friction_force"]) if "friction_force" in results else exact
+
+
 def _states(regimes) -> list[str]:
     """Elastic and plastic, and whatever else there is."""
     return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))

@@ -10,7 +10,7 @@ from .contact import Contact, Indices
 from .errors import InputError
 from .heights import Heights
 from .inversion import Inversion, Unreachable, pull_off, separations_at
-from .problem import ClosedForm, Problem, make_problem, spread
+from .problem import ClosedForm, Problem, as_asked, make_problem, spread
 from .quantities import QUANTITIES
 from .summation import FARTHEST
 from .units import axis, show, to_si
@@ -49,8 +49,8 @@ def solve(
 
     Returns an xarray.Dataset with units and long names: load, contact_area, friction_force, friction_coefficient (not a
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
-    touching_asperities, their parts by state, body and limit, and pull_off_force. Its attributes name model, options,
-    sources, and, under `outside_validity`, what is used beyond the claims of its authors.
+    touching_asperities, their parts by state, body and limit, and pull_off_force; what a model does not know is left out. Its
+    attributes name model, options, sources, and, under `outside_validity`, what is used beyond the claims of its authors.
     Raises InputError for bad input, for laws that do not go together, and for a load that is nowhere carried.
     """
     if (separation is None) == (load is None):
@@ -69,14 +69,16 @@ def solve(
             raise InputError("separation", separation, f"a load in its place: {model} knows no separation")
         tables = _at_load(problem, np.broadcast_to(wanted, shape))
     else:
+        asked = np.broadcast_to(wanted, shape)
         if given == "load":
-            found = inverted(contact, problem, np.broadcast_to(wanted, shape), spread(units["N"], dims))
+            found = inverted(contact, problem, asked, spread(units["N"], dims))
             wanted = found.h.reshape(shape)
             extra = {"load_residual": (found.residual.reshape(shape), "load found less load asked for, over the latter")}
             convergence = {"convergence": f"all separations converged in at most {found.evaluations} evaluations"}
         elif not np.abs(wanted).max(initial=0.0) <= FARTHEST:
             raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
-        tables = {"mean_separation": wanted} | _sum(problem, wanted, shape)
+        results = _sum(problem, wanted, shape)
+        tables = {"mean_separation": wanted} | (as_asked(results, asked) if given == "load" else results)
     data = labelled(contact, tables, units, dims, coords)
     if "mean_separation" in tables:
         data = data.merge(_pull_off(contact, problem, units))

@@ -88,7 +88,7 @@ def facts(pairs: Iterable[tuple[str, str]]) -> Table:
 
 
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
-    """What was solved: contact, groups, model with its options and grade, and the pull-off force."""
+    """What was solved: contact, groups, model with its options and grade, and the pull-off force if the model knows it."""
     used = data.attrs
     laws = [f"{kind} law {used[kind]}" for kind in ("asperity", "tangential", "film") if used[kind] != "none"]
     options = [f"{name} {used[name]}" for name in used["options"].split()]
@@ -132,6 +132,8 @@ def _groups(groups: Mapping[str, float]) -> str:
 
 
 def _pull_off(data: "xarray.Dataset") -> str:
+    if "pull_off_force" not in data:
+        return ""
     force = data["pull_off_force"]
     if not float(force) > 0.0:
         return "none: there is no tension at any separation"
@@ -225,6 +227,8 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
             mu = _short(float(best["friction_coefficient_at_load"]))
             text = f"of it, mu {mu}, {over_methods(best)} over the methods of finding asperities"
             lines.append(Text(f"{text} (taken: {used['roughness_method']})", style="bold"))
+    else:
+        lines.append(Text("without a working load, which is above 0, the models are not judged"))
     lines += [Text(line) for line in used["criteria"].splitlines()]
     lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts(data), start=1)]
     lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]

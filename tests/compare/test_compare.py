@@ -1,6 +1,8 @@
 """Every model on one contact: the comparison agrees with single solutions, and says what it leaves out, and why."""
 
+import csv
 import json
+import warnings
 
 import numpy as np
 import pytest
@@ -8,9 +10,12 @@ from numpy.testing import assert_allclose
 from typer.testing import CliRunner
 
 import stiction as st
+from stiction.case import read_case
 from stiction.cli import app
-from stiction.compare import candidates, compare, comparison
+from stiction.compare import at_load_rows, candidates, compare, comparison, working_load
+from stiction.plot import comparison_figure
 from stiction.registry import of_kind
+from stiction.solve_case import compare_case
 
 SURFACE = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
 STEEL = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2"}
@@ -178,7 +183,8 @@ def test_command_for_people(case, tmp_path):
     said = " ".join(result.stdout.split())  # lines are folded to the width of the terminal
     for word in ("kogut_etsion_2004", "working load 10 N", "recommended: ", "within their validity", "does not stick"):
         assert word in said
-    assert {path.name for path in out.iterdir()} == {"compare.csv", "compare.nc", "compare.png"}
+    names = {"compare.csv", "compare_at_load.csv", "compare.nc", "compare.png"}
+    assert {path.name for path in out.iterdir()} == names and all(name in said for name in names)
     lines = (out / "compare.csv").read_text().splitlines()
     assert lines[0] == "model,mean_separation [m],load [N],contact_area [m^2],friction_force [N],friction_coefficient"
     assert (len(lines) - 1) % 80 == 0
@@ -187,3 +193,125 @@ def test_command_for_people(case, tmp_path):
 def test_command_refuses_in_one_line(case):
     result = CliRunner().invoke(app, ["compare", str(case), "--load", "2 m"])
     assert result.exit_code == 2 and len(result.output.strip().splitlines()) == 1 and "load" in result.output
+
+
+def refused(*arguments):
+    """What is said to bad input: one line."""
+    result = run(*arguments)
+    assert (result.exit_code, result.stdout, result.stderr.count("\n")) == (2, "", 1)
+    return result.stderr
+
+
+@pytest.mark.parametrize("load", ("0 N", "-1 N"))
+def test_a_working_load_presses(case, load, tmp_path):
+    assert refused(case, "--load", load, "--out", tmp_path / "out") == f"stiction: --load: '{load}'; allowed: > 0 N\n"
+    with pytest.raises(st.InputError, match=f"load: '{load}'; allowed: > 0 N"):
+        compare(SHEARED, load=load)
+    assert refused(case, "--load", "2 m").startswith("stiction: --load: '2 m'; ")
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("load", (0, -1.0, float("nan"), "many"))
+def test_a_normalised_working_load_presses_too(load):
+    with pytest.raises(st.InputError, match=r"^load: "):
+        compare(st.Indices(theta=100, lam=10), load=load)
+
+
+# Points of a case -> the working load by default.
+MIDDLES = {
+    'load = ["1 N", "10 N", "20 N"]': 10.0,
+    'load = ["-1 mN", "0 N", "1 N"]': 1.0,
+    'load = ["2 N", "1 N", "0 N", "-1 mN", "-2 mN"]': 1.0,
+    'load = ["0 N", "-1 mN"]': None,
+    'load = "0 N"': None,
+}
+
+
+@pytest.mark.parametrize("points", MIDDLES)
+def test_the_working_load_of_a_case_is_its_middle_one_or_the_nearest_that_presses(case, points):
+    case.write_text(CASE.partition("load =")[0] + points)
+    assert working_load(read_case(case), None) == MIDDLES[points]
+    assert working_load(read_case(case), "3 N") == 3.0
+
+
+def adhesive(path, points):
+    """A case of a contact that holds itself."""
+    text = CASE.replace("48 nm", "5.8 nm").replace("50 um", "72 um").replace("1.7e10", "5.7e10").replace("0.1 J", "1 J")
+    path.write_text(text.partition("load =")[0] + points)
+    return read_case(path)
+
+
+def test_where_separations_are_asked_for_it_is_carried_at_one_of_them(case):
+    found = adhesive(case, "separation = [10, 8, 6, 4, 0]")
+    loads = st.solve(found.subject, separation=found.separation)["load"].values
+    assert (loads[:4] < 0.0).all() and loads[4] > 0.0
+    assert working_load(found, None) == loads[4]
+    assert working_load(adhesive(case, "separation = [10, 8]"), None) is None
+
+
+def test_without_a_load_that_presses_there_are_only_curves(case, tmp_path):
+    adhesive(case, 'load = ["-1 mN", "0 N"]')
+    result = run(case, "--out", tmp_path / "out")
+    assert result.exit_code == 0 and result.stderr == "" and "without a working load" in " ".join(result.stdout.split())
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"compare.csv", "compare.nc", "compare.png"}
+    assert "working_load" not in json.loads(run(case, "--json").stdout)
+
+
+def test_the_table_at_the_working_load(case, tmp_path, data):
+    assert run(case, "--out", tmp_path / "out").exit_code == 0
+    with (tmp_path / "out" / "compare_at_load.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    results = ["friction_coefficient", "mean_separation [m]", "load [N]", "contact_area [m^2]", "friction_force [N]"]
+    assert list(rows[0]) == ["model", "grade", *results, "outside_validity", "why_not"]
+    assert [row["model"] for row in rows] == list(data["model"].values)
+    for head in results:
+        values = data[f"{head.partition(' ')[0]}_at_load"].values
+        assert_allclose([float(row[head]) for row in rows], values, rtol=1e-12)
+    for name in ("grade", "outside_validity", "why_not"):
+        assert [row[name] for row in rows] == list(data[name].values)
+
+
+def test_the_table_has_the_ends_over_methods_if_the_surface_is_measured(data):
+    low, high = (data["friction_coefficient_at_load"] * factor for factor in (0.5, 2.0))
+    banded = data.assign(friction_coefficient_at_load_low=low, friction_coefficient_at_load_high=high)
+    heads, rows = at_load_rows(banded)
+    assert heads[2:5] == ["friction_coefficient", "friction_coefficient_low", "friction_coefficient_high"]
+    table = np.array([row[2:5] for row in rows])
+    assert_allclose(table, table[:, :1] * [1.0, 0.5, 2.0])
+
+
+@pytest.mark.parametrize("load", (None, "1e-15 N", "1 N", "5 kN", "1e9 N", "1e100 N"))
+@pytest.mark.parametrize("strength", ({}, {"interfacial_shear_strength": "200 MPa"}))
+def test_the_picture_warns_of_nothing_and_keeps_its_legend_on_the_page(load, strength):
+    data = compare(contact(**strength), load=load)
+    drawn_without_warning(data)
+
+
+def drawn_without_warning(data):
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("error")
+        figure = comparison_figure(data, "title")
+        figure.draw_without_rendering()
+    axes = figure.axes[0]
+    low, high = axes.get_xlim()
+    curves = data["load"].values[data["friction_coefficient"].values > 0.0]
+    assert low < curves.max() < high
+    box, page = axes.get_legend().get_window_extent(), figure.bbox
+    assert page.x0 <= box.x0 < box.x1 <= page.x1 and page.y0 <= box.y0 < box.y1 <= page.y1
+    return figure
+
+
+def test_the_picture_of_a_contact_that_holds_itself(case):
+    found = adhesive(case, 'load = ["-1 mN", "0 N", "1 N"]')
+    figure = drawn_without_warning(compare_case(found, working_load(found, None)))
+    assert any("working load" in text.get_text() for text in figure.axes[0].texts)
+
+
+def test_the_picture_of_models_that_say_nothing_of_friction():
+    silent = compare(contact(), load="1 N")
+    none = silent.isel(model=[at for at, text in enumerate(silent["why_not"].values) if "of contact only" in text])
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("error")
+        figure = comparison_figure(none)
+        figure.draw_without_rendering()
+    assert "interfacial_shear_strength" in figure.axes[0].texts[0].get_text()

@@ -7,7 +7,7 @@ import pytest
 from stiction import figures, plot
 from stiction.case import read_case
 from stiction.claims import claim_map
-from stiction.contact import Indices
+from stiction.contact import Contact, Indices, Roughness
 from stiction.solve import solve
 
 
@@ -69,6 +69,23 @@ def test_a_contact_that_only_pulls_says_so():
 def test_a_model_without_friction_has_two_panels():
     data = solve(Indices(theta=40.0, lam=10.0), separation=[1.0, 0.0], model="greenwood_williamson_1966")
     assert len(plot.curve_figure(data).axes) == 2
+
+
+@pytest.mark.parametrize("friction", (False, True))
+def test_a_model_without_separation_is_drawn_against_load_only(friction):
+    steel = "hardened_steel_52100"
+    rough = Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
+    contact = Contact(first=steel, second=steel, work_of_adhesion="0.1 J/m^2", nominal_area="1 mm^2", roughness=rough,
+                      interfacial_shear_strength="200 MPa")  # fmt: skip
+    law = "bowden_tabor_1943" if friction else None
+    data = solve(contact, load=["1 N", "2 N"], model="persson_2001", tangential=law)
+    axes = plot.curve_figure(data).axes
+    assert len(axes) == (3 if friction else 1)
+    assert all("load" in one.get_xlabel() for one in axes)
+    area = axes[1 if friction else 0]
+    np.testing.assert_array_equal(lines(area)["total"].get_ydata(), data["contact_area"])
+    if friction:  # mu does not vary, and is seen below the edge
+        assert axes[0].get_ylim()[1] > 1.05 * float(data["friction_coefficient"].max())
 
 
 @pytest.mark.parametrize("panel", figures.PANELS, ids=lambda panel: panel.name)

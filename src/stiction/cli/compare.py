@@ -14,15 +14,16 @@ if TYPE_CHECKING:
 @app.command()
 def compare(
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact.")],
-    load: Annotated[str | None, typer.Option(help='Working load, e.g. "1 N"; default: the middle load of the case.')] = None,
+    load: Annotated[str | None, typer.Option(help='Working load, e.g. "1 N"; default: the middle one of the case.')] = None,
     out: Out = None,
     json: Json = False,
 ) -> None:
     """Every applicable model on one contact: friction of each, their spread at the working load, and which to trust.
 
     A contact that states an interfacial_shear_strength gets a friction coefficient from models of contact only, too.
-    With --out: compare.csv, compare.nc (netCDF4) and compare.png. Where the case names scans, also the spread of each model
-    over the methods of finding asperities.
+    With --out: compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4) and compare.png. Where the case names scans,
+    also the spread of each model over the methods of finding asperities. A working load presses: it is above 0 N; where the
+    middle one of the case is not, the nearest that is stands in, and without any there are only curves.
     """
     from ..output import as_json, check_folder
 
@@ -36,8 +37,7 @@ def compare(
         chosen = read_case(case)
         at = working_load(chosen, load)
     data = compare_case(chosen, at, bar)
-    if out is not None:
-        _write_comparison(out, data, chosen.title)
+    names = _write_comparison(out, data, chosen.title) if out is not None else []
     if json:
         measured = {} if chosen.measured is None else {"measured": chosen.measured.record()}
         print(as_json(comparison(data) | measured))
@@ -52,19 +52,26 @@ def compare(
         from ..surfaces.tables import roughness_notes, roughness_table
 
         terminal.print(roughness_table(chosen.measured), *roughness_notes(chosen.measured), sep="\n")
+        for doubt in chosen.measured.doubts:
+            terminal.print(f"doubtful: {doubt}", style="bold yellow", highlight=False, markup=False)
     if out is not None:
-        written(out, ("compare.csv", "compare.nc", "compare.png"))
+        written(out, names)
 
 
-def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> None:
+def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> list[str]:
+    """Write tables and the picture; returns their names."""
     with busy("Drawing"):
-        from ..compare import comparison_rows
+        from ..compare import at_load_rows, comparison_rows
         from ..output import write_folder, write_netcdf, write_picture, write_rows
         from ..plot import comparison_figure
 
         files = {
             "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),
+            "compare_at_load.csv": lambda path: write_rows(path, *at_load_rows(data)),
             "compare.nc": lambda path: write_netcdf(data, path),
             "compare.png": lambda path: write_picture(comparison_figure(data, title), path),
         }
+        if "working_load" not in data.attrs:
+            del files["compare_at_load.csv"]
         write_folder(out, files)
+    return list(files)

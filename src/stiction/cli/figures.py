@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..quantities import QUANTITIES
-from .program import Json, Reading, app, bar, busy, console, solving
+from .program import Json, Reading, app, bar, busy, console, folder, solving
 
 if TYPE_CHECKING:
     from ..claims import ClaimMap
@@ -25,7 +25,9 @@ def figures(
     theta: Annotated[float, typer.Option(help=_bounds("theta"))] = 40.0,
     lam: Annotated[float, typer.Option(help=_bounds("lam"))] = 10.0,
     reading: Reading = None,
-    out: Annotated[Path, typer.Option(help="Folder for the pictures and tables; other files in it stay.")] = Path("figures"),
+    out: Annotated[
+        Path, typer.Option(parser=folder, metavar="FOLDER", help="Folder for the pictures and tables; other files in it stay.")
+    ] = Path("figures"),
     json: Json = False,
 ) -> None:
     """Figures 1 to 3 of the 2015 paper, and where in the plane of theta and lambda each of its claims holds.

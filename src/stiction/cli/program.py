@@ -4,7 +4,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from typer.core import TyperGroup
@@ -13,20 +13,79 @@ from .. import __version__
 from ..errors import InputError
 
 _BAD_INPUT, _INTERRUPTED = 2, 130
+# What typer raises for wrong usage; it has no name for the parent of BadParameter.
+_UsageError: type[Any] = typer.BadParameter.__mro__[1]
 
 
 class _Commands(TyperGroup):
-    """Bad input is one line and exit code 2, an interruption exit code 130; neither is a traceback."""
+    """Bad input and wrong usage are one line and exit code 2, an interruption exit code 130; none is a traceback."""
+
+    def make_context(self, info_name, args, parent=None, **extra):
+        if not args:  # which prints the help
+            return super().make_context(info_name, args, parent, **extra)
+        with _one_line():
+            return super().make_context(info_name, args, parent, **extra)
+
+    def resolve_command(self, ctx, args):
+        if args[0] not in self.commands and not args[0].startswith("-"):
+            raise InputError("command", args[0], ", ".join(self.commands))
+        return super().resolve_command(ctx, args)
 
     def invoke(self, ctx):
-        try:
+        with _one_line():
             return super().invoke(ctx)
-        except InputError as error:
-            print(f"stiction: {error}", file=sys.stderr)
-            raise typer.Exit(_BAD_INPUT) from None
-        except KeyboardInterrupt:
-            print("stiction: interrupted", file=sys.stderr)
-            raise typer.Exit(_INTERRUPTED) from None
+
+
+@contextmanager
+def _one_line() -> Iterator[None]:
+    """What the user can cause is said in one line, and ends the program with its exit code."""
+    try:
+        yield
+    except InputError as error:
+        print(f"stiction: {error}", file=sys.stderr)
+        raise typer.Exit(_BAD_INPUT) from None
+    except _UsageError as error:
+        print(f"stiction: {_as_input(error)}", file=sys.stderr)
+        raise typer.Exit(_BAD_INPUT) from None
+    except KeyboardInterrupt:
+        print("stiction: interrupted", file=sys.stderr)
+        raise typer.Exit(_INTERRUPTED) from None
+
+
+def _as_input(error: Any) -> InputError:
+    """Wrong usage, as typer found it, with the field, the value and what is allowed."""
+    message: str = error.message
+    command: Any = getattr(error.ctx, "command", None)
+    if hasattr(error, "param_type"):
+        return InputError(_name(error.param), None, (error.param.help or "a value").rstrip("."))
+    if hasattr(error, "param"):
+        value, allowed = _refused(error)
+        return InputError(_name(error.param), value, allowed)
+    if hasattr(error, "possibilities"):
+        known = [name for one in command.get_params(error.ctx) for name in one.opts if name.startswith("--")] if command else []
+        return InputError("option", error.option_name, ", ".join(known) or "an option of this command")
+    if hasattr(error, "option_name"):
+        given, allowed = (None, "a value after it") if "requires" in message else ("with a value", "without a value")
+        return InputError(error.option_name, given, allowed)
+    if hasattr(command, "commands"):
+        return InputError("command", None, ", ".join(command.commands))
+    names = [_name(one) for one in command.params if one.param_type_name == "argument"] if command else []
+    extra = message.rstrip(").").rpartition("(")[2]  # "Got unexpected extra arguments (b c)"
+    return InputError("arguments", extra, " ".join([*names, "and options"]) if names else "options only")
+
+
+def _name(param: Any) -> str:
+    """How the user writes an option, or reads of an argument."""
+    return next((name for name in param.opts if name.startswith("--")), param.metavar or param.name)
+
+
+def _refused(error: Any) -> tuple[Any, str]:
+    """The value of an option that is of a wrong kind, and what its kind is: from "Input should be a valid number, ..." with the
+    value in the cause, or from "'abc' is not a valid float"."""
+    value, _, allowed = error.message.rstrip(".").rpartition(" is not ")
+    if (cause := error.__cause__) is not None and hasattr(cause, "errors"):
+        value, allowed = cause.errors()[0]["input"], error.message.removeprefix("Input should be ").partition(", ")[0]
+    return value.strip("'") if isinstance(value, str) else value, allowed
 
 
 app = typer.Typer(
@@ -38,7 +97,16 @@ app = typer.Typer(
 )
 
 
-Out = Annotated[Path | None, typer.Option("--out", help="Folder for the results; other files in it stay.")]
+def folder(text: str | Path) -> Path:
+    """A folder that is named, by a user or by default: without a name it would be the current one, which nobody asked for."""
+    if not str(text).strip():
+        raise typer.BadParameter(f"'{text}' is not the name of a folder, new or existing (a dot is the current one)")
+    return Path(text)
+
+
+Out = Annotated[
+    Path | None, typer.Option("--out", parser=folder, metavar="FOLDER", help="Folder for the results; other files in it stay.")
+]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 Reading = Annotated[str | None, typer.Option(help="corrected (default), or published: the 2015 paper to the letter.")]
 

@@ -82,7 +82,7 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
         raise InputError("--case", str(case), "a case with [contact]: groups have no surface of their own")
     at = working_load(chosen, load)
     if at is None:
-        raise InputError("--load", None, "a load, where that of the middle separation of the case is not compressive")
+        raise InputError("--load", None, "a load, where no load of the case is compressive")
     return chosen, at
 
 

@@ -1,0 +1,90 @@
+"""`stiction run` with every rough-surface model: table, picture and JSON, also of those that know no separation."""
+
+import csv
+import json
+import warnings
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from stiction import cli
+from stiction.registry import of_kind
+
+CASE = """
+[contact]
+first = "hardened_steel_52100"
+second = "hardened_steel_52100"
+work_of_adhesion = "0.1 J/m^2"
+nominal_area = "1 mm^2"
+interfacial_shear_strength = "200 MPa"
+[contact.roughness]
+asperity_height_deviation = "48 nm"
+asperity_radius = "50 um"
+asperity_density = "1.7e10 1/m^2"
+[solve]
+load = {}
+"""
+MODELS = of_kind("rough surface")
+NO_SEPARATION = [key for key, one in MODELS.items() if not one.asperity and one.curve is None]
+
+
+@pytest.fixture(autouse=True)
+def matplotlib_does_its_own_arithmetic(no_silent_nan):
+    """It divides zero by zero inside, and looks at the result afterwards."""
+    with np.errstate(all="ignore"):
+        yield
+
+
+def run(*words):
+    """Run the command; a warning is an error."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        result = CliRunner().invoke(cli.app, ["run", *map(str, words)])
+    assert (result.exit_code, result.stderr) == (0, ""), (result.output, result.exception)
+    return result.stdout
+
+
+@pytest.fixture
+def case(tmp_path):
+    path = tmp_path / "case.toml"
+    path.write_text(CASE.format('["0.1 N", "1 N", "10 N"]'))
+    return path
+
+
+@pytest.mark.parametrize("tangential", (None, "bowden_tabor_1943"))
+@pytest.mark.parametrize("model", MODELS)
+def test_table_picture_and_json(model, tangential, case, tmp_path):
+    words = [case, "--model", model, *(["--tangential", tangential] if tangential else [])]
+    text = run(*words, "--out", tmp_path / "out")
+    assert "contact area" in text and ("pull-off force" in text) == (model not in NO_SEPARATION)
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert names == {"curve.csv", "curve.nc", "curve.png"}
+    found = json.loads(run(*words, "--json"))["variables"]
+    np.testing.assert_allclose(found["load"]["values"], [0.1, 1.0, 10.0], rtol=1e-15)
+    assert ("mean_separation" in found) == (model not in NO_SEPARATION)
+    if tangential:
+        mu = 200e6 * np.array(found["contact_area"]["values"]) / found["load"]["values"]
+        np.testing.assert_allclose(found["friction_coefficient"]["values"], mu, rtol=1e-12)
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_a_single_load(model, case, tmp_path):
+    case.write_text(CASE.format('"0.1 N"'))
+    run(case, "--model", model, "--out", tmp_path / "out")
+
+
+def test_there_are_models_without_separation():
+    assert {"persson_2001", "persson_2001_elastoplastic"} <= set(NO_SEPARATION)
+
+
+def test_a_load_of_nothing_has_no_friction_coefficient(tmp_path):
+    """The contact holds itself: 0 N is carried, to rounding, and the rounding is not a load."""
+    case = tmp_path / "case.toml"
+    smooth = CASE.replace("48 nm", "5.8 nm").replace("50 um", "72 um").replace("1.7e10", "5.7e10").replace("0.1 J", "1 J")
+    case.write_text(smooth.format('["-1 mN", "0 N", "1 N"]'))
+    text = run(case, "--out", tmp_path / "out")
+    assert "mu is not defined" in text and "e+16" not in text
+    with (tmp_path / "out" / "curve.csv").open(encoding="utf-8", newline="") as file:
+        mu = [float(row["friction_coefficient"]) for row in csv.DictReader(file)]
+    assert np.isnan(mu[:2]).all() and 0.0 < mu[2] < 100.0

@@ -1,0 +1,77 @@
+"""Wrong usage of the command line: one line with the field, the value and what is allowed, and exit code 2."""
+
+import subprocess
+import sys
+
+import pytest
+from typer.testing import CliRunner
+
+from stiction import cli
+
+CASES = {
+    "surface scan.npy --form 5": ("--form: '5'", "less than or equal to 4"),
+    "surface scan.npy --form 1.5": ("--form: '1.5'", "integer"),
+    "surface scan.npy --spikes abc": ("--spikes: 'abc'", "number"),
+    "surface scan.npy --spikes": ("--spikes: not given", "a value after it"),
+    "figures --theta many": ("--theta: 'many'", "number"),
+    "run": ("CASE.toml: not given", "Case file"),
+    "run one.toml two.toml": ("arguments: 'two.toml'", "CASE.toml and options"),
+    "schema here": ("arguments: 'here'", "options only"),
+    "compare case.toml --lod 3": ("option: '--lod'", "--load, --out, --json, --help"),
+    "run case.toml -x": ("option: '-x'", "--model"),
+    "run case.toml --json=3": ("--json: 'with a value'", "without a value"),
+    "--bad": ("option: '--bad'", "--version, --help"),
+    "no-such-command --out x": ("command: 'no-such-command'", "run, compare, surface"),
+    "--": ("command: not given", "run, compare, surface"),
+}
+
+
+def said(*words):
+    """What is said to wrong usage."""
+    result = CliRunner().invoke(cli.app, list(words))
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert result.stderr.startswith("stiction: ") and result.stderr.count("\n") == 1
+    return result.stderr
+
+
+@pytest.mark.parametrize("words", CASES)
+def test_wrong_usage_is_one_line(words):
+    field, allowed = CASES[words]
+    text = said(*words.split())
+    assert text.startswith(f"stiction: {field}; allowed: ") and allowed in text.partition("allowed: ")[2]
+
+
+@pytest.mark.parametrize("words", (["run", "case.toml"], ["compare", "case.toml"], ["surface", "scan.npy"], ["figures"]))
+@pytest.mark.parametrize("name", ("", " "))
+def test_a_folder_without_a_name_is_not_the_current_one(words, name, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert said(*words, "--out", name).startswith(f"stiction: --out: '{name}'; allowed: the name of a folder")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_current_folder_can_be_named(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "case.toml").write_text("[indices]\ntheta = 40\nlam = 10\n[solve]\nseparation = [1, 0]\n")
+    assert CliRunner().invoke(cli.app, ["run", "case.toml", "--out", "."]).exit_code == 0
+    assert (tmp_path / "curve.csv").exists()
+
+
+def test_a_folder_by_default_is_one_too(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert said("figures", "--theta", "-1").startswith("stiction: theta: -1")
+
+
+def test_without_arguments_and_with_help_it_helps():
+    nothing, asked = (CliRunner().invoke(cli.app, words) for words in ([], ["--help"]))
+    assert (nothing.exit_code, asked.exit_code) == (2, 0)
+    assert "Usage:" in nothing.output and "compare" in nothing.output and "stiction: " not in nothing.output
+    assert "Usage:" in asked.stdout and asked.stderr == ""
+    one = CliRunner().invoke(cli.app, ["run", "--help"])
+    assert one.exit_code == 0 and "CASE.toml" in one.stdout
+
+
+def test_the_command_itself_says_it_in_one_line():
+    code = "from stiction.cli import main; main()"
+    done = subprocess.run([sys.executable, "-c", code, "surface", "x.npy", "--form", "5"], capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
+    assert done.stderr.startswith("stiction: --form: '5'; allowed: ")
