@@ -166,6 +166,13 @@ def speed_of_model(choice: Choice, film: bool) -> float:
     return count * SEPARATIONS.size / seconds
 
 
+def designs_at_a_load(**film) -> float:
+    """Contacts per second, each solved at one load, with its pull-off force."""
+    count = 20_000
+    contacts = st.Indices(theta=st.axis("theta", np.geomspace(1.0, 1e3, count)), lam=20.0, **film)
+    return count / best(lambda: st.solve(contacts, load=0.01), repeats=3)
+
+
 def processor_seconds(*command: str) -> float:
     """Least processor time of a fresh process, of five."""
     times = []
@@ -280,6 +287,8 @@ def main() -> None:
             ("scattered, published, evaluations/s", speed_scattered(reading="published")),
             ("scattered, sequential film, evaluations/s", speed_scattered(**film)),
             ("grid, sequential film, evaluations/s", speed_on_grid(**film)),
+            ("solved at one load each, bare corrected, contacts/s", designs_at_a_load()),
+            ("solved at one load each, sequential film, contacts/s", designs_at_a_load(**film)),
             *((f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()),
             *comparison_rows(),
             *scan_rows(folder),

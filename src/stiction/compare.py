@@ -197,7 +197,8 @@ def _at_working_load(problem: Problem, situation: _Situation, answer: Answer) ->
             h = separations_at(problem, wanted).h
             results = {"mean_separation": h} | as_asked(problem.at(h), wanted)
     except Unreachable as error:
-        answer.why_not = f"carries loads up to {_in_words(situation.contact, error.high)}"
+        high, low = (_in_words(situation.contact, load) for load in (error.high, error.low))
+        answer.why_not = f"carries loads up to {high}" if wanted.item() > error.high else f"carries loads above {low}"
         return
     except InputError as error:
         answer.why_not = _reason(error)

@@ -5,13 +5,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from .problem import Problem
+from .summation import FARTHEST
 
-# Separations searched, from out of touch to where the surfaces are pressed far beyond any model's claim.
-_FAR, _NEAR, _STEPS = 10.0, -10.0, 161
+# Separations searched first, the last far beyond any model's claim; and on, where heights or adhesion reach farther, by
+# factors: twelve steps double.
+_FIRST = np.linspace(10.0, -10.0, 161)
+_BEYOND = 2.0 ** (np.arange(1, 13) / 12.0)
+_AT_ONCE = 10_000  # laws at once: bounds the memory
+# Out of touch: less than this share of the largest load.
+_NOTHING = 1e-12
 
 
 class Unreachable(Exception):
-    """A load that a contact nowhere carries. law and at: which; low and high: what it does carry, normalised."""
+    """A load that a contact nowhere carries. law and at: which; low and high: what it does carry, normalised; without
+    adhesion low is 0, and not carried."""
 
     def __init__(self, law: int, at: int, low: float, high: float):
         super().__init__(law, at, low, high)
@@ -20,30 +27,72 @@ class Unreachable(Exception):
 
 @dataclass(frozen=True)
 class Inversion:
-    """h (n, m): separations of n laws at m loads; residual (n, m): what is left, over the load; evaluations: at most."""
+    """What n contacts carry, at m loads, per asperity and normalised.
+
+    h (n, m): separations; residual (n, m): what is left of the load, over the load; evaluations: at most. tension (n,): the
+    largest that is carried, on the branch of the problem, 0 where there is none; where (n,): the separation at which, else not
+    a number.
+    """
 
     h: np.ndarray
     residual: np.ndarray
     evaluations: int
+    tension: np.ndarray
+    where: np.ndarray
 
 
 def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Largest tension per asperity (n,), zero where there is none, and the separation (n,) at which it is carried.
+    """Largest tension per asperity (n,), 0 where there is none, and the separation (n,) at which, else not a number.
 
     On the branch of the problem. Source: the minimum of the load over separation (Fuller & Tabor 1975).
     """
-    return _approach(problem)[2:]
+    ways = [_approach(problem.with_groups(rows), None) for rows in _blocks(problem)]
+    return np.concatenate([way.tension for way in ways]), np.concatenate([way.where for way in ways])
 
 
-def _approach(problem: Problem) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Separations from far to near, the loads there (n, H), the largest tension (n,) and its separation (n,)."""
-    h = np.linspace(_FAR, _NEAR, _STEPS)
-    loads = problem.loads_on_grid(h)
+def separations_at(problem: Problem, targets: np.ndarray) -> Inversion:
+    """The separations at which each law carries each load (n, m), per asperity and normalised.
+
+    Of several, the first that is met when the surfaces approach from their largest tension (from afar, if there is none):
+    that is the stable branch under a given load. The root is bracketed on a grid and found by Chandrupatla's method.
+    Raises Unreachable for a load that is nowhere carried.
+    """
+    parts = []
+    for rows in _blocks(problem):
+        way = _approach(problem.with_groups(rows), targets[rows])
+        try:
+            parts.append(_inverted(way, targets[rows]))
+        except Unreachable as error:
+            raise Unreachable(rows.start + error.law, error.at, error.low, error.high) from None
+    h, residual, tension, where = (
+        np.concatenate([getattr(part, name) for part in parts]) for name in ("h", "residual", "tension", "where")
+    )
+    return Inversion(h, residual, max(part.evaluations for part in parts), tension, where)
+
+
+def _blocks(problem: Problem) -> list[slice]:
+    return [slice(start, start + _AT_ONCE) for start in range(0, len(problem.groups), _AT_ONCE)]
+
+
+@dataclass(frozen=True)
+class _Approach:
+    """Loads (n, H) of n laws at separations h (H,), from where nothing touches inwards; tension, where: as in Inversion."""
+
+    problem: Problem
+    h: np.ndarray
+    loads: np.ndarray
+    tension: np.ndarray
+    where: np.ndarray
+
+
+def _approach(problem: Problem, targets: np.ndarray | None) -> _Approach:
+    """The way together, from farther than where the smallest of the loads `targets` (n, m) is carried."""
+    h, loads = _loads_past(problem, targets)
     lowest = np.argmin(loads, axis=1)
     laws = np.arange(len(loads))
-    tension, where = np.zeros(len(loads)), h[lowest]
-    inside = (loads[laws, lowest] < 0.0) & (lowest > 0) & (lowest < _STEPS - 1)
-    tension[~inside] = np.maximum(-loads[laws, lowest], 0.0)[~inside]
+    tension = np.maximum(-loads[laws, lowest], 0.0)
+    where = np.where(tension > 0.0, h[lowest], np.nan)
+    inside = (tension > 0.0) & (lowest > 0) & (lowest < h.size - 1)
     if inside.any():
         from scipy.optimize.elementwise import find_minimum
 
@@ -54,37 +103,58 @@ def _approach(problem: Problem) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.
 
         found = find_minimum(load, (h[at + 1], h[at], h[at - 1]), args=(law.astype(float),))
         tension[inside], where[inside] = -found.f_x, found.x
-    return h, loads, tension, where
+    return _Approach(problem, h, loads, tension, where)
 
 
-def separations_at(problem: Problem, targets: np.ndarray) -> Inversion:
-    """The separations at which each law carries each load (n, m), per asperity and normalised.
+def _loads_past(problem: Problem, targets: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+    """Separations (H,), descending, and loads (n, H): from where next to nothing touches, and less than the smallest of the
+    targets is carried, to far beyond any model's claim, and where compression outweighs all tension."""
+    h, loads = _FIRST, problem.loads_on_grid(_FIRST)
+    smallest = np.full(len(loads), np.inf)
+    if targets is not None:
+        smallest = np.where(targets > 0.0, targets, np.inf).min(axis=1, initial=np.inf)
 
-    Of several, the first that is met when the surfaces approach from their largest tension (from afar, if there is none):
-    that is the stable branch under a given load. The root is bracketed on a grid and found by Chandrupatla's method.
-    Raises Unreachable for a load that is nowhere carried.
-    """
+    def more(ends: np.ndarray) -> np.ndarray:
+        n = len(loads)
+        return problem.loads(np.tile(ends, n), np.repeat(np.arange(n), ends.size)).reshape(n, ends.size)
+
+    while h[0] < FARTHEST and _touches(loads, smallest).any():
+        farther = np.minimum(h[0] * _BEYOND[::-1], FARTHEST)
+        h, loads = np.concatenate([farther, h]), np.concatenate([more(farther), loads], axis=1)
+    while -h[-1] < FARTHEST and (loads[:, -1] < -loads.min(axis=1)).any():
+        nearer = np.maximum(h[-1] * _BEYOND, -FARTHEST)
+        h, loads = np.concatenate([h, nearer]), np.concatenate([loads, more(nearer)], axis=1)
+    return h, loads
+
+
+def _touches(loads: np.ndarray, smallest: np.ndarray) -> np.ndarray:
+    """Where (n,) something worth mention touches at the farthest separation, or the largest tension may lie beyond."""
+    farthest = loads[:, 0]
+    much = np.abs(farthest) > _NOTHING * np.abs(loads).max(axis=1)
+    return much | (farthest >= smallest) | ((farthest < 0.0) & (np.argmin(loads, axis=1) == 0))
+
+
+def _inverted(way: _Approach, targets: np.ndarray) -> Inversion:
+    """Separations of the loads (n, m) on a way past them; as `separations_at`."""
     from scipy.optimize.elementwise import find_root
 
-    h, loads, tension, where = _approach(problem)
-    start = np.where(tension > 0.0, np.searchsorted(-h, -where, side="right"), 0)  # the first grid point nearer
-    nearer = np.arange(_STEPS) >= start[:, None]
+    h, loads, adheres = way.h, way.loads, way.tension > 0.0
+    start = np.where(adheres, np.searchsorted(-h, -way.where, side="right"), 1)  # the first grid point nearer
+    nearer = np.arange(h.size) >= start[:, None]
     reached = nearer[:, None, :] & (loads[:, None, :] >= targets[:, :, None])
     first = np.argmax(reached, axis=2)
-    lowest = np.where(tension > 0.0, -tension, loads[:, 0])
-    highest = np.where(nearer, loads, -np.inf).max(axis=1)
-    carried = reached.any(axis=2) & (targets >= lowest[:, None])
+    carried = reached.any(axis=2) & np.where(adheres[:, None], targets >= -way.tension[:, None], targets > 0.0)
     if not carried.all():
         law, at = np.argwhere(~carried)[0]
-        raise Unreachable(law, at, lowest[law], highest[law])
-    left = np.where(first == start[:, None], np.where(tension > 0.0, where, _FAR)[:, None], h[np.maximum(first - 1, 0)])
+        raise Unreachable(law, at, -way.tension[law], np.where(nearer, loads, -np.inf).max(axis=1)[law])
+    left = np.where(adheres[:, None] & (first == start[:, None]), way.where[:, None], h[first - 1])
     law = np.broadcast_to(np.arange(len(loads))[:, None], targets.shape)
 
     def excess(x, law, target):
-        return problem.loads(x.ravel(), law.ravel().astype(int)).reshape(x.shape) - target
+        return way.problem.loads(x.ravel(), law.ravel().astype(int)).reshape(x.shape) - target
 
     found = find_root(excess, (h[first], left), args=(law.astype(float), targets))
     if not found.success.all():
         raise ArithmeticError(f"{np.sum(~found.success)} of {targets.size} separations did not converge")
     scale = np.where(targets == 0.0, 1.0, np.abs(targets))
-    return Inversion(found.x, found.f_x / scale, int(np.max(found.nfev)))
+    return Inversion(found.x, found.f_x / scale, int(np.max(found.nfev)), way.tension, way.where)

@@ -169,7 +169,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,
      "largest tension that is carried"),
     ("pull_off_separation", "d_off", r"d_\mathrm{off}", "m", _ANY, "sigma",
-     "mean separation at the largest tension"),
+     "mean separation at the largest tension, undefined where there is none"),
     ("load_share_beyond_film", "s_P", r"s_P", "", _SHARE, "",
      "share of the load on asperities wider than the film is thick (a > t)"),
     ("friction_share_beyond_film", "s_T", r"s_T", "", _SHARE, "",

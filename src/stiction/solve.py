@@ -63,7 +63,7 @@ def solve(
     shape = tuple(dims.values())
     wanted = spread(point, dims) / spread(units[_unit_of(given)], dims)
     coords = problem.coords | coords_of([point, *units.values()])
-    extra, convergence = {}, {}
+    extra, convergence, found = {}, {}, None
     if isinstance(problem, ClosedForm) and problem.needs_load:
         if given != "load":
             raise InputError("separation", separation, f"a load in its place: {model} knows no separation")
@@ -81,7 +81,7 @@ def solve(
         tables = {"mean_separation": wanted} | (as_asked(results, asked) if given == "load" else results)
     data = labelled(contact, tables, units, dims, coords)
     if "mean_separation" in tables:
-        data = data.merge(_pull_off(contact, problem, units))
+        data = data.merge(_pull_off(contact, problem, units, found))
     if given in getattr(point, "dims", ()):
         data = data.drop_vars(given).assign_coords({given: (given, point.values, data[given].attrs)})
     for name, (values, meaning) in extra.items():
@@ -89,9 +89,10 @@ def solve(
     return data.assign_attrs(summary_of(contact, problem, tables) | convergence)
 
 
-def _pull_off(contact, problem: Problem, units: dict[str, Any]) -> "xarray.Dataset":
-    """The largest tension of each contact, and where it is."""
-    tension, where = pull_off(problem.on_branch("unloading"))
+def _pull_off(contact, problem: Problem, units: dict[str, Any], found: Inversion | None) -> "xarray.Dataset":
+    """The largest tension of each contact, and where it is; found: of the problem itself, if it is known already."""
+    apart = problem.on_branch("unloading")
+    tension, where = (found.tension, found.where) if found and apart is problem else pull_off(apart)
     dims = all_dims(problem, units.values())
     each = problem.shape + (1,) * (len(dims) - len(problem.shape))
     return labelled(
@@ -167,7 +168,7 @@ def inverted(contact, problem: Problem, wanted: np.ndarray, unit: np.ndarray) ->
         scale = np.broadcast_to(unit, wanted.shape).reshape(targets.shape)[where]
         text = (lambda number: show(number * scale, "load")) if isinstance(contact, Contact) else "{:.6g}".format
         beyond = targets[where] > error.high
-        bound = f"at most {text(error.high)}" if beyond else f"at least {text(error.low)}"
+        bound = f"at most {text(error.high)}" if beyond else f"at least {text(error.low)}" if error.low else "more than 0"
         raise InputError("load", text(targets[where]), f"{bound} under this model, for this contact") from None
 
 

@@ -265,9 +265,12 @@ def scattered(
 # Less than this many pairs of a law and a separation are cheaper one by one than the matrix.
 _MANY = 4000
 _SKELETONS = (16, 20, 24, 28, 32, 40, 48, 64)
-_RESIDUAL = 5e-15
-# A sum smaller than this times its size (see _carry_over) may have lost too many digits.
-_CANCELLED = 6e-5
+# Separations farther apart than this, over sigma, have no skeleton of 64, and are taken in parts.
+_SPAN = 14.0
+# The matrix is good to this; far out the density itself is not, whose exponent h^2/2 is rounded.
+_RESIDUAL, _ROUNDING = 5e-15, 2.3e-16
+# A sum that may have lost more than this (see _carry_over) is taken again.
+_LOST = 8e-11
 _BLOCK = 256  # laws at a time: their nodes stay in the processor's cache
 
 
@@ -297,20 +300,41 @@ def _on_grid(regimes, h, heights, rows, out=None):
     h = np.ascontiguousarray(h, dtype=float)
     laws = len(regimes[0].edges)
     sums = np.empty((laws, 3, h.size)) if out is None else out
-    if heights.entire and laws * h.size >= _MANY and _by_skeleton(regimes, h, heights, np.array(rows), sums):
-        return sums
-    exact = scattered(regimes, np.tile(h, laws), heights, np.repeat(np.arange(laws), h.size)).sum(axis=0)
-    exact = np.column_stack([exact, exact[:, 3] + exact[:, 4]])
-    sums[:] = np.moveaxis(exact[:, rows].reshape(laws, h.size, 3), 1, 2)
+    single = []
+    for part in _near_each_other(h):
+        whole = part.size == h.size
+        some = sums if whole else np.empty((laws, 3, part.size))
+        near = h if whole else h[part]
+        if not (heights.entire and laws * part.size >= _MANY and _by_skeleton(regimes, near, heights, np.array(rows), some)):
+            single.append(part)
+        elif not whole:
+            sums[:, :, part] = some
+    if single:
+        rest = np.concatenate(single)
+        exact = scattered(regimes, np.tile(h[rest], laws), heights, np.repeat(np.arange(laws), rest.size)).sum(axis=0)
+        exact = np.column_stack([exact, exact[:, 3] + exact[:, 4]])
+        sums[:, :, rest] = np.moveaxis(exact[:, rows].reshape(laws, rest.size, 3), 1, 2)
     return sums
+
+
+def _near_each_other(h) -> list[np.ndarray]:
+    """The numbers of the separations h (H,), in parts none of which spans more than _SPAN."""
+    if not h.size or np.ptp(h) <= _SPAN:
+        return [np.arange(h.size)]
+    order = np.argsort(h, kind="stable")
+    span = np.ptp(h) / np.ceil(np.ptp(h) / _SPAN)
+    parts = np.ceil((h[order] - h[order[0]]) / span)
+    return np.split(order, np.flatnonzero(np.diff(np.maximum(parts, 1.0))) + 1)
 
 
 def _by_skeleton(regimes, h, heights, rows, sums) -> bool:
     """Fill sums (n, 3, H); False where these separations have no skeleton that is good enough."""
-    w_low = max(min(regime.lowest for regime in regimes), heights.window(-np.inf, np.inf, heights.shape)[0] - h.max())
+    # What is negligible beside all that touches need not be so for one quantity: down to densities of exp(-9 NEGLIGIBLE).
+    lowest = 3.0 * heights.window(-np.inf, np.inf, heights.shape)[0] - h.max()
+    w_low = max(min(regime.lowest for regime in regimes), lowest)
     nearest = h.min()
     w_high = heights.window(nearest + w_low, np.inf, heights.shape)[1] - nearest
-    skeleton, carry, largest = _skeleton(h.tobytes(), w_low, w_high, heights)
+    skeleton, carry, doubtful_below = _skeleton(h.tobytes(), w_low, w_high, heights)
     if not skeleton.size:
         return False
     reach = np.array([heights.window(few + w_low, np.inf, heights.shape)[1] for few in skeleton]) - skeleton
@@ -334,7 +358,7 @@ def _by_skeleton(regimes, h, heights, rows, sums) -> bool:
             put(w_low, nearest, heights.shape, *pieces, _RULES, _COUNTS, place, values, used)
         nodes = heights.shape, place, values, used, rows
         sum_rows(skeleton, reach, *nodes, every, few)
-        _carry_over(few, carry, largest, values, used, rows[positive], positive, sums[block], doubtful)
+        _carry_over(few, carry, doubtful_below, values, used, rows[positive], positive, sums[block], doubtful)
         sum_rows(h, everywhere, *nodes, doubtful, sums[block])
     return True
 
@@ -351,35 +375,37 @@ def _multiply(few, carry, total):
 
 
 @kernel
-def _mark_cancelled(total, limit, largest, doubtful):
+def _mark_cancelled(total, size, doubtful_below, doubtful):
     for to in range(total.size):
-        doubtful[to] = doubtful[to] | (total[to] < limit * largest[to])
+        doubtful[to] = doubtful[to] | (total[to] < size * doubtful_below[to])
 
 
 @kernel
-def _carry_over(few, carry, largest, values, used, rows, positive, sums, doubtful):
-    """sums[i] = few[i] @ carry, and what is doubtful: a positive sum too small against its size, which is the sum with every
-    density as large as it can be. rows: those of the positive columns."""
+def _carry_over(few, carry, doubtful_below, values, used, rows, positive, sums, doubtful):
+    """sums[i] = few[i] @ carry, and what is doubtful: a positive sum too small against its size, the sum without the density.
+    rows: those of the positive columns."""
     for i in range(sums.shape[0]):
         for q in range(sums.shape[1]):
             _multiply(few[i, q], carry, sums[i, q])
         doubtful[i, :] = False
         for at in range(rows.size):
             size = np.sum(values[i, rows[at], : used[i]])
-            _mark_cancelled(sums[i, positive[at]], _CANCELLED * size, largest, doubtful[i])
+            _mark_cancelled(sums[i, positive[at]], size, doubtful_below, doubtful[i])
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def _skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Few separations (L,), the matrix (L, H) that carries sums at those over to h, and the largest density (H,) at each h.
+    """Few separations (L,), the matrix (L, H) that carries sums at those over to h, and the share (H,) of its size, the sum
+    without the density, below which a positive sum is doubtful.
 
     For a law that is a single spike at the displacement w, sums are the density at h + w. The matrix is the one that is best
-    for all spikes w_low to w_high (least squares), and so for every law. Empty where _RESIDUAL is not reached.
+    for all spikes w_low to w_high (least squares), and so for every law. Empty where no such matrix is good.
     """
     h = np.frombuffer(h_bytes)
     spikes = w_low + (w_high - w_low) * (1.0 - np.cos(np.linspace(0.0, math.pi, 300))) / 2.0
     wanted, largest = _spike_sums(h, spikes, heights)
     middle, half = (h.max() + h.min()) / 2.0, np.ptp(h) / 2.0
+    good = max(_RESIDUAL, _ROUNDING * max(h.max() + w_low, 0.0) ** 2)
     for count in _SKELETONS:
         angle = (np.arange(count) + 0.5) * math.pi / count
         few = middle + half * np.cos(angle) / np.cos(angle[0])  # Chebyshev's points, stretched to both ends
@@ -387,8 +413,8 @@ def _skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> 
         left, values, right = np.linalg.svd(known, full_matrices=False)
         kept = values > 1e-15 * values[0]
         carry = (wanted @ right[kept].T / values[kept]) @ left[:, kept].T
-        if np.abs(carry @ known - wanted).max() <= _RESIDUAL:
-            return few, np.ascontiguousarray((carry / scale).T * largest), largest
+        if np.abs(carry @ known - wanted).max() <= good:
+            return few, np.ascontiguousarray((carry / scale).T * largest), good / _LOST * largest
     return np.empty(0), np.empty((0, h.size)), largest
 
 

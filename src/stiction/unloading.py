@@ -20,7 +20,7 @@ from .errors import InputError
 from .groups import Groups
 from .heights import Heights
 from .law import coordinates, within
-from .problem import Problem, make_problem, spread
+from .problem import Problem, as_asked, make_problem, spread
 from .quantities import QUANTITIES
 from .registry import AsperityLaw, RoughSurface, TangentialLaw, find
 from .solve import all_dims, attributes_of, coords_of, inverted, labelled, points_asked, summary_of, units_of
@@ -77,7 +77,11 @@ def unload(
     turned = np.broadcast_to(nearest.reshape(nearest.shape + (1,) * (len(shape) - nearest.ndim)), shape)
     wanted = np.broadcast_to(spread(point, dims) / spread(units["m"], dims), shape)
     apart = _apart(contact, turned, wanted, np.broadcast_to(spread(units["m"], dims), shape), distance is not None)
-    tables = {"mean_separation": turned + apart if separation is None else wanted} | way.at(way.rows(shape), turned, apart)
+    results = way.at(way.rows(shape), turned, apart)
+    if pressed_with is not None:
+        asked = np.broadcast_to(spread(turn, dims) / spread(units["N"], dims), shape)
+        results = as_asked(results, np.where(apart == 0.0, asked, results["load"]))
+    tables = {"mean_separation": turned + apart if separation is None else wanted} | results
     data = labelled(contact, tables, units, dims, way.pressed.coords | coords_of([turn, point, *units.values()]))
     data = data.merge(_ends(contact, way, nearest, units, turn_dims))
     if "mean_separation" in getattr(point, "dims", ()):  # its values as they were given are the coordinate

@@ -132,3 +132,25 @@ def test_separations_far_apart_and_beyond_all_heights(always_grid):
     touching = on_grid([power_law()], h, gaussian())[0, 0, 0]
     assert_allclose(touching, erfc(h / math.sqrt(2.0)) / 2.0, rtol=1e-11)
     assert on_grid([power_law()], np.linspace(40.0, 50.0, 12), gaussian()).max() == 0.0
+
+
+def test_separations_of_any_spread(always_grid):
+    """Near each other and worlds apart, in any order: F_0 and F_1 in closed form, F_2 = (h^2 + 1) F_0 - h phi(h)."""
+    h = np.concatenate([np.linspace(1e6, -1e6, 5), [3.0], np.linspace(-30.0, 5.0, 90), [-1e4, -1e4 + 0.5, 200.0]])
+    laws = 300
+    found = on_grid([power_law(laws)], h, gaussian())[0]
+    touching, phi = erfc(h / math.sqrt(2.0)) / 2.0, np.exp(-(h**2) / 2.0) / math.sqrt(2.0 * math.pi)
+    near = h < 3.5  # beyond, the closed forms lose their digits
+    for at, expected in ((0, touching), (2, phi - h * touching), (3, (h**2 + 1.0) * touching - h * phi)):
+        assert_allclose(found[:, at, near], np.tile(expected[near], (laws, 1)), rtol=1e-10)
+        alone = scattered([power_law(h.size)], h, gaussian())[0, ~near, at]
+        assert_allclose(found[:, at, ~near], np.tile(alone, (laws, 1)), rtol=1e-10)
+
+
+def test_what_is_left_behind_far_below_the_mean(always_grid):
+    """Where all is pressed far beyond a piece, the few asperities on it still count: for friction they may be all there is."""
+    h = np.linspace(-14.0, -20.0, 30)
+    piece = on_grid([power_law(300, (0.0, 1.0))], h, gaussian())[0, :, 0]
+    expected = (erfc(-(h + 1.0) / math.sqrt(2.0)) - erfc(-h / math.sqrt(2.0))) / 2.0
+    assert expected.max() < 1e-30
+    assert_allclose(piece, np.tile(expected, (300, 1)), rtol=1e-10)

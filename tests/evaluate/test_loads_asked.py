@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 import xarray
 from numpy.testing import assert_allclose, assert_array_equal
+from scipy.special import gamma
 
 import stiction as st
+from stiction.heights import height_distribution
 
 ADHESIVE = st.Contact(
     first="hardened_steel_52100",
@@ -56,3 +58,37 @@ def test_theories_that_know_loads_only(model):
 def test_at_separations_the_load_is_found():
     h = float(st.solve(INDICES, load=0.01)["mean_separation"])
     assert_allclose(float(st.solve(INDICES, separation=h)["load"]), 0.01, rtol=1e-12)
+
+
+@pytest.mark.parametrize("theta", (1e-2, 1e-4, 1e-6))
+def test_strong_adhesion_makes_one_sphere_of_all_asperities(theta):
+    """Far beyond the heights: Johnson, Kendall & Roberts 1971 have the pull-off force (3/2) pi gamma R, and at no load the
+    displacement (6 pi gamma R^2 / K)^(2/3) / (3 R). Corrections are of the order of sigma over that, squared."""
+    data = st.solve(st.Indices(theta=theta, lam=1e30), load=[0.0, 1.0], model="fuller_tabor_1975")
+    displacement = (6.0 * np.pi / theta) ** (2.0 / 3.0) / 3.0
+    assert_allclose(data["mean_separation"][0], -displacement, rtol=displacement**-2)
+    assert_allclose(data["pull_off_force"], 1.5 * np.pi / theta, rtol=displacement**-1.5)
+    assert float(data["pull_off_separation"]) > 0.3 * displacement
+
+
+def test_light_loads_are_carried_far_out():
+    """Exponential heights: the load is Gamma(5/2) exp(-(h + 1)) of elastic spheres, at every separation beyond -1."""
+    loads = np.array([1e-60, 1e-20, 1e-6, 0.5])
+    data = st.solve(INDICES, load=loads, model="greenwood_williamson_1966", heights="exponential")
+    assert_allclose(data["mean_separation"], np.log(gamma(2.5) / loads) - 1.0, rtol=1e-11)
+    assert float(data["pull_off_force"]) == 0.0 and np.isnan(float(data["pull_off_separation"]))
+
+
+def test_heights_with_one_far_out():
+    """The one sample of 100 that is far from the others carries light loads: that height alone, spread over a cell."""
+    samples = np.concatenate([np.linspace(-1.0, 1.0, 99), [60.0]])
+    heights = height_distribution("empirical", samples=samples, cells=400)
+    highest = heights.shape[0] + heights.shape[1] * (heights.shape.size - 3)
+    data = st.solve(INDICES, load=1e-4, model="greenwood_williamson_1966", heights=heights)
+    h = float(data["mean_separation"])
+    assert 9.0 < h < highest and abs(float(data["load_residual"])) < 1e-12
+
+
+def test_no_load_is_refused_where_nothing_adheres():
+    with pytest.raises(st.InputError, match="'0'; allowed: more than 0 under this model"):
+        st.solve(INDICES, load=0.0, model="greenwood_williamson_1966")

@@ -326,7 +326,8 @@ REFUSED = {
     "no number": ({"distance": math.inf}, "finite numbers"),
     "too far": ({"distance": 1e7}, "1e+06 times sigma at most"),
     "too near": ({"pressed_to": -1e7}, "1e+06 times sigma at most"),
-    "load nowhere carried": ({"pressed_to": None, "pressed_with": -0.1}, "at least"),
+    "load nowhere carried": ({"pressed_to": None, "pressed_with": -0.1}, "more than 0 under"),
+    "no load": ({"pressed_to": None, "pressed_with": 0.0}, "more than 0 under"),
 }
 
 
@@ -368,3 +369,11 @@ def test_energy_given_back_is_that_of_the_asperities():
     distance, weights = 2.0 * (t + 1.0), 2.0 * weights
     found = unload("chang_etsion_bogy_1987", distance=distance)["load"].values @ weights
     assert found == pytest.approx(expected, rel=1e-6)
+
+
+def test_pressed_with_nothing():
+    """Where nothing is drawn apart yet the load is the one that was asked for, not what a search made of it."""
+    found = unload("jkr", pressed_with=[0.0, 0.01], distance=[0.0, 0.1], tangential="bowden_tabor_1943")
+    assert list(found["load"][:, 0]) == [0.0, 0.01]
+    assert np.isnan(found["friction_coefficient"][0, 0]) and found["friction_coefficient"][1, 0] > 0.0
+    assert found["friction_force"][0, 0] > 0.0 and found["load"][0, 1] < 0.0

@@ -338,16 +338,14 @@ def test_what_is_all_form_is_refused(folder):
 
 def test_spikes_are_told_of_in_a_case(folder):
     said = "1 points of the scan of the first body"
-    for spike, solved in ((3.3e-7, True), (4e-6, False)):
+    for spike in (3.3e-7, 4e-6):  # the second alone carries the load, at a separation of hundreds of sigma
         heights = np.load(folder / "rough.npy")
         heights[7, 7] += spike
         np.save(folder / "one.npy", heights)
         read = st.read_case(case(folder, ONE.replace("rough", "one")))
-        if solved:
-            assert said in st.solve_case(read).attrs["outside_validity"]
-        else:  # one spike carries more than the load: it is told of there
-            with pytest.raises(st.InputError, match=said):
-                st.solve_case(read)
+        result = st.solve_case(read)
+        assert said in result.attrs["outside_validity"]
+        assert np.abs(result["load_residual"]).max() < 1e-10
     assert "spikes" not in st.solve_case(st.read_case(case(folder))).attrs["outside_validity"]
 
 
