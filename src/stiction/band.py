@@ -76,8 +76,11 @@ def with_band(
 
 
 def _on_the_tail(data: "xarray.Dataset") -> str:
-    """By which methods, and up to which load, FEW of the asperities found touch, or none were found; "" if nowhere."""
+    """By which methods, and up to which load, FEW of the asperities found touch, or none were found; "" if nowhere, or if
+    the model knows of no asperities."""
     loads = np.atleast_1d(data["load"].values)
+    if "touching_asperities" not in data:
+        return ""
     said = []
     for method in data[METHOD].values:
         touching = np.atleast_1d(data["found_touching_by_method"].sel({METHOD: method}).values)

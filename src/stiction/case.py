@@ -2,7 +2,7 @@
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, isfinite
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -47,6 +47,14 @@ class Case:
         if self.measured is None or not isinstance(self.subject, Contact):
             return {}
         return self.measured.contacts(self.subject)
+
+    def as_taken(self, model: str) -> "Case":
+        """The case as the model of this key takes it: a theory of the whole surface has no methods of finding asperities."""
+        from stiction.problem import as_taken, of_surface
+
+        if not of_surface(model):
+            return self
+        return replace(self, subject=as_taken(self.subject, model), measured=self.measured and self.measured.of_surface())
 
 
 def _point(value):

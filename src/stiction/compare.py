@@ -13,7 +13,7 @@ from .groups import Groups
 from .inversion import Unreachable, separations_at
 from .problem import ClosedForm, Problem, as_asked, make_problem, problem_of
 from .registry import GRADES, Criterion, FilmLaw, RoughSurface, of_kind
-from .solve import labelled, solve, units_of
+from .solve import labelled, scale_of, solve, units_of
 from .units import show, to_si
 from .validity import breaches
 
@@ -37,8 +37,8 @@ class Candidate:
 
 @dataclass
 class Answer:
-    """What one candidate says. curve: normalised results (points,); at_load: normalised results at the working load, None if
-    it cannot carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none.
+    """What one candidate says, in the units of the contact. curve: results (points,); at_load: results at the working load,
+    None if it cannot carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none.
     effects: what it takes account of; of_interface: its friction is the shear strength that the contact states. why_not: why
     it says nothing, or nothing of friction."""
 
@@ -119,13 +119,13 @@ def compare(
         raise InputError("contact", "arrays", "single numbers, for a comparison of models")
     h = SEPARATIONS if separations is None else np.asarray(list(separations), dtype=float)
     units = units_of(contact)
-    target = None if load is None else _pressing(contact, load, "load") / units["N"]
+    target = None if load is None else _pressing(contact, load, "load")
     groups = make_problem(contact, Choice()).groups
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
     interface = _law_of_the_interface(groups)
-    situation = _Situation(contact, h, plain.loads_on_grid(h), target, interface)
+    situation = _Situation(contact, h, plain.loads_on_grid(h) * units["N"], target, interface)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
-    return _dataset(contact, answers, units, target)
+    return _dataset(contact, answers, target)
 
 
 def _law_of_the_interface(groups: Groups) -> str:
@@ -137,8 +137,8 @@ def _law_of_the_interface(groups: Groups) -> str:
 
 @dataclass(frozen=True)
 class _Situation:
-    """What all candidates are asked: at the separations h, the loads (1, h) for those that know none, and the working load
-    (normalised) or None; interface: the tangential law of those that have none."""
+    """What all candidates are asked: at the separations h, over their sigma, the loads (1, h) for those that know none, and
+    the working load or None, in the units of the contact; interface: the tangential law of those that have none."""
 
     contact: Contact | Indices
     h: np.ndarray
@@ -155,7 +155,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         choice = replace(choice, tangential=situation.interface)
     try:
         problem = make_problem(situation.contact, choice)
-        answer.curve = _curve(problem, situation)
+        curve = _curve(problem, situation)
     except InputError as error:
         answer.why_not = _reason(error)
         return answer
@@ -165,13 +165,17 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     answer.sources = list(dict.fromkeys(source.key for record in records for source in record.sources))
     if not problem.friction:
         answer.why_not = "of contact only: it needs an interfacial_shear_strength to say anything of friction"
+    at_load = None
     if situation.target is not None:
-        _at_working_load(problem, situation, answer)
-    results = answer.at_load or answer.curve
-    left = breaches(situation.contact, records, {name: np.asarray(one) for name, one in results.items()})
+        at_load = _at_working_load(problem, situation.target, answer)
+    left = breaches(problem.subject, records, at_load or curve)
     answer.outside = [breach.short for breach in left]
     answer.effects = _effects(problem)
     answer.of_interface = problem.law.interfacial
+    scales = units_of(problem.subject)
+    answer.curve = {name: table * scales.get(scale_of(name), 1.0) for name, table in curve.items()}
+    if at_load:
+        answer.at_load = {name: float(table[0, 0] * scales.get(scale_of(name), 1.0)) for name, table in at_load.items()}
     return answer
 
 
@@ -183,33 +187,31 @@ def _reason(error: InputError) -> str:
 def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
     """Normalised results (points,) along the separations, or the loads in their place."""
     if isinstance(problem, ClosedForm) and problem.needs_load:
-        return {name: table[0] for name, table in problem.at_load(situation.loads).items()}
+        loads = situation.loads / units_of(problem.subject)["N"]
+        return {name: table[0] for name, table in problem.at_load(loads).items()}
     return {"mean_separation": situation.h} | {name: table[0] for name, table in problem.on_grid(situation.h).items()}
 
 
-def _at_working_load(problem: Problem, situation: _Situation, answer: Answer) -> None:
-    """Fill in the results at the working load; where it is not carried, why."""
-    wanted = np.array([[situation.target]])
+def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[str, np.ndarray] | None:
+    """Normalised results (1, 1) at the working load; where it is not carried, nothing, and the answer says why."""
+    unit = units_of(problem.subject)["N"]
+    wanted = np.array([[target / unit]])
     try:
         if isinstance(problem, ClosedForm) and problem.needs_load:
-            results = problem.at_load(wanted)
-        else:
-            h = separations_at(problem, wanted).h
-            results = {"mean_separation": h} | as_asked(problem.at(h), wanted)
+            return problem.at_load(wanted)
+        h = separations_at(problem, wanted).h
+        return {"mean_separation": h} | as_asked(problem.at(h), wanted)
     except Unreachable as error:
-        high, low = (_in_words(situation.contact, load) for load in (error.high, error.low))
+        high, low = (_in_words(problem.subject, load * unit) for load in (error.high, error.low))
         answer.why_not = f"carries loads up to {high}" if wanted.item() > error.high else f"carries loads above {low}"
-        return
     except InputError as error:
         answer.why_not = _reason(error)
-        return
-    answer.at_load = {name: float(table[0, 0]) for name, table in results.items()}
+    return None
 
 
-def _in_words(contact: Contact | Indices, load: float) -> str:
-    """A normalised load, in a force unit where the contact is real."""
-    real = isinstance(contact, Contact)
-    return show(float(f"{load * units_of(contact)['N']:.4g}"), "load") if real else f"{load:.4g}"
+def _in_words(subject: Contact | Indices, load: float) -> str:
+    """A load, in a force unit where the contact is real."""
+    return show(float(f"{load:.4g}"), "load") if isinstance(subject, Contact) else f"{load:.4g}"
 
 
 def _effects(problem: Problem) -> list[str]:
@@ -248,15 +250,16 @@ def _recommend(answers: list[Answer]) -> tuple[Answer | None, str]:
     return best, "; ".join(filter(None, reasons))
 
 
-def _dataset(contact, answers: list[Answer], units: dict[str, Any], target: float | None) -> "xarray.Dataset":
+def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Dataset":
     """Answers as a dataset over model and point; those that say nothing at all are left out, with the reason."""
     shown = [one for one in answers if one.curve]
     dims = {"model": len(shown), "point": shown[0].curve["load"].size if shown else 0}
+    as_it_is: dict[str, Any] = {}  # results are in the units of the contact already
     tables = {name: np.array([_or_nothing(one.curve.get(name), dims["point"]) for one in shown]) for name in _RESULTS}
-    data = labelled(contact, tables, units, dims, {"model": [one.candidate.name for one in shown]})
+    data = labelled(contact, tables, as_it_is, dims, {"model": [one.candidate.name for one in shown]})
     if target is not None:
         single = {name: np.array([(one.at_load or {}).get(name, np.nan) for one in shown]) for name in _RESULTS}
-        found = labelled(contact, single, units, {"model": len(shown)}, {"model": data["model"]})
+        found = labelled(contact, single, as_it_is, {"model": len(shown)}, {"model": data["model"]})
         data = data.merge(found.rename({name: f"{name}_at_load" for name in _RESULTS}))
     texts = {
         "grade": [one.grade for one in shown],
@@ -264,14 +267,14 @@ def _dataset(contact, answers: list[Answer], units: dict[str, Any], target: floa
         "why_not": [one.why_not for one in shown],
     }
     data = data.assign({name: ("model", np.array(values, dtype=object)) for name, values in texts.items()})
-    return data.assign_attrs(_attributes(contact, answers, units, target))
+    return data.assign_attrs(_attributes(contact, answers, target))
 
 
 def _or_nothing(values: np.ndarray | None, points: int) -> np.ndarray:
     return np.full(points, np.nan) if values is None else values
 
 
-def _attributes(contact, answers: list[Answer], units: dict[str, Any], target: float | None) -> dict[str, Any]:
+def _attributes(contact, answers: list[Answer], target: float | None) -> dict[str, Any]:
     """What goes with the dataset as a whole."""
     used = dict.fromkeys(key for one in answers for key in one.sources)
     left_out = [f"{one.candidate.name}: {one.why_not}" for one in answers if not one.curve]
@@ -283,7 +286,7 @@ def _attributes(contact, answers: list[Answer], units: dict[str, Any], target: f
     best, reason = _recommend(answers)
     inside = [one.mu for one in answers if not one.outside]
     attributes |= {
-        "working_load": target * units["N"],
+        "working_load": target,
         "spread": _spread([one.mu for one in answers]),
         "spread_within_validity": _spread(inside),
         "recommended": best.candidate.name if best else "none",
@@ -293,8 +296,10 @@ def _attributes(contact, answers: list[Answer], units: dict[str, Any], target: f
 
 
 def _criteria(contact: Contact | Indices) -> list[str]:
-    """What the criteria of the registry say of a contact, one line each; those that want what is not known are left out."""
-    groups = make_problem(contact, Choice()).groups.substrate()
+    """What the criteria of the registry say of the surface of a contact, one line each; those that want what is not known
+    are left out."""
+    surface = contact.of_surface() if isinstance(contact, Contact) else contact
+    groups = make_problem(surface, Choice()).groups.substrate()
     lines = []
     for one in of_kind("criterion").values():
         assert isinstance(one, Criterion)

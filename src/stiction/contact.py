@@ -54,7 +54,8 @@ class Roughness(Input):
     """The equivalent rough surface: asperities of one radius, with distributed heights (GW 1966).
 
     height_distribution: name of a height distribution; height_parameters: its parameters, e.g. {"shape":
-    3.4}. Raises InputError.
+    3.4}. surface: asperities with the spectral moments of the surface (McCool 1986), with Gaussian heights, which theories of
+    the whole surface take in place of these; left out, they take these. Raises InputError.
     """
 
     asperity_height_deviation: Number
@@ -62,6 +63,15 @@ class Roughness(Input):
     asperity_density: Number
     height_distribution: str = "gaussian"
     height_parameters: dict[str, _Parameter] = Field(default_factory=dict)
+    surface: "Roughness | None" = Field(default=None, description="a table with sigma, R and N of a Gaussian surface")
+
+    @model_validator(mode="after")
+    def _surface_is_gaussian(self):
+        if self.surface is not None and self.surface.height_distribution != "gaussian":
+            raise InputError("surface.height_distribution", self.surface.height_distribution, "gaussian")
+        if self.surface is not None and self.surface.surface is not None:
+            raise InputError("surface.surface", "a table", "nothing: this is the surface already")
+        return self
 
 
 @dataclass(frozen=True)
@@ -244,6 +254,11 @@ class Contact(Input):
                 "film_K_beta": film.K * film.beta,
             }
         return groups
+
+    def of_surface(self) -> "Contact":
+        """The contact as theories of the whole surface take it: with the asperities that have its spectral moments."""
+        surface = self.roughness.surface
+        return self if surface is None else self.model_copy(update={"roughness": surface})
 
     def scales(self) -> Scales:
         """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""

@@ -1,7 +1,7 @@
 """The rough surface of a contact from scans of its bodies in place of numbers: a Roughness for each way to find asperities."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,9 +17,10 @@ if TYPE_CHECKING:
     from .surfaces.heightmap import HeightMap
 
 # What stands for the surface unless a case says otherwise: the first of these that finds FEW or more, or has averages. Both
-# agree with Nayak's summits where the waves are resolved (docs/surfaces.md), so that they may be added for two bodies, and
-# theories of Gaussian surfaces get the slope that was measured. Of a profile there are averages only.
-PREFERRED = ("eight_neighbour", "mccool")
+# agree with Nayak's summits where the waves are resolved (docs/surfaces.md), so that they may be added for two bodies. Of a
+# profile there are averages only.
+OF_MOMENTS = "mccool"  # looks for no asperities, and keeps the moments exactly
+PREFERRED = ("eight_neighbour", OF_MOMENTS)
 # Cutoffs of two scans that differ by more than this: the sum of both is of no resolution.
 _ALIKE = 1.5
 
@@ -53,6 +54,8 @@ def _body(value):
     if not isinstance(value, Mapping) or "file" in value or not (value.keys() & Roughness.model_fields.keys()):
         return value if isinstance(value, Scan | Roughness) else Scan(**_table(value))
     numbers = Roughness(**value)
+    if numbers.surface is not None:
+        raise InputError("surface", "a table", "nothing, of a body beside one that was measured")
     if numbers.height_distribution != "gaussian":
         raise InputError("height_distribution", numbers.height_distribution, "gaussian, of a body beside one that was measured")
     return numbers
@@ -118,6 +121,12 @@ class Measured:
         order = sorted(self.by_method, key=lambda name: name != self.method)
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
+    def of_surface(self) -> "Measured":
+        """What theories of the whole surface take of it: the moments, in the form of asperities that have them."""
+        if OF_MOMENTS not in self.by_method:
+            return self
+        return replace(self, method=OF_MOMENTS, by_method={OF_MOMENTS: self.by_method[OF_MOMENTS]})
+
     def attributes(self) -> dict[str, str]:
         """What goes with a result: the method, and what was done to each scan."""
         scans = "\n".join(f"{body} body: {step}" for body, steps in self.history.items() for step in steps)
@@ -178,6 +187,7 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
             failures[method] = str(error)
     if not found:
         raise InputError("roughness", "no asperities by any method", "scans with asperities: see `stiction surface` of them")
+    surfaces = _with_the_surface(surfaces)
     method = wanted.method or _standing(found, counts)
     if method not in found:
         why = f"; nothing by {method}: {failures[method]}" if method in failures else ""
@@ -192,6 +202,15 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
         {name: one.mean_height for name, one in found.items()},
         (*_spikes(maps), *_doubts(list(maps.values()), bool(known), wanted)),
     )
+
+
+def _with_the_surface(by_method: dict[str, Roughness]) -> dict[str, Roughness]:
+    """The same, each with the asperities that have the measured moments: theories of the whole surface look for none."""
+    surface = by_method.get(OF_MOMENTS)
+    return {
+        name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
+        for name, one in by_method.items()
+    }
 
 
 def independent(found: "Asperities", surface: "HeightMap") -> int:

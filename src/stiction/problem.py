@@ -40,8 +40,9 @@ _GIVEN_AS = {"shear_strength": "interfacial_shear_strength", "hardening": "tange
 class Problem:
     """n contacts under one model.
 
-    groups: their dimensionless groups, flat. dims: named dimensions of the contacts, name -> size; n is the product.
-    coords: what the dimensions' points are called.
+    subject: the Contact or Indices, as_taken by the model; None where only groups were given. groups: their dimensionless
+    groups, flat. dims: named dimensions of the contacts, name -> size; n is the product. coords: what the dimensions' points
+    are called.
     """
 
     record: RoughSurface
@@ -53,6 +54,7 @@ class Problem:
     dims: dict[str, int]
     coords: dict[str, Any]
     presliding: Presliding | None = None
+    subject: Any = None
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -241,8 +243,19 @@ def _share_beyond(regimes: list, parts: np.ndarray) -> np.ndarray:
     return np.divide(beyond, whole, where=whole > 0.0, out=np.zeros_like(whole))
 
 
+def as_taken(subject: Contact | Indices, model: str) -> Contact | Indices:
+    """What was given, as the model of this key takes it: a theory of the whole surface, with the asperities of its moments."""
+    return subject.of_surface() if isinstance(subject, Contact) and of_surface(model) else subject
+
+
+def of_surface(model: str) -> bool:
+    """Whether the model of this key is a theory of the whole surface."""
+    return _record(Choice(model)).of_surface
+
+
 def make_problem(subject: Contact | Indices, choice: Choice, heights: Heights | str | None = None) -> Problem:
     """The problem of this contact under this model. Raises InputError for what the model does not know or refuses."""
+    subject = as_taken(subject, choice.model)
     if isinstance(subject, Contact):
         indices = subject.indices()
         roughness = subject.roughness
@@ -254,9 +267,10 @@ def make_problem(subject: Contact | Indices, choice: Choice, heights: Heights | 
     if heights is not None:
         given = height_distribution(heights) if isinstance(heights, str) else heights
     groups, dims, coords = _flatten(indices.resolved())
-    problem = replace(problem_of(groups, choice, given, isinstance(subject, Contact)), dims=dims, coords=coords)
+    problem = problem_of(groups, choice, given, isinstance(subject, Contact))
+    problem = replace(problem, dims=dims, coords=coords, subject=subject)
     if isinstance(problem, ClosedForm) and given.key != "gaussian":
-        raise InputError("heights", given.key, f"gaussian: {problem.record.key} is a theory of Gaussian surfaces")
+        raise InputError("heights", given.key, f"gaussian: {problem.record.key} knows no other heights")
     return problem
 
 

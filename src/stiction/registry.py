@@ -174,8 +174,9 @@ class RoughSurface(Record):
     suit each other may be taken), bare or, if default_film is given, with any film. tangential "none": contact only. Or,
     where asperity is "": curve(h, groups, **own options) -> load and area (n, H) in closed form at the separations h (H,); or
     area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation.
-    regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model that is
-    more. film_by_option: value of an own option that brings a film law of its own -> key of that.
+    of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
+    found. regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
+    that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
     """
 
     kind = "rough surface"
@@ -183,6 +184,7 @@ class RoughSurface(Record):
     tangential: str = "none"
     default_film: str = ""
     film_by_option: Mapping[str, str] = field(default_factory=dict)
+    of_surface: bool = False
     regimes: Callable | None = None
     curve: Callable | None = None
     area_at_load: Callable | None = None
@@ -210,9 +212,10 @@ class Presliding(TangentialLaw):
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
-    """A number that tells one behaviour of a contact from another.
+    """A number that tells one behaviour of a rough surface in contact from another.
 
-    ratio(groups) -> array (n,); below, above: what is said of the contact where it is below 1, and above.
+    ratio(groups) -> array (n,), of asperities with the moments of the surface; below, above: what is said of the contact where
+    it is below 1, and above.
     """
 
     kind = "criterion"

@@ -56,12 +56,13 @@ def solve(
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
     problem = make_problem(contact, Choice(model, asperity, tangential, coating_law, options, presliding), heights)
+    contact = problem.subject
     units = units_of(contact)
     given = "load" if separation is None else "mean_separation"
     point = points_asked(contact, given, load if separation is None else separation)
     dims = all_dims(problem, [point, *units.values()])
     shape = tuple(dims.values())
-    wanted = spread(point, dims) / spread(units[_unit_of(given)], dims)
+    wanted = spread(point, dims) / spread(units[scale_of(given)], dims)
     coords = problem.coords | coords_of([point, *units.values()])
     extra, convergence, found = {}, {}, None
     if isinstance(problem, ClosedForm) and problem.needs_load:
@@ -106,7 +107,7 @@ def _at_load(problem: ClosedForm, load: np.ndarray) -> dict[str, np.ndarray]:
     return {name: table.reshape(load.shape) for name, table in tables.items()}
 
 
-def _unit_of(name: str) -> str:
+def scale_of(name: str) -> str:
     """Which scale a quantity is measured in: its SI unit, or "count"."""
     return "count" if name == "touching_asperities" else QUANTITIES[name].unit
 
@@ -197,7 +198,7 @@ def labelled(contact, tables, units, dims, coords) -> "xarray.Dataset":
     data = xarray.Dataset(coords=coords)
     shape = tuple(dims.values())
     for name, table in tables.items():
-        scale = spread(units[_unit_of(name)], dims) if _unit_of(name) in units else 1.0
+        scale = spread(units[scale_of(name)], dims) if scale_of(name) in units else 1.0
         data[name] = (tuple(dims), np.broadcast_to(table * scale, shape).copy(), attributes_of(contact, name))
     return data
 

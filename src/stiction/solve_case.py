@@ -29,6 +29,7 @@ def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
     attributes say the method and what was done to the scans. Raises InputError.
     """
     choice = choice or case.choice
+    case = case.as_taken(choice.model)
     try:
         data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
     except InputError as error:

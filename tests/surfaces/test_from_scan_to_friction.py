@@ -80,6 +80,70 @@ def test_a_scan_is_solved_as_the_numbers_that_are_found_in_it(folder):
     assert "rough.npy" in data.attrs["scans"] and "levelled" in data.attrs["scans"]
 
 
+@pytest.mark.parametrize("method", ("", 'method = "persistence"', 'heights = "empirical"'))
+def test_theories_of_the_surface_take_what_was_measured_of_it(folder, method):
+    """Persson 2001, A/A0 = erf(sqrt(2) p / (E* h')), with the gradient h' of the map: whatever stands for its asperities."""
+    read = st.read_case(case(folder, f"{ONE}\n{method}"))
+    heights, pitch = np.load(folder / "rough.npy"), SIZE / PITCHES
+    slope = math.sqrt(sum(np.mean(np.diff(heights, axis=axis) ** 2) for axis in (0, 1))) / pitch
+    pressure = np.array([1e-3, 1.0]) / 1e-6 / (read.subject.contact_modulus * slope)
+    expected = 1e-6 * np.vectorize(math.erf)(math.sqrt(2.0) * pressure)
+    for model in ("persson_2001", "bush_gibson_thomas_1975"):
+        data = st.solve_case(read, read.choice.with_changes({"model": model}, {}))
+        if model == "persson_2001":
+            assert data["contact_area"].values == near(expected, rel=0.02)
+        else:  # asymptotically pi/2 times as much, and less at all loads
+            assert (data["contact_area"].values < 1.6 * expected).all()
+        assert data.attrs["theta"] == near(read.by_method["mccool"].indices().theta, rel=1e-12)
+    rows = st.compare_case(read, load=1.0).sel(model="persson_2001")
+    assert float(rows["contact_area_at_load"]) == near(expected[1], rel=0.02)
+    assert rows["load_at_load"] == near(1.0, rel=1e-12)
+    for model in ("greenwood_williamson_1966", "mccool_1986"):  # the first of asperities found, the second of the moments
+        sums = st.compare_case(read, load=1.0).sel(model=model)
+        direct = st.solve(read.subject, load=1.0, model=model)
+        assert float(sums["contact_area_at_load"]) == near(float(direct["contact_area"]), rel=1e-9)
+        assert float(sums["mean_separation_at_load"]) == near(float(direct["mean_separation"]), rel=1e-9)
+    of_surface = st.solve(read.by_method["mccool"], load=1.0, model="greenwood_williamson_1966")
+    assert float(direct["contact_area"]) == near(float(of_surface["contact_area"]), rel=1e-9)
+
+
+def test_theories_of_the_surface_have_no_spread_over_methods(folder):
+    path = case(folder)
+    path.write_text(path.read_text().replace("nominal_area", 'interfacial_shear_strength = "10 MPa"\nnominal_area'))
+    said = json.loads(command("run", path, "--model", "persson_2001", "--tangential", "bowden_tabor_1943", "--json").stdout)
+    assert said["measured"]["method"] == said["attrs"]["roughness_method"] == "mccool"
+    assert list(said["measured"]["by_method"]) == ["mccool"]
+    values = {name: said["variables"][name]["values"] for name in said["variables"]}
+    assert values["friction_coefficient_low"] == values["friction_coefficient"] == values["friction_coefficient_high"]
+    assert "tail" not in said["attrs"]["outside_validity"]  # no heights at all
+    assert "sigma" in command("run", path, "--model", "persson_2001", "--tangential", "bowden_tabor_1943").stdout
+    rows = {row["model"]: row for row in json.loads(command("compare", path, "--json").stdout)["models"]}
+    assert len(set(rows["persson_2001"]["friction_coefficient_by_method"].values())) == 1
+    assert len(set(rows["greenwood_williamson_1966"]["friction_coefficient_by_method"].values())) == 5
+
+
+NUMBERS = {"asperity_height_deviation": "20 nm", "asperity_radius": "5 um", "asperity_density": "1e11 1/m^2"}
+
+
+@pytest.mark.parametrize(
+    ("surface", "field"),
+    (
+        (NUMBERS | {"height_distribution": "exponential"}, "surface.height_distribution"),
+        (NUMBERS | {"surface": NUMBERS}, "surface.surface"),
+        (NUMBERS | {"asperity_radius": "-1 um"}, "surface.asperity_radius"),
+    ),
+)
+def test_a_surface_is_gaussian_and_has_none_of_its_own(surface, field):
+    with pytest.raises(st.InputError, match=field):
+        st.Roughness(**NUMBERS, surface=surface)
+
+
+def test_a_body_beside_a_scan_has_one_set_of_numbers(folder):
+    numbers = "{ " + ", ".join(f'{name} = "{value}"' for name, value in NUMBERS.items())
+    with pytest.raises(st.InputError, match=r"second\.surface"):
+        st.read_case(case(folder, f"{ONE}\nsecond = {numbers}, surface = {numbers} }} }}"))
+
+
 def test_two_scans_are_added(folder):
     """sigma^2 of McCool's asperities adds with m0, m2 and m4: of two surfaces alike it doubles, and slopes with it."""
     two = ONE + '\nsecond = { file = "other.npy", size = "20 um", unit = "m" }'

@@ -52,6 +52,7 @@ def run(
         chosen = read_case(case)
     laws = {"model": model, "asperity": asperity, "tangential": tangential, "coating_law": coating_law}
     data = _solve(chosen, laws, {"reading": reading, "branch": branch, "transition": transition})
+    chosen = chosen.as_taken(data.attrs["model"])
     names = _write_run(out, chosen, data) if out is not None else []
     if json:
         _print_json(chosen, data)

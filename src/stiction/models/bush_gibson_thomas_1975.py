@@ -61,6 +61,7 @@ RECORD = RoughSurface(
         Source("johnson_1985", "section 4.2(c), Hertz's ellipse"),
     ),
     curve=curve,
+    of_surface=True,
     verified="adaptive integrals over height and both curvatures; A/A0 = sqrt(2 pi) p/(E* h') at light load",
     needs=("density",),
     validity=(

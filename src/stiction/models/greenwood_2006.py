@@ -41,6 +41,7 @@ RECORD = RoughSurface(
         Source("nayak_1971", "", "joint density of height and curvatures of the summits"),
     ),
     curve=curve,
+    of_surface=True,
     verified="double integrals of the closed density of height and geometric mean curvature; A/A0 = sqrt(2 pi) p/(E* h') "
     "at light load",
     needs=("density",),

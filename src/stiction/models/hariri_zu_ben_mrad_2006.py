@@ -70,6 +70,7 @@ RECORD = RoughSurface(
         Source("nayak_1971", "", "peaks of a profile of the isotropic Gaussian surface with the same sigma, R and N"),
     ),
     curve=curve,
+    of_surface=True,
     verified="simulated profiles of 1e8 points, and rates of rows in closed form; none of the paper's own numbers is known",
     needs=("density",),
     load_falls=False,

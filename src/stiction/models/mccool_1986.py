@@ -19,6 +19,7 @@ RECORD = RoughSurface(
         Source("greenwood_williamson_1966", "", "the sum over heights"),
     ),
     asperity="hertz",
+    of_surface=True,
     verified="ratio of area to load of surfaces with known spectral moments; moments against Nayak's density, integrated",
     validity=(
         Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),

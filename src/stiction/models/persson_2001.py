@@ -32,6 +32,7 @@ RECORD = RoughSurface(
         Source("nayak_1971", "", "the gradient that belongs to sigma, R and N"),
     ),
     area_at_load=area_at_load,
+    of_surface=True,
     verified="diffusion with an absorbing boundary, by finite differences; A/A0 = sqrt(8/pi) p/(E* h') at light load",
     needs=("density",),
     validity=(

@@ -71,6 +71,7 @@ RECORD = RoughSurface(
         Source("nayak_1971", "", "the gradient that belongs to sigma, R and N"),
     ),
     area_at_load=area_at_load,
+    of_surface=True,
     verified="the diffusion equation by finite differences; balance of the load; persson_2001 for great hardness",
     needs=("theta", "lam", "density"),
     validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),

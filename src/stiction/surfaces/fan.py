@@ -8,8 +8,9 @@ import numpy as np
 
 from stiction.band import METHOD
 from stiction.choice import Choice
-from stiction.contact import Contact
+from stiction.contact import Contact, Roughness
 from stiction.errors import InputError
+from stiction.measured import OF_MOMENTS
 from stiction.registry import find
 from stiction.solve import solve
 from stiction.units import to_si
@@ -94,6 +95,7 @@ def fan(
     words = {name: np.full((len(keys), len(wanted)), "", dtype=object) for name in ("height_distribution", "failure")}
     for j, cutoff in enumerate(progress(wanted.tolist())):
         seen = _seen(surface, cutoff, points_per_cutoff)
+        of_surface = None if contact is None else _of_surface(seen)
         for i, key in enumerate(keys):
             try:
                 found = asperities(seen, key, **given.get(key, {}))
@@ -102,7 +104,7 @@ def fan(
                 heights = height_model(found)
                 words["height_distribution"][i, j] = heights.name
                 if contact is not None:
-                    numbers[_FRICTION][i, j] = _friction(contact, found, heights, load, choice)
+                    numbers[_FRICTION][i, j] = _friction(contact, found, heights, of_surface, load, choice)
             except InputError as error:
                 if error.field in (*given.get(key, {}), *choice.arguments()):
                     raise  # what was asked for, not what was found
@@ -166,9 +168,20 @@ def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> Heig
     return surface.with_heights(heights, f"every {steps[0]}th row and {steps[1]}th column", (size[0], size[1]))
 
 
-def _friction(contact: Contact, found: Asperities, heights: HeightModel, load: Any, choice: Choice) -> float:
+def _of_surface(seen: HeightMap) -> Roughness | None:
+    """The asperities that have the moments of the map, for theories of the whole surface; None of a map too smooth."""
+    try:
+        return roughness(asperities(seen, OF_MOMENTS))
+    except InputError:
+        return None
+
+
+def _friction(
+    contact: Contact, found: Asperities, heights: HeightModel, of_surface: Roughness | None, load: Any, choice: Choice
+) -> float:
     """Static friction coefficient of the contact with these asperities for its rough surface."""
-    other = contact.model_copy(update={"roughness": roughness(found, heights)})
+    rough = roughness(found, heights).model_copy(update={"surface": of_surface})
+    other = contact.model_copy(update={"roughness": rough})
     return float(solve(other, load=load, **choice.arguments())["friction_coefficient"])
 
 

@@ -107,7 +107,8 @@ def roughness_notes(measured: "Measured") -> list[Text]:
     """What found nothing, what was done to the scans, and what the band is."""
     count = measured.counts[measured.method]
     found = f" ({count} asperities)" if count else ""
-    lines = [f"taken: {measured.method}{found}; a band of mu is the spread over all methods"]
+    band = "; a band of mu is the spread over all methods" if len(measured.by_method) > 1 else ""
+    lines = [f"taken: {measured.method}{found}{band}"]
     lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
     lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
     return [Text(line, style="dim") for line in lines]
