@@ -172,7 +172,7 @@ def band_figure(data: "xarray.Dataset", title: str = "") -> Figure:
         say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
     finish(axes)
     if axes.lines:
-        figure.legend(loc="outside right upper", fontsize=9, frameon=False)
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=9, frameon=False)
     return figure
 
 

@@ -229,7 +229,7 @@ def asperity_figure(found: Iterable[Asperities], surface: HeightMap | None = Non
     axes.set(xlim=(ends[0] * factor, ends[1] * factor))
     axes.set_ylim(bottom=0.0)
     finish(axes)
-    figure.legend(loc="outside right upper", fontsize=9, labelspacing=0.9, frameon=False)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=9, labelspacing=0.9, frameon=False)
     return figure
 
 
