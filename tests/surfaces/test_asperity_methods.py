@@ -471,3 +471,21 @@ def test_a_profile_has_the_methods_of_profiles():
         else:
             with pytest.raises(InputError, match="a profile has no summits"):
                 asperities(profile, method)
+
+
+def test_lengths_may_be_text_with_a_unit():
+    spectrum = stiction.SelfAffine(hurst=0.8, rolloff="5 um", shortest="1 um", deviation="10 nm")
+    assert spectrum == stiction.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=1e-6, deviation=1e-8)
+    surface = stiction.gaussian_surface((64, 64), ("10 um", "10 um"), spectrum, seed=1)
+    assert surface.size == (1e-5, 1e-5) == stiction.HeightMap(surface.heights, ("10 um", 1e-5)).size
+    for method, name, text, number in (
+        ("persistence", "threshold", "2 nm", 2e-9), ("mccool", "cutoff", "1 um", 1e-6), ("n_point", "level", "-3 nm", -3e-9),
+    ):  # fmt: skip
+        one, two = (stiction.asperities(surface, method, **{name: value}) for value in (text, number))
+        assert (one.deviation, one.radius, one.density) == (two.deviation, two.radius, two.density)
+        with pytest.raises(stiction.InputError, match=name):
+            stiction.asperities(surface, method, **{name: "2 kg"})
+    assert stiction.fan(surface, ["0.8 um"])["cutoff"].item() == 0.8e-6
+    for size in ("10 um", ("10 um",), ("10 um", "far"), (1.0, np.inf), 3.0):
+        with pytest.raises(stiction.InputError, match="size"):
+            stiction.HeightMap(surface.heights, size)

@@ -8,6 +8,7 @@ too low and too blunt. Fitting more points, or a threshold, trades one bias for 
 
 from collections.abc import Callable
 from itertools import product
+from typing import Any
 
 import numpy as np
 from scipy.ndimage import minimum_filter
@@ -15,7 +16,7 @@ from scipy.ndimage import minimum_filter
 from stiction.errors import InputError
 
 from .asperity_set import Asperities, of_samples, over_mean_plane, rounding
-from .heightmap import HeightMap
+from .heightmap import HeightMap, in_metres
 from .persistence import persistent_maxima
 
 # ISO 25178-3's default for pruning the tree of hills and dales, which it gives as a share of the maximum height Sz.
@@ -44,16 +45,18 @@ def eight_neighbour(surface: HeightMap, fit_points: int = 9) -> Asperities:
     )
 
 
-def persistence(surface: HeightMap, threshold: float | None = None, fit_points: int = 25) -> Asperities:
+def persistence(surface: HeightMap, threshold: Any = None, fit_points: int = 25) -> Asperities:
     """Summits that stand out: from each one has to go down by more than the threshold before a higher one can be reached.
 
-    threshold: [m] >= 0, by default PRUNING times the largest difference in height. A hill that stands out by less is part of
-    the higher one behind its saddle, as in ISO 25178-2's segmentation with Wolf pruning. A plateau is one summit. fit_points,
-    and what is left out: as of `eight_neighbour`. InputError for a profile, a bad threshold, or fewer than two summits.
+    threshold: [m] >= 0 or text with a unit, by default PRUNING times the largest difference in height. A hill that stands out
+    by less is part of the higher one behind its saddle, as in ISO 25178-2's segmentation with Wolf pruning. A plateau is one
+    summit. fit_points, and what is left out: as of `eight_neighbour`. InputError for a profile, a bad threshold, or fewer than
+    two summits.
     """
     heights = _areal(surface)
     if threshold is None:
         threshold = PRUNING * float(np.nanmax(heights) - np.nanmin(heights))
+    threshold = in_metres(threshold, "threshold")
     if not 0.0 <= threshold < np.inf:
         raise InputError("threshold", threshold, ">= 0 m")
     row, column = np.unravel_index(persistent_maxima(heights, threshold), heights.shape)

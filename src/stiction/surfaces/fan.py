@@ -17,7 +17,7 @@ from stiction.units import to_si
 
 from .asperities import Asperities, asperities, methods_for
 from .height_model import HeightModel, height_model, roughness
-from .heightmap import HeightMap
+from .heightmap import HeightMap, in_metres
 from .prepare import filter_band
 from .spectrum import POINTS_PER_WAVE
 
@@ -114,7 +114,7 @@ def fan(
 
 def _cutoffs(cutoffs: Iterable[float]) -> np.ndarray:
     try:
-        wanted = np.asarray(list(cutoffs), dtype=float)
+        wanted = np.asarray([in_metres(cutoff, "cutoffs") for cutoff in cutoffs], dtype=float)
     except (TypeError, ValueError):
         wanted = np.zeros(0)
     if wanted.ndim != 1 or not len(wanted) or not (np.isfinite(wanted) & (wanted >= 0.0)).all():

@@ -27,7 +27,7 @@ from scipy.special import ndtri
 
 from ..errors import InputError
 from ..units import show
-from .heightmap import HeightMap
+from .heightmap import HeightMap, size_in_metres
 from .johnson import johnson
 from .targets import SelfAffine, require_positive
 
@@ -47,13 +47,15 @@ def gaussian_surface(
 ) -> HeightMap:  # fmt: skip
     """A periodic Gaussian surface or profile of mean 0; the same seed and shape give the same heights.
 
-    shape: (rows, columns), (1, columns) makes a profile; size: (y, x) [m]; spectrum: C(q) in m^4 of a surface, m^3 of a
-    profile, normalised as in `targets`; seed: integer >= 0; stretch: > 0, along angle [rad] from x towards y.
+    shape: (rows, columns), (1, columns) makes a profile; size: (y, x) [m], or text with units; spectrum: C(q) in m^4
+    of a surface, m^3 of a profile, normalised as in `targets`; seed: integer >= 0; stretch: > 0, along angle [rad] from x
+    towards y.
     random_amplitudes: as in a Gaussian process, so that the rms height scatters about that of the spectrum; if not, every wave
     has exactly the amplitude of the spectrum and only phases are random: then rms height and slope do not scatter.
     Raises InputError for a map that is too small, or a spectrum that is no density or has waves shorter than two pitches.
     """
-    _check_grid(shape, size, seed)
+    size = size_in_metres(size)
+    _check_grid(shape, seed)
     require_positive(stretch=stretch)
     if not math.isfinite(angle):
         raise InputError("angle", angle, "a finite number of rad")
@@ -127,12 +129,10 @@ def _multiplied(surface: HeightMap, wanted: float, found: float, step: str) -> H
     return surface.with_heights(surface.heights * (wanted / found), step)
 
 
-def _check_grid(shape, size, seed) -> None:
+def _check_grid(shape, seed) -> None:
     whole = len(shape) == 2 and all(isinstance(count, int | np.integer) and count > 0 for count in shape)
     if not whole or shape[1] < _LEAST_POINTS or 1 < shape[0] < _LEAST_POINTS:
         raise InputError("shape", shape, f"(rows, columns), at least {_LEAST_POINTS} each, or (1, columns) of a profile")
-    if len(size) != 2 or not all(math.isfinite(length) and length > 0.0 for length in size):
-        raise InputError("size", size, "(y, x), both finite and > 0 m")
     if not isinstance(seed, int | np.integer) or seed < 0:
         raise InputError("seed", seed, "an integer >= 0")
 

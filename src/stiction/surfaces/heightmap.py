@@ -1,13 +1,14 @@
 """The one form in which a measured surface or profile is handed on."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from stiction.errors import InputError
 from stiction.units import to_si
 
-__all__ = ["HeightMap", "metres"]
+__all__ = ["HeightMap", "in_metres", "metres", "size_in_metres"]
 
 
 @dataclass(frozen=True)
@@ -15,8 +16,9 @@ class HeightMap:
     """Heights on a regular grid, where they are, and what was done to them.
 
     heights: (rows, columns) [m], float64, NaN where missing; rows go along y, columns along x; a profile is (1, columns).
-    size: (y, x) [m], > 0. The pitch is size / count: N points stand for N intervals, as in one period of a periodic surface.
-    The y size of a profile only gives its row a width. history: every step that was taken, in words. name: of the scan.
+    size: (y, x) [m], > 0; text with a unit is fine. The pitch is size / count: N points stand for N intervals, as in one period
+    of a periodic surface. The y size of a profile only gives its row a width. history: every step that was taken, in words.
+    name: of the scan.
     Raises InputError if the heights are no such array, hold infinite values, or the size is not two finite numbers > 0.
     """
 
@@ -32,11 +34,8 @@ class HeightMap:
         heights = np.asarray(heights, dtype=np.float64)
         if np.isinf(heights).any():
             raise InputError("heights", "infinite values", "finite heights in m, NaN where missing")
-        size = np.asarray(self.size, dtype=float)
-        if size.shape != (2,) or not (np.isfinite(size) & (size > 0.0)).all():
-            raise InputError("size", self.size, "(y, x), both finite and > 0 m")
         object.__setattr__(self, "heights", heights)
-        object.__setattr__(self, "size", (float(size[0]), float(size[1])))
+        object.__setattr__(self, "size", size_in_metres(self.size))
         object.__setattr__(self, "history", tuple(self.history))
 
     @property
@@ -70,6 +69,27 @@ def _unmasked(heights) -> np.ndarray:
     if not isinstance(heights, np.ma.MaskedArray) or heights.dtype.kind not in "iuf":
         return np.asarray(heights)
     return np.ma.filled(heights.astype(np.float64), np.nan)
+
+
+def size_in_metres(size) -> tuple[float, float]:
+    """The size (y, x) of a map in metres, from numbers or text with units; InputError unless both are finite and > 0."""
+    try:
+        y, x = (float(in_metres(one, "size")) for one in size)
+    except (TypeError, ValueError):
+        y = x = 0.0
+    if not (0.0 < y < np.inf and 0.0 < x < np.inf):
+        raise InputError("size", size, "(y, x), both finite and > 0 m")
+    return y, x
+
+
+def in_metres(value, field: str) -> Any:
+    """Text with its unit ("10 um") as a number in metres, of any sign; anything else as it is. InputError names the field."""
+    if not isinstance(value, str):
+        return value
+    try:
+        return to_si(value, "mean_separation")
+    except InputError as error:
+        raise InputError(field, error.value, 'a length, e.g. "10 um"') from None
 
 
 def metres(value, field: str) -> float:

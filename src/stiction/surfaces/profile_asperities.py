@@ -14,6 +14,7 @@ method: peaks (1/2 pi) sqrt(m4/m2) per length, summits m4 / (6 pi sqrt(3) m2) pe
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -21,7 +22,7 @@ from stiction.errors import InputError
 from stiction.n_point import n_point_asperities
 
 from .asperity_set import Asperities, of_samples, over_mean_plane, rounding
-from .heightmap import HeightMap
+from .heightmap import HeightMap, in_metres
 
 # Of equation (1).
 SUMMITS_PER_PEAKS_SQUARED = 2.0 * math.pi / (3.0 * math.sqrt(3.0))
@@ -55,14 +56,15 @@ def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, flo
     return heights, curvatures, len(heights) / (max(int(triples), 1) * pitch)
 
 
-def n_point(surface: HeightMap, level: float = 0.0, directions: str = "xy") -> Asperities:
+def n_point(surface: HeightMap, level: Any = 0.0, directions: str = "xy") -> Asperities:
     """Rows of neighbouring points above a level, each one asperity: see stiction.n_point, which defines height and radius.
 
-    level: [m] over the mean plane. directions: as of `three_point`. Every asperity begins where the profile comes up through
-    the level: these places are counted, per length of neighbours that are there. Heights and radii are of those asperities that
-    no end and no missing point cuts, which are a little shorter than all. The relation (1) is that of peaks, for want of one
-    for n-point asperities. InputError if fewer than two are found.
+    level: [m] or text with a unit, over the mean plane. directions: as of `three_point`. Every asperity begins where the
+    profile comes up through the level: these places are counted, per length of neighbours that are there. Heights and radii are
+    of those asperities that no end and no missing point cuts, which are a little shorter than all. The relation (1) is that
+    of peaks, for want of one for n-point asperities. InputError if fewer than two are found.
     """
+    level = in_metres(level, "level")
     if not math.isfinite(level):
         raise InputError("level", level, "a finite height over the mean plane [m]")
     heights, curvatures = [np.zeros(0)], [np.zeros(0)]

@@ -18,6 +18,7 @@ import numpy as np
 from ..errors import InputError
 from ..moments import Moments
 from ..units import show
+from .heightmap import in_metres
 
 __all__ = ["GaussianCorrelation", "SelfAffine", "require_positive"]
 
@@ -30,6 +31,12 @@ def require_positive(**values: float) -> None:
     for name, value in values.items():
         if not (isinstance(value, Real) and 0.0 < float(value) < math.inf):
             raise InputError(name, value, "a finite number > 0")
+
+
+def _to_metres(spectrum, *names: str) -> None:
+    """Turn lengths of a spectrum that are text with a unit into metres."""
+    for name in names:
+        object.__setattr__(spectrum, name, in_metres(getattr(spectrum, name), name))
 
 
 def _powers(low: float, high: float, exponent: float) -> float:
@@ -45,7 +52,7 @@ class SelfAffine:
 
     hurst: exponent H, 0 to 1; rolloff: wavelength [m] above which C is constant; shortest: the shortest wavelength [m];
     deviation: root mean square height [m]; longest: wavelength [m] above which there is nothing, infinite if not given;
-    dimensions: 2 of a surface, 1 of a profile, whose C falls as q^(-1 - 2 H).
+    dimensions: 2 of a surface, 1 of a profile, whose C falls as q^(-1 - 2 H). Lengths may be text with a unit.
     0 < shortest <= rolloff <= longest; InputError otherwise.
     """
 
@@ -57,11 +64,12 @@ class SelfAffine:
     dimensions: int = 2
 
     def __post_init__(self) -> None:
+        _to_metres(self, "rolloff", "shortest", "deviation", "longest")
         if not 0.0 <= self.hurst <= 1.0:
             raise InputError("hurst", self.hurst, "0 to 1")
         if self.dimensions not in _SHARES:
             raise InputError("dimensions", self.dimensions, "2 of a surface, 1 of a profile")
-        require_positive(shortest=self.shortest, deviation=self.deviation)
+        require_positive(shortest=self.shortest, deviation=self.deviation, rolloff=self.rolloff)
         if not self.shortest <= self.rolloff < math.inf:
             raise InputError("rolloff", self.rolloff, f"a wavelength in m, not below the shortest, {self.shortest:g} m")
         if not self.longest >= self.rolloff:
@@ -125,6 +133,7 @@ class GaussianCorrelation:
     dimensions: int = 2
 
     def __post_init__(self) -> None:
+        _to_metres(self, "deviation", "length")
         require_positive(deviation=self.deviation, length=self.length)
         if self.dimensions not in _SHARES:
             raise InputError("dimensions", self.dimensions, "2 of a surface, 1 of a profile")
