@@ -101,8 +101,8 @@ def compare(
     """Every applicable model at once on one contact.
 
     contact: a Contact or Indices, of numbers (no arrays). load: the working load, above 0, N for a Contact (text with a unit is
-    fine), normalised for Indices; None: only curves. separations: mean separations over sigma of the curves, by default 80
-    from 5 to -2. progress: wraps the list of models while they are computed.
+    fine), normalised for Indices; None: only curves. separations: mean separations of the curves, over the sigma that a model
+    takes, by default 80 from 5 to -2. progress: wraps the list of models while they are computed.
 
     Where a model has no tangential law of its own and the contact states an interfacial shear strength, that law of the
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
@@ -217,10 +217,9 @@ def _in_words(subject: Contact | Indices, load: float) -> str:
 def _effects(problem: Problem) -> list[str]:
     """What a problem takes account of beyond elastic asperities."""
     closed = isinstance(problem, ClosedForm)
-    adhesion = not closed and "no adhesion" not in problem.law.asperity.traits
     plasticity = "lam" in problem.record.needs if closed else any(one.state != "elastic" for one in problem.regimes)
     film = problem.film is not None
-    return [name for name, there in (("adhesion", adhesion), ("plasticity", plasticity), ("the film", film)) if there]
+    return [name for name, there in (("adhesion", problem.adheres), ("plasticity", plasticity), ("the film", film)) if there]
 
 
 def _recommend(answers: list[Answer]) -> tuple[Answer | None, str]:

@@ -18,6 +18,7 @@ from .vectorised import exponential
 NEGLIGIBLE = 36.0
 
 _INV_SQRT_2PI = 0.3989422804014327
+_NO_DENSITY = 745.0  # exp of less than minus this is 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,8 +27,9 @@ class Heights:
 
     density(z, shape): probability density at the height z over sigma. window(z_left, z_right, shape) -> (low, high): the
     part of that interval outside which the density is negligible. shape: the parameters of both. knots: heights at which
-    the density is not smooth; the engine splits there. entire: the density has no singularity at all, so that sums over
-    many separations may use its Chebyshev expansion.
+    the density is not smooth; the engine splits there. tops: the highest height, and all others with a gap above them, where
+    asperities begin to touch anew; none of a density that fades out. entire: the density has no singularity at all, so that
+    sums over many separations may use its Chebyshev expansion.
     """
 
     key: str
@@ -35,6 +37,7 @@ class Heights:
     window: Callable
     shape: np.ndarray = field(default_factory=lambda: np.zeros(1))
     knots: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    tops: np.ndarray = field(default_factory=lambda: np.zeros(0))
     entire: bool = False
 
 
@@ -83,15 +86,18 @@ def weibull_density(z, shape):
     if y <= 0.0:
         return 0.0
     power = y ** (exponent - 1.0)
-    return deviation * exponent * power * math.exp(-power * y)
+    return deviation * exponent * power * math.exp(-power * y) if power * y < _NO_DENSITY else 0.0
 
 
 @formula
 def weibull_window(z_left, z_right, shape):
     exponent, mean, deviation = shape[0], shape[1], shape[2]
     low = max(z_left, -mean / deviation)
+    nearest = max(mean + deviation * low, 0.0) ** exponent
+    if nearest > _NO_DENSITY:
+        return low, low
     # 5 more than NEGLIGIBLE makes up for the factor y^(exponent-1), left out here.
-    high = (max(mean + deviation * low, 0.0) ** exponent + NEGLIGIBLE + 5.0) ** (1.0 / exponent)
+    high = (nearest + NEGLIGIBLE + 5.0) ** (1.0 / exponent)
     return low, min(z_right, (high - mean) / deviation)
 
 
@@ -143,7 +149,8 @@ def empirical(samples: np.ndarray, cells: int | None = None) -> Heights:
     deviation = math.sqrt(np.sum(mass * (knots - mean) ** 2) + step**2 / 6.0)
     knots = (knots - mean) / deviation
     shape = np.concatenate([[knots[0], step / deviation], density * deviation])
-    return Heights("empirical", empirical_density, empirical_window, shape, knots)
+    tops = knots[1:][(density[1:] == 0.0) & (density[:-1] > 0.0)]
+    return Heights("empirical", empirical_density, empirical_window, shape, knots, tops)
 
 
 DISTRIBUTIONS: dict[str, Callable[..., Heights]] = {

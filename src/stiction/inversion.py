@@ -12,8 +12,8 @@ from .summation import FARTHEST
 _FIRST = np.linspace(10.0, -10.0, 161)
 _BEYOND = 2.0 ** (np.arange(1, 13) / 12.0)
 _AT_ONCE = 10_000  # laws at once: bounds the memory
-# Out of touch: less than this share of the largest load.
-_NOTHING = 1e-12
+# Out of touch: less than this share of the largest load. No tension: less than this share, as of heights beyond nine sigma.
+_NOTHING, _NO_TENSION = 1e-12, 1e-20
 
 
 class Unreachable(Exception):
@@ -29,9 +29,9 @@ class Unreachable(Exception):
 class Inversion:
     """What n contacts carry, at m loads, per asperity and normalised.
 
-    h (n, m): separations; residual (n, m): what is left of the load, over the load; evaluations: at most. tension (n,): the
-    largest that is carried, on the branch of the problem, 0 where there is none; where (n,): the separation at which, else not
-    a number.
+    h (n, m): separations; residual (n, m): what is left of the load, over the load, or over the largest tension where the load
+    is nothing beside it; evaluations: at most. tension (n,): the largest that is carried, on the branch of the problem, 0 where
+    there is none; where (n,): the separation at which, else not a number.
     """
 
     h: np.ndarray
@@ -87,12 +87,37 @@ class _Approach:
 
 def _approach(problem: Problem, targets: np.ndarray | None) -> _Approach:
     """The way together, from farther than where the smallest of the loads `targets` (n, m) is carried."""
-    h, loads = _loads_past(problem, targets)
-    lowest = np.argmin(loads, axis=1)
+    h, loads, size = _loads_past(problem, targets)
+    tension, where = _largest_tension(problem, np.tile(h, (len(loads), 1)), loads)
+    tops = problem.heights.tops
+    if tops.size and problem.adheres:
+        near = _below_tops(problem, tops)
+        rows = np.repeat(np.arange(len(near)), near.shape[1])
+        more, at = _largest_tension(problem, near, problem.loads(near.ravel(), rows).reshape(near.shape))
+        larger = more > tension
+        tension[larger], where[larger] = more[larger], at[larger]
+    nothing = tension <= _NO_TENSION * size
+    tension[nothing], where[nothing] = 0.0, np.nan
+    return _Approach(problem, h, loads, tension, where)
+
+
+def _below_tops(problem: Problem, tops: np.ndarray) -> np.ndarray:
+    """Separations (n, m), descending, about the tops of the heights, where a few asperities adhere before many press: they do
+    so over a distance of theta^(-2/3)."""
+    scale = problem.groups.theta ** (-2.0 / 3.0)
+    steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
+    about = np.concatenate([steps[::-1], [0.0], -steps])
+    places = tops[None, :, None] + scale[:, None, None] * about
+    return -np.sort(-places.reshape(len(scale), -1), axis=1)
+
+
+def _largest_tension(problem: Problem, h: np.ndarray, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Largest tension (n,), 0 where there is none, and its separation, of loads (n, H) at descending separations (n, H)."""
     laws = np.arange(len(loads))
+    lowest = np.argmin(loads, axis=1)
     tension = np.maximum(-loads[laws, lowest], 0.0)
-    where = np.where(tension > 0.0, h[lowest], np.nan)
-    inside = (tension > 0.0) & (lowest > 0) & (lowest < h.size - 1)
+    where = np.where(tension > 0.0, h[laws, lowest], np.nan)
+    inside = (tension > 0.0) & (lowest > 0) & (lowest < h.shape[1] - 1)
     if inside.any():
         from scipy.optimize.elementwise import find_minimum
 
@@ -101,15 +126,18 @@ def _approach(problem: Problem, targets: np.ndarray | None) -> _Approach:
         def load(x, law):
             return problem.loads(x.ravel(), law.ravel().astype(int)).reshape(x.shape)
 
-        found = find_minimum(load, (h[at + 1], h[at], h[at - 1]), args=(law.astype(float),))
+        bracket = h[law, at + 1], h[law, at], h[law, at - 1]
+        found = find_minimum(load, bracket, args=(law.astype(float),))
         tension[inside], where[inside] = -found.f_x, found.x
-    return _Approach(problem, h, loads, tension, where)
+    return tension, where
 
 
-def _loads_past(problem: Problem, targets: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+def _loads_past(problem: Problem, targets: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Separations (H,), descending, and loads (n, H): from where next to nothing touches, and less than the smallest of the
-    targets is carried, to far beyond any model's claim, and where compression outweighs all tension."""
+    targets is carried, to far beyond any model's claim, and where compression outweighs all tension; and the size (n,) of
+    loads, which does not depend on how far that is."""
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
+    size = np.abs(loads).max(axis=1)
     smallest = np.full(len(loads), np.inf)
     if targets is not None:
         smallest = np.where(targets > 0.0, targets, np.inf).min(axis=1, initial=np.inf)
@@ -118,20 +146,20 @@ def _loads_past(problem: Problem, targets: np.ndarray | None) -> tuple[np.ndarra
         n = len(loads)
         return problem.loads(np.tile(ends, n), np.repeat(np.arange(n), ends.size)).reshape(n, ends.size)
 
-    while h[0] < FARTHEST and _touches(loads, smallest).any():
+    while h[0] < FARTHEST and _touches(loads, size, smallest).any():
         farther = np.minimum(h[0] * _BEYOND[::-1], FARTHEST)
         h, loads = np.concatenate([farther, h]), np.concatenate([more(farther), loads], axis=1)
     while -h[-1] < FARTHEST and (loads[:, -1] < -loads.min(axis=1)).any():
         nearer = np.maximum(h[-1] * _BEYOND, -FARTHEST)
         h, loads = np.concatenate([h, nearer]), np.concatenate([loads, more(nearer)], axis=1)
-    return h, loads
+    return h, loads, size
 
 
-def _touches(loads: np.ndarray, smallest: np.ndarray) -> np.ndarray:
+def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
     """Where (n,) something worth mention touches at the farthest separation, or the largest tension may lie beyond."""
     farthest = loads[:, 0]
-    much = np.abs(farthest) > _NOTHING * np.abs(loads).max(axis=1)
-    return much | (farthest >= smallest) | ((farthest < 0.0) & (np.argmin(loads, axis=1) == 0))
+    tension = (farthest < -_NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)
+    return (np.abs(farthest) > _NOTHING * size) | tension | (farthest >= smallest)
 
 
 def _inverted(way: _Approach, targets: np.ndarray) -> Inversion:
@@ -156,5 +184,7 @@ def _inverted(way: _Approach, targets: np.ndarray) -> Inversion:
     found = find_root(excess, (h[first], left), args=(law.astype(float), targets))
     if not found.success.all():
         raise ArithmeticError(f"{np.sum(~found.success)} of {targets.size} separations did not converge")
-    scale = np.where(targets == 0.0, 1.0, np.abs(targets))
+    # A load that is nothing beside the largest tension is as good as that.
+    least = _NOTHING * way.tension[:, None]
+    scale = np.where(np.abs(targets) > least, np.abs(targets), np.where(adheres, way.tension, 1.0)[:, None])
     return Inversion(found.x, found.f_x / scale, int(np.max(found.nfev)), way.tension, way.where)

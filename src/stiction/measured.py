@@ -200,7 +200,7 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
         {name: one.note for name, one in found.items()},
         counts if alone else dict.fromkeys(counts, 0),
         {name: one.mean_height for name, one in found.items()},
-        (*_spikes(maps), *_doubts(list(maps.values()), bool(known), wanted)),
+        (*_spikes(maps), *_doubts(list(maps.values()), bool(known), wanted), *_without_moments(failures)),
     )
 
 
@@ -239,6 +239,12 @@ def _spikes(maps: "Mapping[str, HeightMap]") -> tuple[str, ...]:
         for body, count in counts.items()
         if count
     )
+
+
+def _without_moments(failures: Mapping[str, str]) -> tuple[str, ...]:
+    if OF_MOMENTS not in failures:
+        return ()
+    return (f"the moments of the surface are not known ({failures[OF_MOMENTS]}): theories of it take the asperities found",)
 
 
 def _doubts(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:

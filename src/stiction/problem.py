@@ -65,6 +65,11 @@ class Problem:
         """Whether there is a tangential law."""
         return self.law.tangential is not None
 
+    @property
+    def adheres(self) -> bool:
+        """Whether asperities attract."""
+        return "no adhesion" not in self.law.asperity.traits
+
     @cached_property
     def regimes(self) -> list:
         if self.record.regimes is not None:
@@ -174,6 +179,10 @@ class ClosedForm(Problem):
     def needs_load(self) -> bool:
         """Whether the theory knows the load only, and no separation."""
         return self.record.curve is None
+
+    @property
+    def adheres(self) -> bool:
+        return False
 
     def records(self) -> list[Record]:
         return [self.record] + ([self.law.tangential] if self.law.tangential is not None else [])

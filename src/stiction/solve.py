@@ -68,13 +68,18 @@ def solve(
     if isinstance(problem, ClosedForm) and problem.needs_load:
         if given != "load":
             raise InputError("separation", separation, f"a load in its place: {model} knows no separation")
+        if (wanted < 0.0).any():
+            least = float((wanted * spread(units["N"], dims)).min())
+            shown = show(least, "load") if isinstance(contact, Contact) else f"{least:.6g}"
+            raise InputError("load", shown, f"0 or more: {model} knows no adhesion")
         tables = _at_load(problem, np.broadcast_to(wanted, shape))
     else:
         asked = np.broadcast_to(wanted, shape)
         if given == "load":
             found = inverted(contact, problem, asked, spread(units["N"], dims))
             wanted = found.h.reshape(shape)
-            extra = {"load_residual": (found.residual.reshape(shape), "load found less load asked for, over the latter")}
+            meaning = "load found less load asked for, over the latter, or over the pull-off force if it is nothing beside that"
+            extra = {"load_residual": (found.residual.reshape(shape), meaning)}
             convergence = {"convergence": f"all separations converged in at most {found.evaluations} evaluations"}
         elif not np.abs(wanted).max(initial=0.0) <= FARTHEST:
             raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
@@ -170,6 +175,8 @@ def inverted(contact, problem: Problem, wanted: np.ndarray, unit: np.ndarray) ->
         text = (lambda number: show(number * scale, "load")) if isinstance(contact, Contact) else "{:.6g}".format
         beyond = targets[where] > error.high
         bound = f"at most {text(error.high)}" if beyond else f"at least {text(error.low)}" if error.low else "more than 0"
+        if beyond and error.high < 0.0:
+            bound = f"none that is above {text(error.high)}, found within {FARTHEST:g} sigma,"
         raise InputError("load", text(targets[where]), f"{bound} under this model, for this contact") from None
 
 

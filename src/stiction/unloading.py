@@ -66,9 +66,10 @@ def unload(
     with an asperity law that adheres also pull_off_separation and zero_load_separation, where the load has fallen to nothing.
     Raises InputError for bad input, and for laws of which it is not known how they unload.
     """
+    way = _make_way(contact, Choice(model, asperity, tangential, options=options), heights)
+    contact = way.pressed.subject
     turn = _one_of(contact, pressed_to=pressed_to, pressed_with=pressed_with)
     point = _one_of(contact, separation=separation, distance=distance)
-    way = _make_way(contact, Choice(model, asperity, tangential, options=options), heights)
     units = units_of(contact)
     turn_dims = all_dims(way.pressed, [turn, *units.values()])
     dims = all_dims(way.pressed, [turn, *units.values(), point])
@@ -118,10 +119,6 @@ class _Way:
     options: Mapping[str, str]
     released: Callable
     how: str
-
-    @property
-    def adheres(self) -> bool:
-        return "no adhesion" not in self.pressed.law.asperity.traits
 
     def apart(self, rows: np.ndarray, distance: np.ndarray) -> Problem:
         """The problem of the contacts of these numbers (m,), each drawn apart by its own distance (m,)."""
@@ -244,7 +241,7 @@ def _apart(contact, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, i
 def _ends(contact, way: _Way, nearest: np.ndarray, units: dict[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
     """The nearest separation, the largest tension on the way back and where it and the zero of the load are."""
     tables = {"pull_off_force": np.zeros(nearest.shape)}
-    if way.adheres:
+    if way.pressed.adheres:
         found = _tension(way, way.rows(nearest.shape).reshape(-1), nearest.reshape(-1))
         names = "pull_off_force", "pull_off_separation", "zero_load_separation"
         tables |= {name: table.reshape(nearest.shape) for name, table in zip(names, found, strict=True)}

@@ -7,6 +7,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from scipy.special import gamma
 
 import stiction as st
+from stiction import inversion
 from stiction.heights import height_distribution
 
 ADHESIVE = st.Contact(
@@ -92,3 +93,66 @@ def test_heights_with_one_far_out():
 def test_no_load_is_refused_where_nothing_adheres():
     with pytest.raises(st.InputError, match="'0'; allowed: more than 0 under this model"):
         st.solve(INDICES, load=0.0, model="greenwood_williamson_1966")
+
+
+@pytest.mark.parametrize("model", ("rough_dmt", "soft_coating_2015"))
+@pytest.mark.parametrize(("far", "theta"), ((30.0, 10.0), (30.0, 100.0), (50.0, 1e3), (100.0, 1e4)))
+def test_no_tension_is_missed_below_a_gap_in_the_heights(model, far, theta):
+    """One or many asperities high above all others adhere over a distance that no even grid of separations would see."""
+    samples = np.random.default_rng(0).standard_normal(2000)
+    samples = np.append(samples, far if far < 40.0 else samples + far)
+    heights = height_distribution("empirical", samples=samples)
+    contact = st.Indices(theta=theta, lam=10.0, tabor_parameter=1.0)
+    options = {} if model == "rough_dmt" else {"branch": "unloading"}
+    found = st.solve(contact, load=1e-3, model=model, heights=heights)
+    knots = heights.shape[0] + heights.shape[1] * np.arange(heights.shape.size - 2)
+    fine = (knots[:, None] + theta ** (-2.0 / 3.0) * np.linspace(-20.0, 5.0, 300)).ravel()
+    dense = np.concatenate([fine, np.linspace(12.0, -6.0, 1000)])
+    loads = st.solve(contact, separation=dense, model=model, heights=heights, **options)["load"].values
+    assert loads.min() < 0.0
+    assert_allclose(found["pull_off_force"], -loads.min(), rtol=2e-3)
+    held = st.solve(contact, load=loads.min() / 2.0, model=model, heights=heights, **options)
+    assert abs(float(held["load_residual"])) < 1e-10
+
+
+def test_what_one_contact_carries_does_not_depend_on_others():
+    """The search goes farther for the second contact, which adheres a million times as strongly."""
+    alone = st.solve(st.Indices(theta=311.36, lam=0.01), load=1e-4, model="fuller_tabor_1975")
+    both = st.Indices(theta=xarray.DataArray([311.36, 0.01], dims="sort"), lam=0.01)
+    together = st.solve(both, load=1e-4, model="fuller_tabor_1975").isel(sort=0)
+    for name in ("pull_off_force", "pull_off_separation", "mean_separation", "contact_area"):
+        assert_allclose(together[name], alone[name], rtol=1e-9, err_msg=name)
+
+
+def test_many_contacts_in_blocks(monkeypatch):
+    thetas = st.axis("theta", np.geomspace(0.5, 50.0, 23))
+    whole = st.solve(st.Indices(theta=thetas, lam=30.0), load=[1e-3, 0.1])
+    monkeypatch.setattr(inversion, "_AT_ONCE", 5)
+    parts = st.solve(st.Indices(theta=thetas, lam=30.0), load=[1e-3, 0.1])
+    for name in whole.data_vars:
+        if name != "load_residual":
+            assert_allclose(parts[name], whole[name], rtol=1e-9, err_msg=name)
+    with pytest.raises(st.InputError, match="at most"):
+        st.solve(st.Indices(theta=thetas, lam=30.0), load=[1e-3, 1e9])
+
+
+def test_residuals_are_of_what_they_can_be_compared_with():
+    with np.errstate(all="raise"):
+        data = st.solve(st.Indices(theta=1e-4, lam=10.0), load=[1e-300, 1e-12, 0.0, 1.0], model="fuller_tabor_1975")
+    assert abs(data["load_residual"]).max() < 1e-9
+
+
+@pytest.mark.parametrize("model", ("soft_coating_2015", "fuller_tabor_1975"))
+def test_narrow_weibull_heights_at_any_separation(model):
+    """Far below all heights the density is nothing: all asperities are then nearly at the mean, and carry what one does."""
+    heights = height_distribution("weibull", exponent=100.0)
+    contact = st.Indices(theta=1.0, lam=1e8)
+    data = st.solve(contact, separation=[-10.0, -1e3], model=model, heights=heights)
+    even = st.solve(contact, separation=[-10.0, -1e3], model=model)  # Gaussian: deviation 1 about the same mean
+    assert_allclose(data["load"], even["load"], rtol=2e-3)
+    assert float(data["pull_off_force"]) > 0.0
+
+
+def test_a_load_that_a_theory_of_loads_refuses_is_named_in_its_unit():
+    with pytest.raises(st.InputError, match="load: '-1 mN'; allowed: 0 or more: persson_2001"):
+        st.solve(ADHESIVE, load="-1 mN", model="persson_2001")

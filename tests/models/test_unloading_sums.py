@@ -377,3 +377,19 @@ def test_pressed_with_nothing():
     assert list(found["load"][:, 0]) == [0.0, 0.01]
     assert np.isnan(found["friction_coefficient"][0, 0]) and found["friction_coefficient"][1, 0] > 0.0
     assert found["friction_force"][0, 0] > 0.0 and found["load"][0, 1] < 0.0
+
+
+def test_a_theory_of_the_surface_is_pressed_and_drawn_apart_on_it():
+    """With both asperities found and those of the moments, a model of moments takes the latter all the way."""
+    found = {"asperity_height_deviation": "20 nm", "asperity_radius": "5 um", "asperity_density": "1e11 1/m^2"}
+    surface = {"asperity_height_deviation": "30 nm", "asperity_radius": "1 um", "asperity_density": "3e11 1/m^2"}
+    bodies = {"first": "copper", "second": "hardened_steel_52100", "work_of_adhesion": "0.01 J/m^2", "nominal_area": "1 mm^2"}
+    both, alone = (
+        st.unload(
+            st.Contact(roughness=st.Roughness(**one), **bodies),
+            pressed_with="1 N", distance=["0 nm", "5 nm"], model="mccool_1986",
+        )
+        for one in (found | {"surface": surface}, surface)
+    )  # fmt: skip
+    for name in ("load", "contact_area", "pressed_to", "mean_separation"):
+        assert_allclose(both[name], alone[name], rtol=1e-12, err_msg=name)

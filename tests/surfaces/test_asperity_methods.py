@@ -485,6 +485,8 @@ def test_lengths_may_be_text_with_a_unit():
         assert (one.deviation, one.radius, one.density) == (two.deviation, two.radius, two.density)
         with pytest.raises(stiction.InputError, match=name):
             stiction.asperities(surface, method, **{name: "2 kg"})
+        with pytest.raises(stiction.InputError, match=name):
+            stiction.asperities(surface, method, **{name: [1.0]})
     assert stiction.fan(surface, ["0.8 um"])["cutoff"].item() == 0.8e-6
     for size in ("10 um", ("10 um",), ("10 um", "far"), (1.0, np.inf), 3.0):
         with pytest.raises(stiction.InputError, match="size"):

@@ -211,3 +211,16 @@ def test_what_will_not_do_is_one_clear_line(surface, given, field):
 def test_a_profile_has_no_methods_of_maps():
     with pytest.raises(InputError, match="three_point, n_point, mccool"):
         fan(HeightMap(np.arange(100.0)[None, :] % 7, (1e-6, 1e-6)), [0.0], ["persistence"])
+
+
+def test_theories_of_the_surface_take_the_moments_after_every_method(surface):
+    """Persson's, also with an option of the method of moments: the slope that this method sees decides, no asperities."""
+    options = {"mccool": {"cutoff": "0.3 um"}}
+    choice = Choice("persson_2001", tangential="bowden_tabor_1943")
+    sheared = contact().model_copy(update={"interfacial_shear_strength": 1e8})
+    found = fan(surface, [0.0], ("mccool", "eight_neighbour"), contact=sheared, load="10 mN", choice=choice, options=options)
+    seen = asperities(surface, "mccool", cutoff=0.3e-6)
+    rough = st.Roughness(asperity_height_deviation=seen.deviation, asperity_radius=seen.radius, asperity_density=seen.density)
+    expected = st.solve(sheared.model_copy(update={"roughness": rough}), load="10 mN", **choice.arguments())
+    assert found["mu"].values.ravel() == near([float(expected["friction_coefficient"])] * 2, rel=1e-9)
+    assert found["R"].values.ravel()[0] == near(seen.radius, rel=1e-12) != found["R"].values.ravel()[1]

@@ -122,6 +122,19 @@ def test_theories_of_the_surface_have_no_spread_over_methods(folder):
     assert len(set(rows["greenwood_williamson_1966"]["friction_coefficient_by_method"].values())) == 5
 
 
+def test_moments_that_are_not_known_are_said(folder):
+    """Every third column is missing: no three points in a row, and so no second differences."""
+    heights = np.load(folder / "rough.npy")
+    heights[:, ::3] = np.nan
+    np.save(folder / "gaps.npy", heights)
+    read = st.read_case(case(folder, ONE.replace("rough", "gaps") + '\nheights = "gaussian"'))
+    assert "mccool" in read.measured.failures and read.measured.by_method
+    said = "the moments of the surface are not known ("
+    for model in ("persson_2001", "greenwood_williamson_1966"):
+        assert said in st.solve_case(read, read.choice.with_changes({"model": model}, {})).attrs["outside_validity"]
+    assert said in st.compare_case(read, load=1.0).attrs["outside_validity"]
+
+
 NUMBERS = {"asperity_height_deviation": "20 nm", "asperity_radius": "5 um", "asperity_density": "1e11 1/m^2"}
 
 

@@ -8,9 +8,10 @@ import numpy as np
 
 from stiction.band import METHOD
 from stiction.choice import Choice
-from stiction.contact import Contact, Roughness
+from stiction.contact import Contact
 from stiction.errors import InputError
 from stiction.measured import OF_MOMENTS
+from stiction.problem import of_surface
 from stiction.registry import find
 from stiction.solve import solve
 from stiction.units import to_si
@@ -69,10 +70,11 @@ def fan(
 ) -> "xarray.Dataset":
     """sigma, R, N and, with a contact, mu, for each method and each shortest wavelength that is left in the map.
 
-    surface: a levelled map. cutoffs: wavelengths [m] at which the Gaussian low-pass of prepare.filter_band lets half the
-    amplitude through; 0 leaves the map as it is; by default `default_cutoffs`. methods: keys, by default all that the map
-    allows. contact: whose rough surface is replaced by what is found, all its numbers single ones; load: of it, one number [N]
-    or text, > 0; choice: model and laws that answer, by default those of `solve`. options: of each method by its key.
+    surface: a levelled map. cutoffs: wavelengths [m], or text with a unit, at which the Gaussian low-pass of
+    prepare.filter_band lets half the amplitude through; 0 leaves the map as it is; by default `default_cutoffs`. methods: keys,
+    by default all that the map allows. contact: whose rough surface is replaced by what is found, all its numbers single ones;
+    load: of it, one number [N] or text, > 0; choice: model and laws that answer, by default those of `solve`; theories of the
+    whole surface take its moments, and give the same mu after every method. options: of each method by its key.
     points_per_cutoff: take only every k-th point, with at least this many to a cutoff (>= 2); by default all are kept.
     progress: wraps the list of cutoffs.
 
@@ -95,7 +97,6 @@ def fan(
     words = {name: np.full((len(keys), len(wanted)), "", dtype=object) for name in ("height_distribution", "failure")}
     for j, cutoff in enumerate(progress(wanted.tolist())):
         seen = _seen(surface, cutoff, points_per_cutoff)
-        of_surface = None if contact is None else _of_surface(seen)
         for i, key in enumerate(keys):
             try:
                 found = asperities(seen, key, **given.get(key, {}))
@@ -104,7 +105,10 @@ def fan(
                 heights = height_model(found)
                 words["height_distribution"][i, j] = heights.name
                 if contact is not None:
-                    numbers[_FRICTION][i, j] = _friction(contact, found, heights, of_surface, load, choice)
+                    if of_surface(choice.model):  # takes the moments, whatever was found
+                        found = asperities(seen, OF_MOMENTS, **given.get(OF_MOMENTS, {}))
+                        heights = height_model(found)
+                    numbers[_FRICTION][i, j] = _friction(contact, found, heights, load, choice)
             except InputError as error:
                 if error.field in (*given.get(key, {}), *choice.arguments()):
                     raise  # what was asked for, not what was found
@@ -168,20 +172,9 @@ def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> Heig
     return surface.with_heights(heights, f"every {steps[0]}th row and {steps[1]}th column", (size[0], size[1]))
 
 
-def _of_surface(seen: HeightMap) -> Roughness | None:
-    """The asperities that have the moments of the map, for theories of the whole surface; None of a map too smooth."""
-    try:
-        return roughness(asperities(seen, OF_MOMENTS))
-    except InputError:
-        return None
-
-
-def _friction(
-    contact: Contact, found: Asperities, heights: HeightModel, of_surface: Roughness | None, load: Any, choice: Choice
-) -> float:
+def _friction(contact: Contact, found: Asperities, heights: HeightModel, load: Any, choice: Choice) -> float:
     """Static friction coefficient of the contact with these asperities for its rough surface."""
-    rough = roughness(found, heights).model_copy(update={"surface": of_surface})
-    other = contact.model_copy(update={"roughness": rough})
+    other = contact.model_copy(update={"roughness": roughness(found, heights)})
     return float(solve(other, load=load, **choice.arguments())["friction_coefficient"])
 
 

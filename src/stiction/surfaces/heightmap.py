@@ -1,7 +1,7 @@
 """The one form in which a measured surface or profile is handed on."""
 
 from dataclasses import dataclass, replace
-from typing import Any
+from numbers import Real
 
 import numpy as np
 
@@ -82,12 +82,12 @@ def size_in_metres(size) -> tuple[float, float]:
     return y, x
 
 
-def in_metres(value, field: str) -> Any:
-    """Text with its unit ("10 um") as a number in metres, of any sign; anything else as it is. InputError names the field."""
-    if not isinstance(value, str):
-        return value
+def in_metres(value, field: str) -> float:
+    """A length of any sign in metres, from a number in metres or text with its unit ("10 um"); InputError names the field."""
+    if isinstance(value, Real):
+        return float(value)
     try:
-        return to_si(value, "mean_separation")
+        return to_si(str(value), "mean_separation")
     except InputError as error:
         raise InputError(field, error.value, 'a length, e.g. "10 um"') from None
 

@@ -112,7 +112,7 @@ def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> P
     but sampled, as by an instrument of that pitch: m0 stays that of all points. InputError as for `statistics`, or if the
     cutoff is too long.
     """
-    cutoff = in_metres(cutoff, "cutoff")
+    cutoff = None if cutoff is None else in_metres(cutoff, "cutoff")
     if cutoff is not None and not (cutoff > 0.0 and math.isfinite(cutoff)):
         raise InputError("cutoff", cutoff, "> 0 m, finite")
     heights, pitches = surface.heights, surface.pitch
@@ -144,7 +144,7 @@ def moments_by_spectrum(spectrum: PowerSpectrum, cutoff: float | None = None) ->
     shortest of which are along its diagonals. Reliable only if it is not below `spectrum.shortest`. `isotropic` is that of the
     radial average; x and y are integrated each. InputError if no wave is that long.
     """
-    cutoff = 2.0 * spectrum.pitch if cutoff is None else float(in_metres(cutoff, "cutoff"))
+    cutoff = 2.0 * spectrum.pitch if cutoff is None else in_metres(cutoff, "cutoff")
     if not (cutoff >= 0.0 and math.isfinite(cutoff)):
         raise InputError("cutoff", cutoff, ">= 0 m, finite")
     powers = _powers(spectrum, math.inf if cutoff == 0.0 else 2.0 * math.pi / cutoff * _ROUNDING)
