@@ -1,5 +1,6 @@
 """From a load to the mean separation that carries it, and the largest tension that a contact carries."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -88,12 +89,11 @@ class _Approach:
 def _approach(problem: Problem, targets: np.ndarray | None) -> _Approach:
     """The way together, from farther than where the smallest of the loads `targets` (n, m) is carried."""
     h, loads, size = _loads_past(problem, targets)
-    tension, where = _largest_tension(problem, np.tile(h, (len(loads), 1)), loads)
-    tops = problem.heights.tops
-    if tops.size and problem.adheres:
-        near = _below_tops(problem, tops)
-        rows = np.repeat(np.arange(len(near)), near.shape[1])
-        more, at = _largest_tension(problem, near, problem.loads(near.ravel(), rows).reshape(near.shape))
+    load = _load_of(problem)
+    tension, where = largest_tension(load, np.broadcast_to(h, loads.shape), loads)
+    if problem.heights.tops.size:
+        near = _below_tops(problem)
+        more, at = largest_tension(load, near, load(near, np.arange(len(near))[:, None]))
         larger = more > tension
         tension[larger], where[larger] = more[larger], at[larger]
     nothing = tension <= _NO_TENSION * size
@@ -101,18 +101,31 @@ def _approach(problem: Problem, targets: np.ndarray | None) -> _Approach:
     return _Approach(problem, h, loads, tension, where)
 
 
-def _below_tops(problem: Problem, tops: np.ndarray) -> np.ndarray:
+def _load_of(problem: Problem) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
+    """load(h, law): at any separations, of the laws of these numbers, which broadcast to them."""
+
+    def load(h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        return problem.loads(h.ravel(), np.broadcast_to(law.astype(int), h.shape).ravel()).reshape(h.shape)
+
+    return load
+
+
+def _below_tops(problem: Problem) -> np.ndarray:
     """Separations (n, m), descending, about the tops of the heights, where a few asperities adhere before many press: they do
     so over a distance of theta^(-2/3)."""
     scale = problem.groups.theta ** (-2.0 / 3.0)
     steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
     about = np.concatenate([steps[::-1], [0.0], -steps])
-    places = tops[None, :, None] + scale[:, None, None] * about
+    places = problem.heights.tops[None, :, None] + scale[:, None, None] * about
     return -np.sort(-places.reshape(len(scale), -1), axis=1)
 
 
-def _largest_tension(problem: Problem, h: np.ndarray, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Largest tension (n,), 0 where there is none, and its separation, of loads (n, H) at descending separations (n, H)."""
+def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Largest tension (n,), 0 where there is none, and where it is (n,), else not a number.
+
+    load(h, law): of the laws of these numbers, elementwise; loads (n, H): at the places h (n, H), in order. Between the two
+    beside the lowest of them the minimum is found.
+    """
     laws = np.arange(len(loads))
     lowest = np.argmin(loads, axis=1)
     tension = np.maximum(-loads[laws, lowest], 0.0)
@@ -122,12 +135,8 @@ def _largest_tension(problem: Problem, h: np.ndarray, loads: np.ndarray) -> tupl
         from scipy.optimize.elementwise import find_minimum
 
         law, at = laws[inside], lowest[inside]
-
-        def load(x, law):
-            return problem.loads(x.ravel(), law.ravel().astype(int)).reshape(x.shape)
-
-        bracket = h[law, at + 1], h[law, at], h[law, at - 1]
-        found = find_minimum(load, bracket, args=(law.astype(float),))
+        bracket = np.sort([h[law, at + beside] for beside in (-1, 0, 1)], axis=0)
+        found = find_minimum(load, tuple(bracket), args=(law.astype(float),))
         tension[inside], where[inside] = -found.f_x, found.x
     return tension, where
 
@@ -138,13 +147,13 @@ def _loads_past(problem: Problem, targets: np.ndarray | None) -> tuple[np.ndarra
     loads, which does not depend on how far that is."""
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
+    load, laws = _load_of(problem), np.arange(len(loads))[:, None]
     smallest = np.full(len(loads), np.inf)
     if targets is not None:
         smallest = np.where(targets > 0.0, targets, np.inf).min(axis=1, initial=np.inf)
 
     def more(ends: np.ndarray) -> np.ndarray:
-        n = len(loads)
-        return problem.loads(np.tile(ends, n), np.repeat(np.arange(n), ends.size)).reshape(n, ends.size)
+        return load(np.broadcast_to(ends, (len(laws), ends.size)), laws)
 
     while h[0] < FARTHEST and _touches(loads, size, smallest).any():
         farther = np.minimum(h[0] * _BEYOND[::-1], FARTHEST)
@@ -177,9 +186,10 @@ def _inverted(way: _Approach, targets: np.ndarray) -> Inversion:
         raise Unreachable(law, at, -way.tension[law], np.where(nearer, loads, -np.inf).max(axis=1)[law])
     left = np.where(adheres[:, None] & (first == start[:, None]), way.where[:, None], h[first - 1])
     law = np.broadcast_to(np.arange(len(loads))[:, None], targets.shape)
+    load = _load_of(way.problem)
 
     def excess(x, law, target):
-        return way.problem.loads(x.ravel(), law.ravel().astype(int)).reshape(x.shape) - target
+        return load(x, law) - target
 
     found = find_root(excess, (h[first], left), args=(law.astype(float), targets))
     if not found.success.all():

@@ -19,6 +19,7 @@ from .contact import Contact, Indices
 from .errors import InputError
 from .groups import Groups
 from .heights import Heights
+from .inversion import largest_tension
 from .law import coordinates, within
 from .problem import Problem, as_asked, make_problem, spread
 from .quantities import QUANTITIES
@@ -258,7 +259,7 @@ def _ends(contact, way: _Way, nearest: np.ndarray, units: dict[str, Any], dims: 
 
 def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Of m pairs of a contact and a nearest separation: the largest tension, its separation, and that of no load."""
-    from scipy.optimize.elementwise import find_minimum, find_root
+    from scipy.optimize.elementwise import find_root
 
     every = np.arange(rows.size)
 
@@ -268,15 +269,7 @@ def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarr
 
     distance = _reach(way, rows, nearest)[:, None] * np.linspace(0.0, 1.0, _STEPS) ** 3
     loads = load(distance, every[:, None])
-    lowest = np.argmin(loads, axis=1)
-    tension, where = np.maximum(-loads[every, lowest], 0.0), distance[every, lowest]
-    inside = (tension > 0.0) & (lowest > 0) & (lowest < _STEPS - 1)
-    if inside.any():
-        pair, at = every[inside], lowest[inside]
-        bracket = tuple(distance[pair, at + step] for step in (-1, 0, 1))
-        found = find_minimum(load, bracket, args=(pair.astype(float),))
-        tension[inside], where[inside] = -found.f_x, found.x
-    where[tension == 0.0] = np.nan
+    tension, where = largest_tension(load, distance, loads)
     # Where the load first turns to tension, if it was compressive.
     zero = np.full(rows.size, np.nan)
     turns = (loads[:, 0] > 0.0) & (loads.min(axis=1) < 0.0)

@@ -115,6 +115,18 @@ def test_no_tension_is_missed_below_a_gap_in_the_heights(model, far, theta):
     assert abs(float(held["load_residual"])) < 1e-10
 
 
+def test_no_tension_of_a_film_is_missed_either():
+    """Adhesion may be the film's alone: Liu, Neville & Reuben's, on asperities that have none."""
+    samples = np.append(np.random.default_rng(0).standard_normal(500), 30.0)
+    heights = height_distribution("empirical", samples=samples)
+    contact = st.Indices(theta=3e3, lam=10.0, n_E=0.5, n_H=0.5, tau=2.0, film_aspect=0.5, tabor_parameter=1.0, hardening=0.01)
+    laws = {"model": "greenwood_williamson_1966", "coating_law": "liu_neville_reuben_2002", "heights": heights}
+    dense = np.concatenate([(heights.tops[:, None] + np.linspace(-0.2, 0.02, 2000)).ravel(), np.linspace(12.0, -6.0, 1000)])
+    loads = st.solve(contact, separation=dense, **laws)["load"].values
+    assert loads.min() < 0.0
+    assert_allclose(st.solve(contact, load=1.0, **laws)["pull_off_force"], -loads.min(), rtol=5e-3)
+
+
 def test_what_one_contact_carries_does_not_depend_on_others():
     """The search goes farther for the second contact, which adheres a million times as strongly."""
     alone = st.solve(st.Indices(theta=311.36, lam=0.01), load=1e-4, model="fuller_tabor_1975")
