@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 METHOD = "asperity_method"
 _MU = "friction_coefficient"
 # Fewer than this many of the asperities found in a scan: how high they are is then chance.
-FEW = 10
+FEW_TOUCH = 10
 _MEANINGS = {
     "by_method": "static friction coefficient by how asperities were found",
     "low": "lowest static friction coefficient over the methods of finding asperities",
@@ -44,9 +44,16 @@ def _at_loads(contact: Contact, loads: np.ndarray, choice: Choice) -> np.ndarray
 def _solved(contact: Contact, loads: np.ndarray, choice: Choice) -> np.ndarray:
     if not loads.size:
         return np.zeros((2, 0))
-    found = solve(contact, load=loads, **choice.arguments())
-    touching = found["touching_asperities"].values if "touching_asperities" in found else np.full(loads.shape, np.nan)
-    return np.stack([found[_MU].values, touching / (contact.roughness.asperity_density * contact.nominal_area)])
+    return _read_off(solve(contact, load=loads, **choice.arguments()), contact)
+
+
+def _read_off(found: "xarray.Dataset", contact: Contact) -> np.ndarray:
+    """(2, n): what `_at_loads` gives, of a result of `solve`; not a number where the load is not compressive."""
+    mu = np.atleast_1d(found[_MU].values)
+    known = "touching_asperities" in found
+    touching = np.atleast_1d(found["touching_asperities"].values) if known else np.full(mu.shape, np.nan)
+    share = touching / (contact.roughness.asperity_density * contact.nominal_area)
+    return np.where(np.atleast_1d(found["load"].values) > 0.0, [mu, share], np.nan)
 
 
 def with_band(
@@ -57,15 +64,16 @@ def with_band(
     contacts: the same bodies with the roughness that each method finds; counts: how many separate asperities it found, 0 where
     it has averages only. Added: friction_coefficient_by_method (asperity_method, points), over the methods
     friction_coefficient_low and friction_coefficient_high, and found_touching_by_method, how many of the asperities found would
-    touch: where they are FEW, friction follows from the tail of the heights that is assumed, which `outside_validity` then
-    says, and nothing else than assumed where there are averages only (not a number). As it is where
+    touch: where they are fewer than FEW_TOUCH, friction follows from the tail of the heights that is assumed, which
+    `outside_validity` then says, and nothing else than assumed where there are averages only (not a number). As it is where
     there is no friction.
     """
     if _MU not in data:
         return data
     points, shape = data["load"].dims, (len(contacts), *data["load"].shape)
     loads = np.atleast_1d(data["load"].values)
-    tables = np.stack([_at_loads(contact, loads, choice) for contact in contacts.values()], axis=1)
+    first, *others = contacts.values()
+    tables = np.stack([_read_off(data, first), *(_at_loads(contact, loads, choice) for contact in others)], axis=1)
     of_found = np.array([[counts[name] or np.nan] for name in contacts])
     touching = (tables[1] * of_found).reshape(shape)
     meaning = {"units": "1", "long_name": "how many of the asperities found would touch"}
@@ -76,23 +84,23 @@ def with_band(
 
 
 def _on_the_tail(data: "xarray.Dataset") -> str:
-    """By which methods, and up to which load, FEW of the asperities found touch, or none were found; "" if nowhere, or if
-    the model knows of no asperities."""
-    loads = np.atleast_1d(data["load"].values)
+    """By which methods, and up to which load, fewer than FEW_TOUCH of the asperities found touch, or none were found; "" if
+    nowhere, or if the model knows of no asperities."""
     if "touching_asperities" not in data:
         return ""
+    loads = np.atleast_1d(data["load"].values)
     said = []
     for method in data[METHOD].values:
         touching = np.atleast_1d(data["found_touching_by_method"].sel({METHOD: method}).values)
-        few = (touching < FEW) & (loads > 0.0)
+        few = (touching < FEW_TOUCH) & (loads > 0.0)
         if few.any():
-            said.append(f"{method} up to {show(float(f'{loads[few].max():.3g}'), 'load')}")
+            said.append(f"{method} up to {show(loads[few].max(), 'load', 3)}")
         elif np.isnan(touching).all():
             said.append(f"{method} at every load")
     if not said:
         return ""
     return (
-        f"contact on fewer than {FEW} of the asperities found ({', '.join(said)}): there mu follows from the tail of the "
+        f"contact on fewer than {FEW_TOUCH} of the asperities found ({', '.join(said)}): there mu follows from the tail of the "
         "height distribution that is assumed, not from measured heights"
     )
 

@@ -172,11 +172,16 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     answer.outside = [breach.short for breach in left]
     answer.effects = _effects(problem)
     answer.of_interface = problem.law.interfacial
-    scales = units_of(problem.subject)
-    answer.curve = {name: table * scales.get(scale_of(name), 1.0) for name, table in curve.items()}
+    answer.curve = _in_units(problem, curve)
     if at_load:
-        answer.at_load = {name: float(table[0, 0] * scales.get(scale_of(name), 1.0)) for name, table in at_load.items()}
+        answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
     return answer
+
+
+def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Normalised results in the units of the contact: each model normalises with the sigma, R and N that it takes."""
+    scales = units_of(problem.subject)
+    return {name: table * scales.get(scale_of(name), 1.0) for name, table in results.items()}
 
 
 def _reason(error: InputError) -> str:
@@ -211,7 +216,7 @@ def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[st
 
 def _in_words(subject: Contact | Indices, load: float) -> str:
     """A load, in a force unit where the contact is real."""
-    return show(float(f"{load:.4g}"), "load") if isinstance(subject, Contact) else f"{load:.4g}"
+    return show(load, "load", 4) if isinstance(subject, Contact) else f"{load:.4g}"
 
 
 def _effects(problem: Problem) -> list[str]:

@@ -256,10 +256,10 @@ def _doubts(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -
     from .surfaces.heightmap import metres
 
     kept = 0.0 if wanted.shortest is None else metres(wanted.shortest, "shortest")
-    cutoffs = [max(kept, 2.0 * (one.pitch[1] if one.is_profile else max(one.pitch))) for one in maps]
+    cutoffs = [max(kept, 2.0 * one.coarsest_pitch) for one in maps]
     if max(cutoffs) <= _ALIKE * min(cutoffs):
         return ()
-    first, second = (show(float(f"{cutoff:.3g}"), "scan_size") for cutoff in cutoffs)
+    first, second = (show(cutoff, "scan_size", 3) for cutoff in cutoffs)
     return (
         f"the scans have different resolutions (shortest waves {first} and {second}), and the finer one alone decides R and N: "
         "give shortest, the same for both",

@@ -173,9 +173,11 @@ def inverted(contact, problem: Problem, wanted: np.ndarray, unit: np.ndarray) ->
         where = (error.law, error.at)
         scale = np.broadcast_to(unit, wanted.shape).reshape(targets.shape)[where]
         text = (lambda number: show(number * scale, "load")) if isinstance(contact, Contact) else "{:.6g}".format
-        beyond = targets[where] > error.high
-        bound = f"at most {text(error.high)}" if beyond else f"at least {text(error.low)}" if error.low else "more than 0"
-        if beyond and error.high < 0.0:
+        if targets[where] <= error.high:
+            bound = f"at least {text(error.low)}" if error.low else "more than 0"
+        elif error.high >= 0.0:
+            bound = f"at most {text(error.high)}"
+        else:
             bound = f"none that is above {text(error.high)}, found within {FARTHEST:g} sigma,"
         raise InputError("load", text(targets[where]), f"{bound} under this model, for this contact") from None
 

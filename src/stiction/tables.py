@@ -69,7 +69,7 @@ def _short(value: float) -> str:
 
 def shown(value: float, name: str, digits: int = 4) -> str:
     """A value of the named quantity, given in SI, with a fitting prefix, to a few digits; "-" if it is not a number."""
-    return _squared(show(float(f"{value:.{digits}g}"), name)) if np.isfinite(value) else "-"
+    return _squared(show(value, name, digits)) if np.isfinite(value) else "-"
 
 
 def _squared(text: str) -> str:
@@ -195,10 +195,12 @@ def comparison_table(data: "xarray.Dataset") -> Table:
 
 
 def over_methods(one: "xarray.Dataset") -> str:
-    """Lowest and highest mu at the working load of one model over the methods of finding asperities; "-" where they agree:
-    theories of the whole surface look for none."""
-    ends = [float(one[f"friction_coefficient_at_load_{end}"]) for end in ("low", "high")]
-    return f"{ends[0]:.3g} to {ends[1]:.3g}" if ends[0] < ends[1] else "-"
+    """Lowest and highest mu at the working load of one model over the methods of finding asperities; theories of the whole
+    surface look for none, and have no spread."""
+    low, high = (float(one[f"friction_coefficient_at_load_{end}"]) for end in ("low", "high"))
+    if low == high:
+        return "no spread"
+    return f"{low:.3g} to {high:.3g}" if low < high else "-"
 
 
 def _doubts_of(one: "xarray.Dataset") -> list[str]:
@@ -226,9 +228,8 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
         if "friction_coefficient_at_load_low" in data and used["recommended"] in data["model"]:
             best = data.sel(model=used["recommended"])
             mu = _short(float(best["friction_coefficient_at_load"]))
-            ends = over_methods(best)
-            spread = f"{ends} over the methods of finding asperities (taken: {used['roughness_method']})"
-            lines.append(Text(f"of it, mu {mu}, {'of the surface as a whole' if ends == '-' else spread}", style="bold"))
+            text = f"of it, mu {mu}, {over_methods(best)} over the methods of finding asperities"
+            lines.append(Text(f"{text} (taken: {used['roughness_method']})", style="bold"))
     else:
         lines.append(Text("without a working load, which is above 0, the models are not judged"))
     lines += [Text(line) for line in used["criteria"].splitlines()]

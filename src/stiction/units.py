@@ -44,16 +44,17 @@ def to_si(value, name: str):
     return number
 
 
-def show(value, name: str) -> str:
-    """A value of the named quantity, given in SI, as short text with a fitting prefix: "48 nm", "1.25 mN"."""
+def show(value, name: str, digits: int = 6) -> str:
+    """A value of the named quantity, given in SI, as short text with a fitting prefix: "48 nm", "1.25 mN"; to so many digits,
+    six at most."""
     unit = QUANTITIES[name].unit
-    value = float(value)
+    value = float(f"{value:.{digits}g}")
     prefixed = re.fullmatch(r"(m|Pa|N|J)(\^2)?(.*)", unit)
     if prefixed is None or value == 0 or not np.isfinite(value):
         return f"{value:.6g} {unit}".rstrip()
     symbol, square, rest = prefixed.groups(default="")
     power = 2 if square else 1  # 1 mm^2 is (1 mm)^2: a prefix counts twice in an area
-    # Rounded to the printed digits first, so that 999.9999999 nm is shown as 1 um and not as 1000 nm.
+    # It is rounded to the printed digits first, so that 999.9999999 nm is shown as 1 um and not as 1000 nm.
     exponent = int(f"{value:.5e}".partition("e")[2]) // (3 * power) * 3
     exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
     return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{square}{rest}"

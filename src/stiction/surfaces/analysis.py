@@ -68,10 +68,7 @@ def prepared(
     _check_left(raw, surface)
     if fill is not None:
         surface = fill_missing(surface, fill)
-    if shortest is None and longest is None:
-        return surface
-    band = {name: None if one is None else metres(one, name) for name, one in (("shortest", shortest), ("longest", longest))}
-    return filter_band(surface, **band)
+    return surface if shortest is None and longest is None else filter_band(surface, shortest, longest)
 
 
 def _check_left(raw: HeightMap, surface: HeightMap) -> None:

@@ -11,7 +11,7 @@ from .heightmap import HeightMap
 
 __all__ = ["Asperities"]
 
-# Below this many, deviation and skewness say nothing of the surface.
+# Below this many, deviation and skewness say nothing of the surface, and heights are taken as Gaussian.
 FEW = 30
 _ROUNDING = 1e-12
 
@@ -41,11 +41,6 @@ class Asperities:
     def count(self) -> int:
         """How many were found; 0 for a method that has averages only."""
         return len(self.heights)
-
-    @property
-    def density_group(self) -> float:
-        """N R sigma, 0.03 to 0.05 for most surfaces (Greenwood & Williamson 1966)."""
-        return self.density * self.radius * self.deviation
 
 
 def of_samples(

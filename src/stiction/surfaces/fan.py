@@ -49,8 +49,8 @@ def default_cutoffs(surface: HeightMap) -> np.ndarray:
 
     The shortest: spectrum.POINTS_PER_WAVE of the larger pitch. On a map with fewer than ten of these along a side, 0 alone.
     """
-    pitches, sizes = (surface.pitch[1:], surface.size[1:]) if surface.is_profile else (surface.pitch, surface.size)
-    shortest, longest = POINTS_PER_WAVE * max(pitches), min(sizes) / _WAVES_IN_SIZE
+    sizes = surface.size[1:] if surface.is_profile else surface.size
+    shortest, longest = POINTS_PER_WAVE * surface.coarsest_pitch, min(sizes) / _WAVES_IN_SIZE
     if shortest > longest:
         return np.zeros(1)
     return np.concatenate([[0.0], np.geomspace(shortest, longest, _CUTOFFS)])
@@ -104,10 +104,10 @@ def fan(
                     numbers[name][i, j] = getattr(found, attribute)
                 heights = height_model(found)
                 words["height_distribution"][i, j] = heights.name
+                if contact is not None and of_surface(choice.model):  # takes the moments, whatever was found
+                    found = asperities(seen, OF_MOMENTS, **given.get(OF_MOMENTS, {}))
+                    heights = height_model(found)
                 if contact is not None:
-                    if of_surface(choice.model):  # takes the moments, whatever was found
-                        found = asperities(seen, OF_MOMENTS, **given.get(OF_MOMENTS, {}))
-                        heights = height_model(found)
                     numbers[_FRICTION][i, j] = _friction(contact, found, heights, load, choice)
             except InputError as error:
                 if error.field in (*given.get(key, {}), *choice.arguments()):

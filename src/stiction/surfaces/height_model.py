@@ -10,7 +10,7 @@ import numpy as np
 from stiction.contact import Roughness
 from stiction.errors import InputError
 
-from .asperity_set import Asperities
+from .asperity_set import FEW, Asperities
 
 __all__ = ["MODELS", "HeightModel", "height_model", "roughness"]
 
@@ -22,7 +22,6 @@ MODELS = ("gaussian", "weibull", "empirical")
 # refuse a formula has a price: heights as found end at the highest of the scan, which a larger contact surpasses.
 _ONE_IN_TWENTY = 0.886
 _INDEPENDENT = 100
-FEWEST_SAMPLES = 30  # for anything but Gaussian
 _QUANTILES = 2000  # that stand for the samples, if there are more
 _LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # as of stiction.heights.weibull
 
@@ -47,12 +46,12 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
 
     All have the mean and deviation of the heights; the exponent of the Weibull distribution is that of the same skewness. Good
     enough: see _INDEPENDENT. Gaussian, whatever is wanted, if there are no heights (averages only), all are equal, or fewer
-    than FEWEST_SAMPLES. InputError if another than gaussian, weibull and empirical is wanted.
+    than FEW. InputError if another than gaussian, weibull and empirical is wanted.
     """
     if wanted is not None and wanted not in MODELS:
         raise InputError("heights", wanted, ", ".join(MODELS))
-    if found.count < FEWEST_SAMPLES or not found.deviation > 0.0:
-        why = f"only {found.count} heights" if 0 < found.count < FEWEST_SAMPLES else "averages only"
+    if found.count < FEW or not found.deviation > 0.0:
+        why = f"only {found.count} heights" if 0 < found.count < FEW else "averages only"
         why = why if found.deviation > 0.0 else "all heights equal"
         return HeightModel("gaussian", {}, f"Gaussian assumed: {why}", found.skewness)
     from scipy import stats  # slow to import

@@ -45,6 +45,11 @@ class HeightMap:
         return self.size[0] / rows, self.size[1] / columns
 
     @property
+    def coarsest_pitch(self) -> float:
+        """The larger of the two pitches, of a profile the only one [m]."""
+        return self.pitch[1] if self.is_profile else max(self.pitch)
+
+    @property
     def missing(self) -> int:
         """How many points have no height."""
         return int(np.count_nonzero(np.isnan(self.heights)))

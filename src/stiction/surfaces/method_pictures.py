@@ -12,7 +12,8 @@ from ..band import METHOD
 from ..errors import InputError
 from ..plot import GREY, SKY, WIDE, finish, heading, label, say
 from ..quantities import QUANTITIES
-from .picture_style import look_of, plain, scale, unit_for, with_prefix
+from ..units import show
+from .picture_style import look_of, plain, scale, unit_for
 
 if TYPE_CHECKING:
     import xarray
@@ -137,7 +138,7 @@ def _without_value(fan: "xarray.Dataset", variables: list[str]) -> list[str]:
             missing = [variable for variable in variables if not float(point[variable]) > 0.0]
             if missing:
                 reason = reason or f"{', '.join(missing)}: 0 or none"
-                reasons.setdefault(reason, []).append(with_prefix(cutoff, "mean_separation") if cutoff > 0.0 else "none")
+                reasons.setdefault(reason, []).append(show(cutoff, "mean_separation", 3) if cutoff > 0.0 else "none")
         for reason, cutoffs in reasons.items():
             at = "every cutoff" if len(cutoffs) == fan.sizes["cutoff"] else ", ".join(cutoffs)
             where.setdefault(reason, []).append(f"{plain(str(method))} at {at}")

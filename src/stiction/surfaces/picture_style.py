@@ -7,7 +7,7 @@ from ..plot import BLUE, GREEN, ORANGE, RED, SKY
 from ..quantities import QUANTITIES
 from ..units import show
 
-__all__ = ["look_of", "plain", "scale", "unit_for", "with_prefix"]
+__all__ = ["look_of", "plain", "scale", "unit_for"]
 
 _COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
 _MARKERS = ("o", "s", "^", "D", "v", "P")
@@ -28,11 +28,6 @@ def look_of(method: str, at: int) -> dict[str, Any]:
 
 def plain(method: str) -> str:
     return _METHODS.get(method, method.replace("_", " "))
-
-
-def with_prefix(value: float, quantity: str) -> str:
-    """The value in three digits with a prefix."""
-    return show(float(f"{value:.3g}"), quantity)
 
 
 def unit_for(quantity: str, largest: float) -> tuple[float, str]:

@@ -18,7 +18,7 @@ from ..units import show
 from .asperity_set import Asperities
 from .heightmap import HeightMap
 from .method_pictures import band_figure, fan_figure
-from .picture_style import look_of, plain, scale, unit_for, with_prefix
+from .picture_style import look_of, plain, scale, unit_for
 from .spectrum import BinnedSpectrum
 
 __all__ = ["asperity_figure", "band_figure", "fan_figure", "map_figure", "spectrum_figure"]
@@ -161,7 +161,7 @@ def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], tit
         _spectrum_line(axes, one, factor, power, name, look_of("", at))
     if first.longest > first.shortest:
         band = [2.0 * math.pi / (length * factor) for length in (first.longest, first.shortest)]
-        ends = " to ".join(with_prefix(length, "mean_separation") for length in (first.longest, first.shortest))
+        ends = " to ".join(show(length, "mean_separation", 3) for length in (first.longest, first.shortest))
         axes.axvspan(*band, color=GREEN, alpha=0.1, linewidth=0.0, label=f"reliable band: wavelengths of {ends}")
     axes.set(xscale="log", yscale="log", xlabel=rf"wavevector $q = 2\pi$ / wavelength [rad/{unit}]")
     axes.set_ylabel(f"power spectral density $C$ [{unit}{'³' if first.is_profile else '⁴'}]")
@@ -245,7 +245,7 @@ def _ends(sets: list[Asperities]) -> tuple[float, float]:
 def _summed_up(one: Asperities, factor: float, unit: str) -> str:
     """Lines of a legend: the method, how many it found, and its sigma, R and N."""
     count = f": {one.count}" if one.count else ", averages only"
-    sigma, radius = with_prefix(one.deviation, "asperity_height_deviation"), with_prefix(one.radius, "asperity_radius")
+    sigma, radius = show(one.deviation, "asperity_height_deviation", 3), show(one.radius, "asperity_radius", 3)
     density = f"{one.density * factor:.3g}{unit.removeprefix('1')}"
     return f"{plain(one.method)}{count}\n$\\sigma$ = {sigma}, $R$ = {radius},\n$N$ = {density}"
 

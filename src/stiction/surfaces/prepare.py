@@ -139,7 +139,7 @@ def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
 def _check_band(surface: HeightMap, low: float | None, high: float | None) -> None:
     if low is None and high is None:
         raise InputError("band", None, "the shortest wavelength, the longest, or both")
-    finest = 2.0 * (surface.pitch[1] if surface.is_profile else max(surface.pitch))
+    finest = 2.0 * surface.coarsest_pitch
     size = surface.size[1] if surface.is_profile else max(surface.size)
     for name, end in (("shortest", low), ("longest", high)):
         if end is not None and not finest * (1.0 - 1e-9) <= end <= size * (1.0 + 1e-9):

@@ -117,7 +117,7 @@ def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> P
         raise InputError("cutoff", cutoff, "> 0 m, finite")
     heights, pitches = surface.heights, surface.pitch
     _, (deviation, *_) = _height_parameters(heights)
-    wanted = 2.0 * (pitches[1] if surface.is_profile else max(pitches)) if cutoff is None else cutoff
+    wanted = 2.0 * surface.coarsest_pitch if cutoff is None else cutoff
     profiles, steps, reached = [], [], 0.0
     for axis in (1,) if surface.is_profile else (1, 0):
         step = max(1, round(wanted / (2.0 * pitches[axis])))

@@ -6,7 +6,7 @@ read for units. Lines that begin with # are left out.
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
@@ -23,27 +23,12 @@ __all__ = ["read_positions", "read_table", "read_text"]
 
 def read_table(path: Path, channel) -> RawScan:
     """A .csv file: rows of heights along x, or columns x z or x y z. Others, that begin with words, are an instrument's."""
-    layout = _layout(path)
-    if layout is None:
-        return read_instrument(path, channel)
-    no_channel(channel)
-    table, notes = _numbers(path, layout)
-    if table.shape[1] in _COLUMNS:
-        return _COLUMNS[table.shape[1]](table, notes)
-    _no_numbering(table, path.name)
-    return RawScan(table.T if table.shape[1] == 1 else table, "matrix of heights", notes=notes)
+    return _read(path, channel, _matrix)
 
 
 def read_positions(path: Path, channel) -> RawScan:
     """An .xyz file: columns x z or x y z. Others, that begin with words, are an instrument's."""
-    layout = _layout(path)
-    if layout is None:
-        return read_instrument(path, channel)
-    no_channel(channel)
-    table, notes = _numbers(path, layout)
-    if table.shape[1] not in _COLUMNS:
-        raise InputError("scan", f"{path.name} with {table.shape[1]} columns", "columns x y z, or x z of a profile")
-    return _COLUMNS[table.shape[1]](table, notes)
+    return _read(path, channel, _no_positions)
 
 
 def read_text(path: Path, channel) -> RawScan:
@@ -51,6 +36,17 @@ def read_text(path: Path, channel) -> RawScan:
     with path.open("rb") as file:
         remarks = file.read(1) == b"#"
     return read_instrument(path, channel) if remarks else read_table(path, channel)
+
+
+def _read(path: Path, channel, otherwise: Callable[[np.ndarray, tuple[str, ...], str], RawScan]) -> RawScan:
+    """Positions and heights, by the number of columns; otherwise(table, notes, name of the file): of any other number."""
+    layout = _layout(path)
+    if layout is None:
+        return read_instrument(path, channel)
+    no_channel(channel)
+    table, notes = _numbers(path, layout)
+    columns = _COLUMNS.get(table.shape[1])
+    return columns(table, notes) if columns else otherwise(table, notes, path.name)
 
 
 # ---- columns
@@ -67,6 +63,15 @@ def _map(table: np.ndarray, notes: tuple[str, ...]) -> RawScan:
 
 
 _COLUMNS = {2: _profile, 3: _map}
+
+
+def _matrix(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
+    _no_numbering(table, name)
+    return RawScan(table.T if table.shape[1] == 1 else table, "matrix of heights", notes=notes)
+
+
+def _no_positions(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
+    raise InputError("scan", f"{name} with {table.shape[1]} columns", "columns x y z, or x z of a profile")
 
 
 def _no_numbering(table: np.ndarray, name: str) -> None:
