@@ -8,23 +8,11 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from cases import STEEL_ON_STEEL
 from stiction import cli
 from stiction.registry import of_kind
 
-CASE = """
-[contact]
-first = "hardened_steel_52100"
-second = "hardened_steel_52100"
-work_of_adhesion = "0.1 J/m^2"
-nominal_area = "1 mm^2"
-interfacial_shear_strength = "200 MPa"
-[contact.roughness]
-asperity_height_deviation = "48 nm"
-asperity_radius = "50 um"
-asperity_density = "1.7e10 1/m^2"
-[solve]
-load = {}
-"""
+CASE = STEEL_ON_STEEL + "[solve]\nload = {}\n"
 MODELS = of_kind("rough surface")
 NO_SEPARATION = [key for key, one in MODELS.items() if not one.asperity and one.curve is None]
 

@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 from typer.testing import CliRunner
 
 import stiction as st
+from cases import STEEL_ON_STEEL
 from stiction.case import read_case
 from stiction.cli import app
 from stiction.compare import at_load_rows, candidates, compare, comparison, working_load
@@ -135,19 +136,9 @@ def test_bad_input():
         compare(SHEARED, load="10 m")
 
 
-CASE = """
+CASE = f"""
 title = "Steel on steel"
-[contact]
-first = "hardened_steel_52100"
-second = "hardened_steel_52100"
-work_of_adhesion = "0.1 J/m^2"
-nominal_area = "1 mm^2"
-interfacial_shear_strength = "200 MPa"
-[contact.roughness]
-asperity_height_deviation = "48 nm"
-asperity_radius = "50 um"
-asperity_density = "1.7e10 1/m^2"
-[solve]
+{STEEL_ON_STEEL}[solve]
 load = ["1 N", "10 N", "20 N"]
 """
 

@@ -1,8 +1,12 @@
-"""Comparing numbers in metres."""
+"""Comparing numbers in metres, and the measured surfaces on which an independent library is compared with."""
 
 import pytest
 
-__all__ = ["near"]
+__all__ = ["AREAS", "PROFILES", "near"]
+
+# Files of ../shared/scans; conftest.py has their licence.
+AREAS = ["al3d-1.al3d", "di-3.di", "frt-2.frt", "stp-1.stp", "sur-2.sur", "tmd-1.tmd", "top-1.top"]
+PROFILES = ["dektak-1.csv", "hfm-1.hfm", "opdx-3.opdx"]
 
 
 def near(expected, rel: float = 1e-6):

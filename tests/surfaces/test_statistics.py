@@ -6,7 +6,7 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from comparing import near
+from comparing import AREAS, PROFILES, near
 
 from stiction.errors import InputError
 from stiction.moments import Moments
@@ -418,9 +418,6 @@ def test_refused(call, field):
 
 
 # ---- an independent library, on measured surfaces (conftest.py has their licence)
-
-AREAS = ["al3d-1.al3d", "di-3.di", "frt-2.frt", "stp-1.stp", "sur-2.sur", "tmd-1.tmd", "top-1.top"]
-PROFILES = ["dektak-1.csv", "hfm-1.hfm", "opdx-3.opdx"]
 
 
 @pytest.mark.parametrize("name", AREAS)

@@ -1,0 +1,17 @@
+"""Case files that several tests run."""
+
+__all__ = ["STEEL_ON_STEEL"]
+
+# Without a title and what to solve.
+STEEL_ON_STEEL = """
+[contact]
+first = "hardened_steel_52100"
+second = "hardened_steel_52100"
+work_of_adhesion = "0.1 J/m^2"
+nominal_area = "1 mm^2"
+interfacial_shear_strength = "200 MPa"
+[contact.roughness]
+asperity_height_deviation = "48 nm"
+asperity_radius = "50 um"
+asperity_density = "1.7e10 1/m^2"
+"""
