@@ -27,12 +27,12 @@ from scipy.integrate import quad  # noqa: E402
 from scipy.optimize import brentq  # noqa: E402
 
 import stiction as st  # noqa: E402
-from stiction.choice import Choice  # noqa: E402
-from stiction.groups import Groups  # noqa: E402
-from stiction.heights import gaussian  # noqa: E402
-from stiction.problem import problem_of  # noqa: E402
-from stiction.registry import find, misfit, of_kind  # noqa: E402
-from stiction.summation import totals_on_grid  # noqa: E402
+from stiction.contact.groups import Groups  # noqa: E402
+from stiction.engine.heights import gaussian  # noqa: E402
+from stiction.engine.summation import totals_on_grid  # noqa: E402
+from stiction.laws.registry import find, incompatibility, of_kind  # noqa: E402
+from stiction.solving.choice import Choice  # noqa: E402
+from stiction.solving.problem import problem_of  # noqa: E402
 
 HERE = Path(__file__).parent
 SEPARATIONS = np.linspace(-4.0, 4.0, 100)
@@ -66,10 +66,10 @@ def quad_loop(h: float, theta: float, lam: float, nu: float = 0.3, k: float = 2.
     def load(u):
         return u**6 - S * u**3
 
-    def slip(u):
+    def slip_limited(u):
         return 4 * math.sqrt(max(2 * math.pi / theta * load(u) + 3 * (math.pi / theta) ** 2, 0) / K_beta)
 
-    def tear(u):
+    def yield_limited(u):
         P, strength = load(u), eta * u**4 / (math.pi * k)
         root = 4 * d * strength**2 - 3 * n**2 * (p + q) ** 2 * P**2
         return max((math.sqrt(root) - 3 * n * (p - q) * P) / (2 * d), 0.0) if root > 0 else 0.0
@@ -86,17 +86,17 @@ def quad_loop(h: float, theta: float, lam: float, nu: float = 0.3, k: float = 2.
     reach = math.sqrt(max(h, 0) ** 2 + 72) - h
     cut = last if displacement(last) <= reach else brentq(lambda u: displacement(u) - reach, first, last, xtol=1e-15)
     scan = np.linspace(first, cut, 25)
-    sign = [slip(u) < tear(u) for u in scan]
-    alive = [tear(u) > 0 for u in scan]
+    sign = [slip_limited(u) < yield_limited(u) for u in scan]
+    alive = [yield_limited(u) > 0 for u in scan]
     kinks = [
-        brentq(lambda u: slip(u) - tear(u), a, b, xtol=1e-15)
+        brentq(lambda u: slip_limited(u) - yield_limited(u), a, b, xtol=1e-15)
         for a, b, s, t, on, still in zip(scan, scan[1:], sign, sign[1:], alive, alive[1:], strict=False)
         if s != t and on and still
     ]
     for a, b, on, still in zip(scan, scan[1:], alive, alive[1:], strict=False):
         while on != still and b - a > 1e-14 * b:
             middle = (a + b) / 2
-            a, b = (middle, b) if (tear(middle) > 0) == on else (a, middle)
+            a, b = (middle, b) if (yield_limited(middle) > 0) == on else (a, middle)
         if on != still:
             kinks.append(b)
     edges = [first, *sorted(kinks), cut]
@@ -105,7 +105,7 @@ def quad_loop(h: float, theta: float, lam: float, nu: float = 0.3, k: float = 2.
         pieces = [(a, b) for a, b in itertools.pairwise(edges) if b > a]
         return sum(quad(lambda u: integrand(u) * weight(u), a, b, epsabs=0, epsrel=1e-11, limit=200)[0] for a, b in pieces)
 
-    sums = [integral(integrand) for integrand in (load, lambda u: u**4, lambda u: min(slip(u), tear(u)))]
+    sums = [integral(integrand) for integrand in (load, lambda u: u**4, lambda u: min(slip_limited(u), yield_limited(u)))]
     z = h + displacement(last)
     upper, dense = math.erfc(z / math.sqrt(2)) / 2, math.exp(-z * z / 2) / math.sqrt(2 * math.pi)
     first_moment = dense - h * upper
@@ -211,7 +211,7 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
     rows += [(f"asperity law {key}", Choice(plain, asperity=key), False) for key in laws if key not in taken]
     for key, shear in shears.items():
         if key not in taken:
-            suited = next(law.key for law in laws.values() if not misfit(shear, law))
+            suited = next(law.key for law in laws.values() if not incompatibility(shear, law))
             rows.append((f"tangential law {key} on {suited}", Choice(plain, suited, key), False))
     usual = models["soft_coating_2015"]
     interface = next(key for key, shear in shears.items() if shear.interfacial)
@@ -221,7 +221,7 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
         if key == usual.default_film or "2015" in film.wants:
             rows.append((f"{usual.key}, {key} film", Choice(usual.key, coating_law=key), True))
         else:
-            suited = next(law.key for law in laws.values() if not misfit(film, law))
+            suited = next(law.key for law in laws.values() if not incompatibility(film, law))
             rows.append((f"{key} film, asperity law {suited}, {interface}", Choice(plain, suited, interface, key), True))
     return rows
 

@@ -10,10 +10,10 @@ from functools import partial
 from pathlib import Path
 
 import stiction as st
-from stiction.materials import material_names
-from stiction.quantities import QUANTITIES
-from stiction.registry import CHOICES, GRADES, Criterion, FilmLaw, Record, records
-from stiction.units import show
+from stiction.contact.materials import material_names
+from stiction.laws.registry import CHOICES, GRADES, Criterion, FilmLaw, Record, records
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
 
 HERE = Path(__file__).parent
 

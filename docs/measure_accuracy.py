@@ -1,6 +1,6 @@
 """Measures the errors that docs/numerics.md states, and writes its table anew. Takes less than a minute.
 
-    python docs/measure_accuracy.py
+python docs/measure_accuracy.py
 """
 
 import re
@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction import summation
-from stiction.heights import gaussian
-from stiction.problem import Choice, problem_of
+from stiction.engine import summation
+from stiction.engine.heights import gaussian
+from stiction.solving.problem import Choice, problem_of
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "tests"))

@@ -1,6 +1,6 @@
 """Friction against load for silver films of several thicknesses on steel: one dataset, one picture.
 
-    python examples/film_thickness.py
+python examples/film_thickness.py
 """
 
 from matplotlib.figure import Figure

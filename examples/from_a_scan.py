@@ -9,7 +9,7 @@ sigma, R, N and mu against the shortest wavelength that is left in the scan, a l
 import numpy as np
 
 import stiction as st
-from stiction.surfaces.pictures import fan_figure
+from stiction.report.surface_pictures import resolution_figure
 
 spectrum = st.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=0.2e-6, deviation=10e-9)
 made = st.gaussian_surface((512, 512), (30e-6, 30e-6), spectrum, seed=7)
@@ -24,7 +24,7 @@ contact = st.Contact(
     nominal_area="1 mm^2",
     roughness=st.Roughness(asperity_height_deviation="10 nm", asperity_radius="1 um", asperity_density="1e12 1/m^2"),
 )  # its roughness is replaced by what is found
-fan = st.fan(scan, contact=contact, load="100 mN")
-lowest, highest = float(fan["mu"].min()), float(fan["mu"].max())
+resolution_study = st.resolution_study(scan, contact=contact, load="100 mN")
+lowest, highest = float(resolution_study["mu"].min()), float(resolution_study["mu"].max())
 print(f"static friction coefficient from {lowest:.3f} to {highest:.3f}, by method and resolution alone")
-fan_figure(fan).savefig("fan.png", dpi=150)
+resolution_figure(resolution_study).savefig("fan.png", dpi=150)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from stiction import summation
+from stiction.engine import summation
 
 
 @pytest.fixture(autouse=True)

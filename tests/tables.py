@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_less
 
-from stiction.groups import Groups
+from stiction.contact.groups import Groups
 
 REFERENCE = Path(__file__).parent / "reference"
 SHARED = Path(__file__).parents[2] / "shared" / "reference"

@@ -9,66 +9,67 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .case import read_case as read_case
-    from .compare import compare as compare
-    from .contact import Coating as Coating
-    from .contact import Contact as Contact
-    from .contact import Indices as Indices
-    from .contact import Roughness as Roughness
-    from .contact import work_of_adhesion as work_of_adhesion
-    from .errors import InputError as InputError
-    from .evaluate import Evaluation as Evaluation
-    from .evaluate import evaluate as evaluate
-    from .heights import height_distribution as height_distribution
-    from .materials import Material as Material
-    from .materials import material as material
-    from .overview import cite as cite
-    from .overview import models as models
-    from .solve import solve as solve
-    from .solve_case import compare_case as compare_case
-    from .solve_case import solve_case as solve_case
-    from .surfaces.analysis import analyse as analyse
-    from .surfaces.analysis import prepared as prepared
-    from .surfaces.asperities import asperities as asperities
-    from .surfaces.fan import fan as fan
-    from .surfaces.generate import gaussian_surface as gaussian_surface
-    from .surfaces.generate import non_gaussian_surface as non_gaussian_surface
-    from .surfaces.heightmap import HeightMap as HeightMap
-    from .surfaces.read import read_scan as read_scan
-    from .surfaces.targets import SelfAffine as SelfAffine
-    from .units import axis as axis
-    from .unloading import unload as unload
+    from stiction.contact.contact import Coating as Coating
+    from stiction.contact.contact import Contact as Contact
+    from stiction.contact.contact import Indices as Indices
+    from stiction.contact.contact import Roughness as Roughness
+    from stiction.contact.contact import work_of_adhesion as work_of_adhesion
+    from stiction.contact.materials import Material as Material
+    from stiction.contact.materials import material as material
+    from stiction.engine.heights import height_distribution as height_distribution
+    from stiction.laws.overview import cite as cite
+    from stiction.laws.overview import models as models
+    from stiction.quantities.errors import InputError as InputError
+    from stiction.quantities.units import axis as axis
+    from stiction.solving.evaluate import Evaluation as Evaluation
+    from stiction.solving.evaluate import evaluate as evaluate
+    from stiction.solving.solve import solve as solve
+    from stiction.solving.unloading import unload as unload
+    from stiction.studies.case import read_case as read_case
+    from stiction.studies.case_results import compare_case as compare_case
+    from stiction.studies.case_results import solve_case as solve_case
+    from stiction.studies.comparison import compare as compare
+    from stiction.studies.resolution import resolution_study as resolution_study
+    from stiction.studies.surface_analysis import analyse as analyse
+    from stiction.studies.surface_analysis import prepared as prepared
+    from stiction.surfaces.asperities import asperities as asperities
+    from stiction.surfaces.generate import gaussian_surface as gaussian_surface
+    from stiction.surfaces.generate import non_gaussian_surface as non_gaussian_surface
+    from stiction.surfaces.heightmap import HeightMap as HeightMap
+    from stiction.surfaces.read import read_scan as read_scan
+    from stiction.surfaces.targets import SelfAffine as SelfAffine
 
 _PLACES = {
-    "Coating": "contact",
-    "Contact": "contact",
-    "Evaluation": "evaluate",
+    "Coating": "contact.contact",
+    "Contact": "contact.contact",
+    "Evaluation": "solving.evaluate",
     "HeightMap": "surfaces.heightmap",
-    "Indices": "contact",
-    "InputError": "errors",
-    "Material": "materials",
-    "Roughness": "contact",
+    "Indices": "contact.contact",
+    "InputError": "quantities.errors",
+    "Material": "contact.materials",
+    "Roughness": "contact.contact",
     "SelfAffine": "surfaces.targets",
-    "analyse": "surfaces.analysis",
+    "analyse": "studies.surface_analysis",
     "asperities": "surfaces.asperities",
-    "axis": "units",
-    "cite": "overview",
-    "compare": "compare",
-    "compare_case": "solve_case",
-    "evaluate": "evaluate",
-    "fan": "surfaces.fan",
+    "axis": "quantities.units",
+    "cite": "laws.overview",
+    "compare": "studies.comparison",
+    "compare_case": "studies.case_results",
+    "evaluate": "solving.evaluate",
+    "fan": "studies.resolution",
     "gaussian_surface": "surfaces.generate",
-    "height_distribution": "heights",
-    "material": "materials",
-    "models": "overview",
+    "height_distribution": "engine.heights",
+    "material": "contact.materials",
+    "models": "laws.overview",
     "non_gaussian_surface": "surfaces.generate",
-    "prepared": "surfaces.analysis",
-    "read_case": "case",
+    "prepared": "studies.surface_analysis",
+    "read_case": "studies.case",
     "read_scan": "surfaces.read",
-    "solve": "solve",
-    "solve_case": "solve_case",
-    "unload": "unloading",
-    "work_of_adhesion": "contact",
+    "resolution_study": "studies.resolution",
+    "solve": "solving.solve",
+    "solve_case": "studies.case_results",
+    "unload": "solving.unloading",
+    "work_of_adhesion": "contact.contact",
 }
 __all__ = list(_PLACES)
 __version__ = "0.1.0"

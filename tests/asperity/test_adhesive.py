@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_less
 
-from stiction import law
-from stiction.asperity import dmt, jkr
-from stiction.asperity import maugis_1992 as maugis
-from stiction.asperity import thornton_ning_1998 as thornton
+from stiction.laws import joining as law
+from stiction.laws.asperity import dmt, jkr
+from stiction.laws.asperity import maugis_1992 as maugis
+from stiction.laws.asperity import thornton_ning_1998 as thornton
 from tables import column, groups, read
 
 RING = read("maugis_1992.csv")

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from stiction.asperity import chang_etsion_bogy_1987 as ceb
-from stiction.asperity import dmt, hertz, jkr
-from stiction.asperity import roy_chowdhury_ghosh_1994 as plastic
-from stiction.friction import soft_coating_2015
-from stiction.groups import hardness_group, stiffness_group
-from stiction.law import Law, coordinates, states
+from stiction.contact.groups import hardness_group, stiffness_group
+from stiction.laws.asperity import chang_etsion_bogy_1987 as ceb
+from stiction.laws.asperity import dmt, hertz, jkr
+from stiction.laws.asperity import roy_chowdhury_ghosh_1994 as plastic
+from stiction.laws.joining import Law, coordinates, states
+from stiction.laws.tangential import soft_coating_2015
 from tables import column, groups, groups_of, read
 
 ROWS = read("asperity.csv")

@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from stiction.asperity import brizmer_kligerman_etsion_2006 as bke
-from stiction.asperity import chang_etsion_bogy_1987 as ceb
-from stiction.asperity import hertz
-from stiction.asperity import jackson_green_2005 as jg
-from stiction.asperity import kogut_etsion_2002 as ke
-from stiction.asperity import zhao_maietta_chang_2000 as zmc
-from stiction.groups import Groups
-from stiction.heights import gaussian
-from stiction.law import Law
-from stiction.summation import scattered
+from stiction.contact.groups import Groups
+from stiction.engine.heights import gaussian
+from stiction.engine.summation import scattered
+from stiction.laws.asperity import brizmer_kligerman_etsion_2006 as bke
+from stiction.laws.asperity import chang_etsion_bogy_1987 as ceb
+from stiction.laws.asperity import hertz
+from stiction.laws.asperity import jackson_green_2005 as jg
+from stiction.laws.asperity import kogut_etsion_2002 as ke
+from stiction.laws.asperity import zhao_maietta_chang_2000 as zmc
+from stiction.laws.joining import Law
 from tables import column, read
 
 LAWS = (zmc, ke, jg, bke)
@@ -268,10 +268,10 @@ def test_stick_over_slip():
     K = 4.0 / 3.0 * E_star
     eta = math.pi * k * Y * math.sqrt(R / sigma) / K
     C = 1.234 + 1.256 * nu
-    slip = (math.pi * C * (1.0 - nu * nu) / 2.0 * Y / E) ** 2 * R
+    slip_limited = (math.pi * C * (1.0 - nu * nu) / 2.0 * Y / E) ** 2 * R
     load = math.pi**3 * Y / 6.0 * C**3 * (R * (1.0 - nu * nu) * Y / E) ** 2
     w_c, L_c = bke.critical_values(eta, nu, k)
-    assert w_c * sigma == pytest.approx(bke.interference_of_stick(nu) * slip, rel=1e-13)
+    assert w_c * sigma == pytest.approx(bke.interference_of_stick(nu) * slip_limited, rel=1e-13)
     assert L_c * K * math.sqrt(R) * sigma**1.5 == pytest.approx(bke.load_of_stick(nu) * load, rel=1e-13)
 
 

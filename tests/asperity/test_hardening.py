@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from stiction.asperity import ghaednia_2019 as law
-from stiction.asperity import jackson_green_2005 as jg
-from stiction.heights import gaussian
-from stiction.law import Law, normal_states
-from stiction.summation import scattered
+from stiction.engine.heights import gaussian
+from stiction.engine.summation import scattered
+from stiction.laws.asperity import ghaednia_2019 as law
+from stiction.laws.asperity import jackson_green_2005 as jg
+from stiction.laws.joining import Law, normal_states
 from tables import column, groups, read
 
 RECORD = law.RECORD

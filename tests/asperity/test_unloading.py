@@ -9,11 +9,11 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 from test_elastic_plastic import LAWS, bke, contact, ends, jg, load_and_area, zmc
 
-from stiction.asperity import kogut_etsion_2002 as ke
-from stiction.asperity import unloading
-from stiction.heights import gaussian
-from stiction.law import Law
-from stiction.summation import scattered
+from stiction.engine.heights import gaussian
+from stiction.engine.summation import scattered
+from stiction.laws.asperity import kogut_etsion_2002 as ke
+from stiction.laws.asperity.shared import letting_go as unloading
+from stiction.laws.joining import Law
 
 GROUPS = contact(sharpness=0.01)
 RATIOS = (1.05, 1.5, 2.5, 6.0, 20.0, 80.0, 109.0, 200.0)

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from stiction.case import json_schema, read_case
-from stiction.choice import Choice
-from stiction.contact import Contact, Indices
-from stiction.errors import InputError
+from stiction.contact.contact import Contact, Indices
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+from stiction.studies.case import json_schema, read_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -92,9 +92,7 @@ def test_points_of_indices_are_plain(read):
 
 
 def test_settings(read):
-    case = read(
-        INDICES + 'separation = [1]\nreading = "published"\ncoating_law = "graded"\nbranch = "unloading"'
-    )
+    case = read(INDICES + 'separation = [1]\nreading = "published"\ncoating_law = "graded"\nbranch = "unloading"')
     options = {"reading": "published", "branch": "unloading"}
     assert case.choice == Choice("soft_coating_2015", coating_law="graded", options=options)
     laws = 'model = "greenwood_williamson_1966"\nasperity = "jkr"\ntangential = "none"\ntransition = "jump"\n'

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from stiction import claims
-from stiction.claims import CLAIMS, READINGS, ClaimMap, Curves, Surfaces, claim_map, summary, surfaces_at, where
+from stiction.studies import paper_claims as claims
+from stiction.studies.paper_claims import CLAIMS, READINGS, ClaimMap, Curves, Surfaces, claim_map, summary, surfaces_at, where
 
 H = claims._H
 

@@ -12,11 +12,11 @@ import xarray
 from typer.testing import CliRunner
 
 from stiction import cli
-from stiction.case import json_schema, read_case
 from stiction.cli.run import case_numbers
-from stiction.quantities import QUANTITIES
-from stiction.registry import find, misfit, of_kind
-from stiction.solve import solve
+from stiction.laws.registry import find, incompatibility, of_kind
+from stiction.quantities.table import QUANTITIES
+from stiction.solving.solve import solve
+from stiction.studies.case import json_schema, read_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SILVER = EXAMPLES / "silver_on_steel.toml"
@@ -163,7 +163,7 @@ def test_options_override_the_case_and_a_model_without_them_is_not_asked(tmp_pat
     assert "contact only" in command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966").stdout
     asperity = find(find("soft_coating_2015", "rough surface").asperity, "asperity")
     suitable = [law for law in of_kind("film").values() if law.interchangeable and "2015" in law.wants]
-    assert suitable and not any(misfit(law, asperity) for law in suitable)
+    assert suitable and not any(incompatibility(law, asperity) for law in suitable)
     for key in ["sequential", *(law.key for law in suitable)]:
         read = strict(command("run", PAPER, "--coating-law", key, "--json").stdout)["attrs"]
         assert (read["film"], read["model"]) == (key, "soft_coating_2015")
@@ -261,7 +261,7 @@ def test_interruption_is_exit_code_130(monkeypatch):
     def interrupt(path):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("stiction.case.read_case", interrupt)
+    monkeypatch.setattr("stiction.studies.case.read_case", interrupt)
     assert command("run", PAPER, code=130).stderr == "stiction: interrupted\n"
 
 
@@ -269,7 +269,7 @@ def test_half_written_results_are_not_left_behind(tmp_path, monkeypatch):
     def fail(figure, path):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("stiction.output.write_picture", fail)
+    monkeypatch.setattr("stiction.report.files.write_picture", fail)
     refused("run", PAPER, "--out", tmp_path / "out", field="No space left")
     assert list(tmp_path.iterdir()) == []
 
@@ -301,7 +301,7 @@ def test_schema_to_the_screen_or_a_file(tmp_path):
 
 def test_figures_writes_pictures_curves_and_the_map_of_the_claims(tmp_path, monkeypatch):
     few = np.array([10.0, 1000.0])
-    monkeypatch.setattr("stiction.claims.claim_map.__defaults__", (few, few, iter))
+    monkeypatch.setattr("stiction.studies.paper_claims.claim_map.__defaults__", (few, few, iter))
     content = strict(command("figures", "--out", tmp_path / "figures", "--json").stdout)
     assert (content["theta"], content["lambda"]) == (40.0, 10.0)
     names = {path.name for path in (tmp_path / "figures").iterdir()}
@@ -318,6 +318,6 @@ def test_figures_writes_pictures_curves_and_the_map_of_the_claims(tmp_path, monk
 
 
 def test_figures_prints_what_each_claim_means_and_that_its_indices_were_chosen(tmp_path, monkeypatch):
-    monkeypatch.setattr("stiction.claims.claim_map.__defaults__", (np.array([40.0]), np.array([10.0]), iter))
+    monkeypatch.setattr("stiction.studies.paper_claims.claim_map.__defaults__", (np.array([40.0]), np.array([10.0]), iter))
     text = command("figures", "--reading", "published", "--out", tmp_path / "figures").stdout
     assert "(a)" in text and "holds if" in text and "not printed in the paper" in text

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from cases import STEEL_ON_STEEL
 from stiction import cli
-from stiction.registry import of_kind
+from stiction.laws.registry import of_kind
 
 CASE = STEEL_ON_STEEL + "[solve]\nload = {}\n"
 MODELS = of_kind("rough surface")

@@ -5,22 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from stiction import heights, law, summation
-from stiction.asperity import chang_etsion_bogy_1987, hertz
-from stiction.asperity.piece import Grip
-from stiction.choice import Choice
-from stiction.coating import (
-    chang_1997,
-    finkin_1969,
-    halling_1979,
-    liu_neville_reuben_2002,
-    ogilvy_1993,
-)
-from stiction.coating.halling_1979 import HARDNESSES, MODULI
-from stiction.compiled import formula
-from stiction.errors import InputError
-from stiction.problem import problem_of
-from stiction.registry import TangentialLaw, records
+from stiction.engine import heights, summation
+from stiction.engine.compiled import formula
+from stiction.laws import joining as law
+from stiction.laws.asperity import chang_etsion_bogy_1987, hertz
+from stiction.laws.film import chang_1997, finkin_1969, halling_1979, liu_neville_reuben_2002, ogilvy_1993
+from stiction.laws.film.halling_1979 import HARDNESSES, MODULI
+from stiction.laws.piece import TangentialResistance
+from stiction.laws.registry import TangentialLaw, records
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+from stiction.solving.problem import problem_of
 from tables import assert_near, column, groups, read
 
 GAUSSIAN = heights.gaussian()
@@ -35,7 +30,7 @@ def sheared(u, w, load, area, strength):
 
 INTERFACE = TangentialLaw(
     key="interface", title="", grade="B", sources=(), verified="", interfacial=True,
-    grip=lambda piece, groups: Grip(sheared, (SHEAR * groups.eta,)),
+    tangential_resistance=lambda piece, groups: TangentialResistance(sheared, (SHEAR * groups.eta,)),
 )  # fmt: skip
 
 
@@ -46,7 +41,7 @@ def half_the_load(u, w, load, area):
 
 IN_SUBSTRATE = TangentialLaw(
     key="in_substrate", title="", grade="B", sources=(), verified="",
-    grip=lambda piece, groups: Grip(half_the_load, ()) if piece.state == "elastic" else None,
+    tangential_resistance=lambda piece, groups: TangentialResistance(half_the_load, ()) if piece.state == "elastic" else None,
 )  # fmt: skip
 
 CHANG = law.Law(chang_etsion_bogy_1987.RECORD)

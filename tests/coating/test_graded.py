@@ -9,14 +9,15 @@ import numpy as np
 import pytest
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
-from stiction import heights, summation, vectorised
-from stiction.asperity import roy_chowdhury_ghosh_1994
-from stiction.choice import Choice
-from stiction.coating import graded, graded_law
-from stiction.errors import InputError
-from stiction.friction import soft_coating_2015
-from stiction.law import Law
-from stiction.problem import problem_of
+from stiction.engine import heights, summation, vectorised
+from stiction.laws.asperity import roy_chowdhury_ghosh_1994
+from stiction.laws.film import graded
+from stiction.laws.film.shared import graded_law
+from stiction.laws.joining import Law
+from stiction.laws.tangential import soft_coating_2015
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+from stiction.solving.problem import problem_of
 from tables import groups
 
 GAUSSIAN = heights.gaussian()

@@ -4,8 +4,8 @@ added up by the trapezoidal rule over two million depths: nothing of the package
 import numpy as np
 import pytest
 
-from stiction import heights, summation
-from stiction.coating import graded
+from stiction.engine import heights, summation
+from stiction.laws.film import graded
 from tables import groups
 
 # theta, lambda, nu_s, nu_c, k_s, k_c, n_E, n_H, tau, t/sqrt(R sigma), n_g
@@ -60,13 +60,13 @@ def by_hand(law, h):
     A = (1 - f) * x + 2 * f * w
     K_beta_s, K_beta_c = (8 / 3 * (2 - nu) / (1 - nu) for nu in (nu_s, nu_c))
     K_beta, nu = K_beta_s + (K_beta_c - K_beta_s) * share, nu_s + (nu_c - nu_s) * share
-    slip = 4 / np.sqrt(K_beta) * np.sqrt(2 * np.pi * n_g / theta * P_e + 3 * (np.pi * n_g / theta) ** 2)
+    slip_limited = 4 / np.sqrt(K_beta) * np.sqrt(2 * np.pi * n_g / theta * P_e + 3 * (np.pi * n_g / theta) ** 2)
     n, p, q = (1 - 2 * nu) / (2 * np.pi), 3 * (4 + nu) / 16, 9 * nu / 16
     strength = eta * x / np.pi * (1 / k_s + (n_H / k_c - 1 / k_s) * fade)
     a, b, d = p**2 + q**2 - p * q, 3 * n * (p - q) * P_e, 3 * n**2 * P_e**2 - strength**2
     discriminant = b**2 - 4 * a * d
-    tear = np.where(discriminant >= 0, np.maximum((-b + np.sqrt(np.maximum(discriminant, 0))) / (2 * a), 0), 0)
-    T = (1 - f) * np.minimum(slip, tear)
+    yield_limited = np.where(discriminant >= 0, np.maximum((-b + np.sqrt(np.maximum(discriminant, 0))) / (2 * a), 0), 0)
+    T = (1 - f) * np.minimum(slip_limited, yield_limited)
     density = np.exp(-((h + w) ** 2) / 2) / np.sqrt(2 * np.pi)
     return np.array([np.trapezoid(value * density, w) for value in (P, A, T)])
 

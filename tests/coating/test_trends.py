@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from stiction.asperity.brizmer_kligerman_etsion_2006 import critical_values
-from stiction.choice import Choice
-from stiction.law import states
-from stiction.problem import problem_of
+from stiction.laws.asperity.brizmer_kligerman_etsion_2006 import critical_values
+from stiction.laws.joining import states
+from stiction.solving.choice import Choice
+from stiction.solving.problem import problem_of
 from tables import groups
 
 SHARPNESS = 0.01

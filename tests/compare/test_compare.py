@@ -11,12 +11,12 @@ from typer.testing import CliRunner
 
 import stiction as st
 from cases import STEEL_ON_STEEL
-from stiction.case import read_case
 from stiction.cli import app
-from stiction.compare import at_load_rows, candidates, compare, comparison, working_load
-from stiction.plot import comparison_figure
-from stiction.registry import of_kind
-from stiction.solve_case import compare_case
+from stiction.laws.registry import of_kind
+from stiction.report.pictures import comparison_figure
+from stiction.studies.case import read_case
+from stiction.studies.case_results import compare_case
+from stiction.studies.comparison import at_load_rows, candidates, compare, comparison, working_load
 
 SURFACE = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
 STEEL = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2"}
@@ -264,8 +264,8 @@ def test_the_table_at_the_working_load(case, tmp_path, data):
 
 def test_the_table_has_the_ends_over_methods_if_the_surface_is_measured(data):
     low, high = (data["friction_coefficient_at_load"] * factor for factor in (0.5, 2.0))
-    banded = data.assign(friction_coefficient_at_load_low=low, friction_coefficient_at_load_high=high)
-    heads, rows = at_load_rows(banded)
+    with_range_over_methods = data.assign(friction_coefficient_at_load_low=low, friction_coefficient_at_load_high=high)
+    heads, rows = at_load_rows(with_range_over_methods)
     assert heads[2:5] == ["friction_coefficient", "friction_coefficient_low", "friction_coefficient_high"]
     table = np.array([row[2:5] for row in rows])
     assert_allclose(table, table[:, :1] * [1.0, 0.5, 2.0])

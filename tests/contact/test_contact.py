@@ -3,14 +3,12 @@
 import numpy as np
 import pytest
 
-from stiction.contact import Coating, Contact, Indices, Roughness, work_of_adhesion
-from stiction.errors import InputError
-from stiction.materials import Material, material
-from stiction.units import axis
+from stiction.contact.contact import Coating, Contact, Indices, Roughness, work_of_adhesion
+from stiction.contact.materials import Material, material
+from stiction.quantities.errors import InputError
+from stiction.quantities.units import axis
 
-ROUGHNESS = Roughness(
-    asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2"
-)
+ROUGHNESS = Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
 STEEL = "hardened_steel_52100"
 
 
@@ -41,9 +39,7 @@ def test_unlike_bodies():
     assert contact("iron", "silver").indices() == groups
 
 
-@pytest.mark.parametrize(
-    ("nu", "K_beta"), [(0.2, 6.0), (0.25, 6.2222222222), (0.3, 6.4761904762), (0.4, 7.1111111111)]
-)
+@pytest.mark.parametrize(("nu", "K_beta"), [(0.2, 6.0), (0.25, 6.2222222222), (0.3, 6.4761904762), (0.4, 7.1111111111)])
 def test_K_beta_depends_on_poissons_ratio_alone(nu, K_beta):
     body = Material(youngs_modulus="210 GPa", poissons_ratio=nu, hardness="7 GPa")
     assert contact(body, body).indices().K_beta == pytest.approx(K_beta, rel=1e-10)
@@ -194,9 +190,7 @@ def test_arrays_broadcast_by_the_name_of_their_dimension():
         STEEL,
         STEEL,
         coating={"material": "silver", "thickness": "200 nm"},
-        roughness=Roughness(
-            asperity_height_deviation="50 nm", asperity_radius="50 um", asperity_density=1.7e10
-        ),
+        roughness=Roughness(asperity_height_deviation="50 nm", asperity_radius="50 um", asperity_density=1.7e10),
     ).indices()
     at = {"thickness": 1, "asperity_height_deviation": 1}
     assert float(groups.tau.isel(at)) == pytest.approx(one.tau, rel=1e-15)

@@ -7,17 +7,29 @@ from dataclasses import fields, replace
 import numpy as np
 import pytest
 
-from stiction import registry, summation
-from stiction.choice import Choice
-from stiction.errors import InputError
-from stiction.groups import Groups
-from stiction.heights import gaussian, height_distribution
-from stiction.law import coordinates, normal_states
-from stiction.problem import problem_of
-from stiction.quantities import QUANTITIES
-from stiction.registry import CHOICES, GRADES, KINDS, TRAITS, find, misfit, of_kind, own, records, settle
-from stiction.sources import bibliography
-from stiction.summation import on_grid, scattered, totals_on_grid
+from stiction.contact.groups import Groups
+from stiction.engine import summation
+from stiction.engine.heights import gaussian, height_distribution
+from stiction.engine.summation import on_grid, scattered, totals_on_grid
+from stiction.laws import registry
+from stiction.laws.joining import coordinates, normal_states
+from stiction.laws.registry import (
+    CHOICES,
+    GRADES,
+    KINDS,
+    TRAITS,
+    find,
+    incompatibility,
+    of_kind,
+    records,
+    resolve_options,
+    select_options,
+)
+from stiction.laws.sources import bibliography
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.solving.choice import Choice
+from stiction.solving.problem import problem_of
 from tables import FILM_GROUPS, assert_near, groups, load_size, random_groups, random_others
 
 ROUGH = [record for record in of_kind("rough surface").values() if record.asperity]
@@ -42,7 +54,9 @@ def film_choice(film):
     """A film under a model that it suits."""
     if film.tangential == "interface":
         return Choice(PLAIN, tangential=OF_THE_INTERFACE, coating_law=film.key)
-    model = next(one for one in ROUGH[::-1] if one.tangential != "none" and not misfit(film, find(one.asperity, "asperity")))
+    model = next(
+        one for one in ROUGH[::-1] if one.tangential != "none" and not incompatibility(film, find(one.asperity, "asperity"))
+    )
     return Choice(model.key, coating_law=film.key)
 
 
@@ -58,7 +72,7 @@ def subjects():
     used = {record.tangential for record in ROUGH}
     for law in TANGENTIALS:
         if law.key not in used:
-            fitting = next(one for one in ASPERITIES if not misfit(law, one))
+            fitting = next(one for one in ASPERITIES if not incompatibility(law, one))
             yield from ((choice, False) for choice in with_options(Choice(PLAIN, fitting.key, law.key), law))
     for film in FILMS:
         if film.interchangeable:
@@ -99,9 +113,7 @@ def size_of_load(load, area, given):
     return load_size(load, area, given.theta, given.film().theta / given.n_g**3, np.maximum(given.n_E, 1.0))
 
 
-each = pytest.mark.parametrize(
-    ("choice", "coated"), [pytest.param(*one, id=name_of(*one)) for one in subjects()]
-)
+each = pytest.mark.parametrize(("choice", "coated"), [pytest.param(*one, id=name_of(*one)) for one in subjects()])
 
 
 @each
@@ -215,7 +227,7 @@ def choice_of(record, kind, options=None):
         return replace(film_choice(record), options=options or {})
     key = {"model": record.key} if kind == "rough surface" else {"model": PLAIN, CHOICES[kind]: record.key}
     if kind == "tangential":
-        key["asperity"] = next(one.key for one in ASPERITIES if not misfit(record, one))
+        key["asperity"] = next(one.key for one in ASPERITIES if not incompatibility(record, one))
     return Choice(**key, options=options or {})
 
 
@@ -227,7 +239,7 @@ def test_declared_limits(record, limit):
     parent_kind = "rough surface" if record.kind == "film" else record.kind
     parent = find(limit.parent, parent_kind)
     child = problem_of(given, choice_of(record, record.kind, dict(limit.options)))
-    known = settle([parent, *([find(parent.asperity, "asperity")] if getattr(parent, "asperity", "") else [])], {})
+    known = resolve_options([parent, *([find(parent.asperity, "asperity")] if getattr(parent, "asperity", "") else [])], {})
     inherited = {name: value for name, value in limit.options.items() if name in known}
     expected_of = problem_of(given.substrate(), choice_of(parent, parent_kind, inherited))
     if getattr(record, "area_at_load", None):
@@ -250,10 +262,10 @@ def test_pieces_join_where_no_jump_is_reported(law):
     nothing, if it says nothing. Everywhere else they are one piece and smooth."""
     reported = {jump.piece: jump for jump in law.jumps}
     given = draw(60, False, 83)
-    for number in range(1, len(law.pieces(given, **settle([law], {})))):
+    for number in range(1, len(law.pieces(given, **resolve_options([law], {})))):
         jump = reported.get(number)
         chosen = replace(given, **{name: np.full(60, value) for name, value in (jump.groups if jump else {}).items()})
-        before, after = law.pieces(chosen, **settle([law], {}))[number - 1 : number + 1]
+        before, after = law.pieces(chosen, **resolve_options([law], {}))[number - 1 : number + 1]
         there = (before.edges[:, -1] > before.edges[:, 0]) & (after.edges[:, -1] > after.edges[:, 0])
         end, start = normal_states(before, before.edges[:, -1])[there], normal_states(after, after.edges[:, 0])[there]
         assert there.any()
@@ -274,7 +286,7 @@ def test_any_asperity_law_with_any_tangential_law(asperity, tangential):
     """They are summed if the records say that they suit each other, and refused with the reason if not."""
     given = draw(40, False, 89)
     choice = Choice(PLAIN, asperity.key, tangential.key)
-    if reason := misfit(tangential, asperity):
+    if reason := incompatibility(tangential, asperity):
         with pytest.raises(InputError) as caught:
             problem_of(given, choice)
         assert all(why in str(caught.value) for why in [tangential.key, asperity.key])
@@ -299,7 +311,7 @@ def test_any_asperity_law_with_any_heights(asperity, key):
     h = np.linspace(-1.5, 1.5, 6)
     found = scattered(problem_of(given, Choice(PLAIN, asperity.key)).regimes, h, heights).sum(axis=0)
     expected = np.zeros((6, 2))
-    for piece in asperity.pieces(given, **settle([asperity], {})):
+    for piece in asperity.pieces(given, **resolve_options([asperity], {})):
         for i in range(6):
             end = coordinates(replace(piece, edges=piece.edges[:, [0, -1]]), 12.0)[i]  # no height is farther than that
             u = np.linspace(piece.edges[i, 0], max(end, piece.edges[i, 0]), 20001)
@@ -320,7 +332,7 @@ def test_any_film_with_any_asperity_law(film, asperity):
         pytest.skip("belongs to one reading of one model")
     given = draw(40, True, 97)
     choice = Choice(PLAIN, asperity.key, OF_THE_INTERFACE, film.key)
-    if misfit(film, asperity):
+    if incompatibility(film, asperity):
         with pytest.raises(InputError, match=film.key):
             problem_of(given, choice)
         return
@@ -336,7 +348,7 @@ def test_any_film_with_any_asperity_law(film, asperity):
 
 
 PAPER = find("roy_chowdhury_ghosh_1994", "asperity")
-LIKE_A_BODY = [film for film in FILMS if film.tangential != "interface" and not misfit(film, PAPER)]
+LIKE_A_BODY = [film for film in FILMS if film.tangential != "interface" and not incompatibility(film, PAPER)]
 
 
 @pytest.mark.parametrize("film", LIKE_A_BODY, ids=lambda film: film.key)
@@ -414,7 +426,7 @@ def test_record_refers_to_what_exists(record):
     assert set(getattr(record, "traits", ())) | set(getattr(record, "wants", ())) <= TRAITS.keys()
     if record.kind == "rough surface" and record.asperity:
         asperity = find(record.asperity, "asperity")
-        assert record.tangential == "none" or not misfit(find(record.tangential, "tangential"), asperity)
+        assert record.tangential == "none" or not incompatibility(find(record.tangential, "tangential"), asperity)
         assert not record.default_film or find(record.default_film, "film")
 
 
@@ -422,15 +434,15 @@ def test_record_refers_to_what_exists(record):
 def test_options(record):
     """The first value is the default; what is not listed is refused by name."""
     defaults = {name: values[0] for name, values in record.own_options.items()}
-    assert settle([record], {}) == defaults == own(record, defaults)
-    assert settle([record], dict.fromkeys(record.own_options)) == settle([record], {})
+    assert resolve_options([record], {}) == defaults == select_options(record, defaults)
+    assert resolve_options([record], dict.fromkeys(record.own_options)) == resolve_options([record], {})
     for name, values in record.own_options.items():
         assert len(set(values)) == len(values) > 0
         with pytest.raises(InputError) as caught:
-            settle([record], {name: "no such value"})
+            resolve_options([record], {name: "no such value"})
         assert caught.value.field == name and values[0] in caught.value.allowed
     with pytest.raises(InputError, match="have no such option"):
-        settle([record], {"no such option": "x"})
+        resolve_options([record], {"no such option": "x"})
 
 
 def test_options_of_one_name_mean_the_same():

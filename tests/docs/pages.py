@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from itertools import zip_longest
 from pathlib import Path
 
-from stiction.registry import records
+from stiction.laws.registry import records
 
 ROOT = Path(__file__).parents[2]
 

@@ -8,8 +8,8 @@ import tomllib
 import pytest
 from pages import ROOT, blocks, pages, refreshed, run, sandbox
 
-from stiction.case import parse_case
-from stiction.summation import _COUNTS
+from stiction.engine.summation import _COUNTS
+from stiction.studies.case import parse_case
 
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 PAGES = [pytest.param(page, id=page.name) for page in pages()]

@@ -3,15 +3,15 @@
 import subprocess
 import sys
 
-from stiction.compiled import _decides, bind
+from stiction.engine.compiled import _decides, bind
 
 NAME_OF_A_KERNEL = """
-from stiction.friction.slip_or_yield import fill_kinks
-from stiction.asperity.roy_chowdhury_ghosh_1994 import RECORD, plastic, plastic_coordinate
-from stiction.friction.soft_coating_2015 import resistance
-from stiction.heights import gaussian
-from stiction.law import _joined, _kernel, _states_template
-from stiction.summation import _scattered_kernel
+from stiction.laws.tangential.shared.slip_or_yield import fill_kinks
+from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import RECORD, plastic, plastic_coordinate
+from stiction.laws.tangential.soft_coating_2015 import resistance
+from stiction.engine.heights import gaussian
+from stiction.laws.joining import _joined, _kernel, _states_template
+from stiction.engine.summation import _scattered_kernel
 heights = gaussian()
 print(fill_kinks.py_func.__qualname__)
 along, coordinate = _joined(plastic, plastic_coordinate, resistance, False, 2, 5)

@@ -9,9 +9,9 @@ from numpy.polynomial.legendre import leggauss
 from numpy.testing import assert_allclose
 from scipy import stats
 
-from stiction import heights as module
-from stiction.errors import InputError
-from stiction.heights import DISTRIBUTIONS, empirical, height_distribution
+from stiction.engine import heights as module
+from stiction.engine.heights import DISTRIBUTIONS, empirical, height_distribution
+from stiction.quantities.errors import InputError
 
 RNG = np.random.default_rng(3)
 SAMPLES = RNG.gamma(4.0, 2e-9, 3000)  # metres, skewed

@@ -7,10 +7,10 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import erfc, gamma
 
-from stiction.asperity.regime import Regime
-from stiction.compiled import formula
-from stiction.heights import empirical, exponential_heights, gaussian, weibull
-from stiction.summation import QUANTITIES, on_grid, scattered, totals_on_grid
+from stiction.engine.compiled import formula
+from stiction.engine.heights import empirical, exponential_heights, gaussian, weibull
+from stiction.engine.regime import Regime
+from stiction.engine.summation import QUANTITIES, on_grid, scattered, totals_on_grid
 from tables import column, read
 
 # The five sums of the law below are F_0, F_(1/2), F_1, F_2 and F_(5/2), F_n(h) = Int_h^inf (z - h)^n f(z) dz.

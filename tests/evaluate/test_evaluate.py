@@ -5,8 +5,8 @@ import itertools
 import numpy as np
 import pytest
 
-from stiction.errors import InputError
-from stiction.evaluate import Evaluation, evaluate
+from stiction.quantities.errors import InputError
+from stiction.solving.evaluate import Evaluation, evaluate
 from tables import GROUP_COLUMNS, assert_near, column, film_of, load_size, random_groups, read
 
 KINDS = [(reading, coated) for reading in ("corrected", "published") for coated in (False, True)]

@@ -7,8 +7,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 from scipy.special import gamma
 
 import stiction as st
-from stiction import inversion
-from stiction.heights import height_distribution
+from stiction.engine.heights import height_distribution
+from stiction.solving import inversion
 
 ADHESIVE = st.Contact(
     first="hardened_steel_52100",

@@ -14,14 +14,14 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 from scipy.special import pbdv
 
-from stiction.asperity import chang_etsion_bogy_1987, hertz
-from stiction.friction import hamilton_1983 as law
-from stiction.friction.edge_yield import yield_resistance
-from stiction.friction.hamilton_field import dragged, first_yield, pressed, stress, von_mises
-from stiction.heights import gaussian
-from stiction.law import Law
-from stiction.registry import of_kind
-from stiction.summation import QUANTITIES, scattered
+from stiction.engine.heights import gaussian
+from stiction.engine.summation import QUANTITIES, scattered
+from stiction.laws.asperity import chang_etsion_bogy_1987, hertz
+from stiction.laws.joining import Law
+from stiction.laws.registry import of_kind
+from stiction.laws.tangential import hamilton_1983 as law
+from stiction.laws.tangential.shared.edge_yield import yield_resistance
+from stiction.laws.tangential.shared.hamilton_field import dragged, first_yield, pressed, stress, von_mises
 from tables import column, groups, read
 
 NAMES = ("xx", "yy", "zz", "xy", "yz", "xz")
@@ -186,9 +186,9 @@ def made_for(nu):
 def shear_at(s, nu):
     """q0/Y of the law at p0/Y = s, with hardness group, H/Y and area 1: then P = s/1.5 and Q = q/1.5."""
     steps, series = made_for(nu)
-    slip, tear = law.resistance(0.0, 0.0, s / 1.5, 1.0, 1.0, 1.0, nu, *steps, *series)
-    assert slip == 0.0
-    return 1.5 * tear
+    slip_limited, yield_limited = law.resistance(0.0, 0.0, s / 1.5, 1.0, 1.0, 1.0, nu, *steps, *series)
+    assert slip_limited == 0.0
+    return 1.5 * yield_limited
 
 
 @pytest.mark.parametrize("nu", (0.0, 0.123, 0.3, 0.388, 0.395, 0.45, 0.499))
@@ -233,8 +233,8 @@ def test_sum_over_heights(asperity, nu):
         def part(v, h=h):
             """sqrt(w) = u = end - v^2 takes the square root of the end away."""
             u = kinks[2] - v * v
-            tear = 2.0 / 3.0 * eta / k * u * u * shear_at(1.5 * k * u / eta, nu)
-            return tear * math.exp(-0.5 * (h + u * u) ** 2) / math.sqrt(2.0 * math.pi) * 2.0 * u * 2.0 * v
+            yield_limited = 2.0 / 3.0 * eta / k * u * u * shear_at(1.5 * k * u / eta, nu)
+            return yield_limited * math.exp(-0.5 * (h + u * u) ** 2) / math.sqrt(2.0 * math.pi) * 2.0 * u * 2.0 * v
 
         inner = [math.sqrt(kinks[2] - one) for one in (0.0, *kinks[:2], min(last, kinks[2]))]
         cuts = sorted({one for one in inner if one >= inner[-1]})
@@ -258,6 +258,6 @@ def test_record():
     assert of_kind("tangential")["hamilton_1983"] is law.RECORD
     rough = groups(theta=100.0, lam=40.0, nu=[0.3, 0.1, 0.3])
     elastic, plastic = chang_etsion_bogy_1987.pieces(rough)
-    assert law.grip(plastic, rough) is None
-    kinks = law.grip(elastic, rough).kinks
+    assert law.tangential_resistance(plastic, rough) is None
+    kinks = law.tangential_resistance(elastic, rough).kinks
     assert np.all(kinks[0] == kinks[2]) and np.all(kinks[0] != kinks[1])

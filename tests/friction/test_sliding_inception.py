@@ -13,22 +13,22 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
 import stiction as st
-from stiction.asperity import hertz, jkr
-from stiction.asperity.piece import Piece
-from stiction.compiled import formula
-from stiction.errors import InputError
-from stiction.friction import (
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.asperity import hertz, jkr
+from stiction.laws.piece import NormalPiece
+from stiction.laws.presliding import mindlin_1949
+from stiction.laws.tangential import (
     bowden_tabor_1943,
     briscoe_tabor_1978,
     brizmer_kligerman_etsion_2007,
     chang_etsion_bogy_1988,
     kogut_etsion_2003,
-    mindlin_1949,
     savkoor_briggs_1977,
     thornton_1991,
 )
-from stiction.friction.zero_load import zero_load
-from stiction.groups import Groups
+from stiction.laws.tangential.shared.zero_load import zero_load
+from stiction.quantities.errors import InputError
 from tables import column, groups, groups_of, random_groups, read
 
 LAWS = (
@@ -51,19 +51,21 @@ def groups_in(rows) -> Groups:
     return replace(groups_of([row | {"n_E": ""} for row in rows]), K_beta=column(rows, "K_beta"), **more)
 
 
-def hertz_piece(n: int) -> Piece:
+def hertz_piece(n: int) -> NormalPiece:
     return hertz.elastic(np.full(n, np.inf))
 
 
-def jkr_piece(given: Groups, branch: str = "loading") -> Piece:
+def jkr_piece(given: Groups, branch: str = "loading") -> NormalPiece:
     return jkr.elastic(given.theta, branch, np.full(len(given), np.inf))
 
 
-def resist(grip, w, load, area, u=None) -> np.ndarray:
+def resist(tangential_resistance, w, load, area, u=None) -> np.ndarray:
     """Slip- and yield-limited resistance (n, 2)."""
     u = np.sqrt(np.abs(w)) if u is None else u
-    rows = zip(*(np.broadcast_to(column, len(w)) for column in grip.parameters), strict=True)
-    return np.array([grip.resistance(*state, *row) for *state, row in zip(u, w, load, area, rows, strict=True)])
+    rows = zip(*(np.broadcast_to(column, len(w)) for column in tangential_resistance.parameters), strict=True)
+    return np.array(
+        [tangential_resistance.resistance(*state, *row) for *state, row in zip(u, w, load, area, rows, strict=True)]
+    )
 
 
 @pytest.mark.parametrize("law", LAWS, ids=NAMES)
@@ -75,7 +77,7 @@ def test_reference(law):
     load = column(rows, "load") if "load" in rows[0] else w**1.5
     area = column(rows, "area") if "area" in rows[0] else w
     piece = jkr_piece(given) if "JKR" in law.RECORD.wants else hertz_piece(len(rows))
-    found = resist(law.grip(piece, given), w, load, area)
+    found = resist(law.tangential_resistance(piece, given), w, load, area)
     assert_allclose(found.sum(axis=1), column(rows, "friction"), rtol=3e-12)
     assert np.all(found.min(axis=1) == 0.0)
 
@@ -100,14 +102,16 @@ def test_peeling_can_be_weakened_but_not_left_out():
     given = groups(theta=[1.0, 1e3])
     w, P, x = np.ones(2), np.array([3.0, 0.2]), np.ones(2)
     piece = jkr_piece(given)
-    whole = resist(savkoor_briggs_1977.grip(piece, given), w, P, x)
-    weak = resist(savkoor_briggs_1977.grip(piece, replace(given, peeling=np.array([1.0, 1 / 16]))), w, P, x)
+    whole = resist(savkoor_briggs_1977.tangential_resistance(piece, given), w, P, x)
+    weak = resist(savkoor_briggs_1977.tangential_resistance(piece, replace(given, peeling=np.array([1.0, 1 / 16]))), w, P, x)
     assert_allclose(weak, whole * [[1.0], [4.0]], rtol=1e-14)
     with pytest.raises(InputError) as caught:
-        savkoor_briggs_1977.grip(piece, replace(given, peeling=np.array([1.0, 0.0])))
+        savkoor_briggs_1977.tangential_resistance(piece, replace(given, peeling=np.array([1.0, 0.0])))
     assert caught.value.field == "peeling" and caught.value.value == 0.0
     # Thornton's force knows no such share.
-    assert_allclose(resist(thornton_1991.grip(piece, replace(given, peeling=np.zeros(2))), w, P, x), whole, rtol=1e-13)
+    assert_allclose(
+        resist(thornton_1991.tangential_resistance(piece, replace(given, peeling=np.zeros(2))), w, P, x), whole, rtol=1e-13
+    )
 
 
 @pytest.mark.parametrize("law", (savkoor_briggs_1977, thornton_1991))
@@ -115,14 +119,14 @@ def test_a_pulled_contact_comes_off_by_itself(law):
     """While separating: the force is |u^3 - S/2| 4/sqrt(K beta) S/sqrt(3), with a kink at its zero, P = -(3/2) pi/theta."""
     given = groups(theta=[0.01, 1.0, 1e5], nu=0.25)
     piece = jkr_piece(given, "unloading")
-    grip = law.grip(piece, given)
+    tangential_resistance = law.tangential_resistance(piece, given)
     S = np.sqrt(6 * math.pi / given.theta)
-    assert_allclose(grip.kinks[:, 0], np.cbrt(S / 2), rtol=1e-9)
-    assert law.grip(jkr_piece(given), given).kinks is None
+    assert_allclose(tangential_resistance.kinks[:, 0], np.cbrt(S / 2), rtol=1e-9)
+    assert law.tangential_resistance(jkr_piece(given), given).kinks is None
     for part in (0.4, 0.7, 1.3, 5.0):
         u = np.cbrt(part * S / 2)
         expected = 4 / np.sqrt(given.K_beta) * S / math.sqrt(3) * np.abs(u**3 - S / 2)
-        assert_allclose(resist(grip, u, u**3 * (u**3 - S), u**4, u)[:, 0], expected, rtol=1e-12)
+        assert_allclose(resist(tangential_resistance, u, u**3 * (u**3 - S), u**4, u)[:, 0], expected, rtol=1e-12)
 
 
 @pytest.mark.parametrize(("w", "mu", "Q"), [
@@ -133,9 +137,9 @@ def test_a_pulled_contact_comes_off_by_itself(law):
 def test_first_yield_table(w, mu, Q):
     """Table C2, nu = 0.3: friction coefficient and Q/P_c of a Hertz contact at w/w_c."""
     given = groups(theta=30.0, lam=2.0)
-    grip = chang_etsion_bogy_1988.grip(hertz_piece(1), given)
-    w_c = grip.parameters[0]
-    force = resist(grip, w * w_c, (w * w_c) ** 1.5, w * w_c)[0, 1]
+    tangential_resistance = chang_etsion_bogy_1988.tangential_resistance(hertz_piece(1), given)
+    w_c = tangential_resistance.parameters[0]
+    force = resist(tangential_resistance, w * w_c, (w * w_c) ** 1.5, w * w_c)[0, 1]
     assert force / (w * w_c[0]) ** 1.5 == pytest.approx(mu, abs=5.1e-5)
     assert force / w_c[0] ** 1.5 == pytest.approx(Q, abs=5.1e-6)
 
@@ -143,15 +147,15 @@ def test_first_yield_table(w, mu, Q):
 def test_first_yield_kinks():
     """On any piece: where the axis takes over (0.95117 w_c for nu = 0.3), and w_c, from which on nothing resists."""
     given = groups(theta=[30.0, 1e4], lam=[2.0, 1e5])
-    grip = chang_etsion_bogy_1988.grip(hertz_piece(2), given)
-    w_c = grip.parameters[0]
-    assert_allclose(grip.kinks**2 / w_c[:, None], [[0.951169, 1.0]] * 2, atol=1e-6)
-    assert_allclose(grip.branch[:, 0] ** 2, w_c, rtol=1e-14)
+    tangential_resistance = chang_etsion_bogy_1988.tangential_resistance(hertz_piece(2), given)
+    w_c = tangential_resistance.parameters[0]
+    assert_allclose(tangential_resistance.kinks**2 / w_c[:, None], [[0.951169, 1.0]] * 2, atol=1e-6)
+    assert_allclose(tangential_resistance.branch[:, 0] ** 2, w_c, rtol=1e-14)
     ends = hertz.elastic(0.98 * w_c)
-    assert_allclose(chang_etsion_bogy_1988.grip(ends, given).kinks[:, 1], np.sqrt(0.98 * w_c), rtol=1e-14)
+    assert_allclose(chang_etsion_bogy_1988.tangential_resistance(ends, given).kinks[:, 1], np.sqrt(0.98 * w_c), rtol=1e-14)
     for beyond in (1.0, 1.001, 1e3):
-        assert np.all(resist(grip, beyond * w_c, w_c**1.5, w_c) == 0.0)
-    assert chang_etsion_bogy_1988.grip(replace(hertz_piece(2), state="plastic"), given) is None
+        assert np.all(resist(tangential_resistance, beyond * w_c, w_c**1.5, w_c) == 0.0)
+    assert chang_etsion_bogy_1988.tangential_resistance(replace(hertz_piece(2), state="plastic"), given) is None
 
 
 def test_kogut_etsion_forms():
@@ -246,12 +250,12 @@ def test_interfacial_strength():
     P = given.eta * x
     for law, mu in ((bowden_tabor_1943, 0.12), (briscoe_tabor_1978, 0.42)):
         for state in ("elastic", "elastic-plastic", "plastic"):
-            grip = law.grip(replace(hertz_piece(1), state=state), more)
-            assert resist(grip, x, P, x)[0, 0] / P == pytest.approx(mu, rel=1e-13)
-        assert law.RECORD.interfacial and resist(grip, x, -P, x)[0, 0] == pytest.approx(0.12 * P, rel=1e-13)
+            tangential_resistance = law.tangential_resistance(replace(hertz_piece(1), state=state), more)
+            assert resist(tangential_resistance, x, P, x)[0, 0] / P == pytest.approx(mu, rel=1e-13)
+        assert law.RECORD.interfacial and resist(tangential_resistance, x, -P, x)[0, 0] == pytest.approx(0.12 * P, rel=1e-13)
         # A piece without length stands for a contact whose asperities are not known.
-        anywhere = Piece(no_load, no_load, (), np.zeros((1, 1)), "elastic")
-        assert resist(law.grip(anywhere, more), x, P, x)[0, 0] / P == pytest.approx(mu, rel=1e-13)
+        anywhere = NormalPiece(no_load, no_load, (), np.zeros((1, 1)), "elastic")
+        assert resist(law.tangential_resistance(anywhere, more), x, P, x)[0, 0] / P == pytest.approx(mu, rel=1e-13)
 
 
 @formula
@@ -280,10 +284,10 @@ def test_zero_load():
         assert_allclose(zero_load(jkr.elastic(theta, branch, 1.1 * first)), 1.1 * first, rtol=0)  # still in tension
     eta, pull = np.array([1.0, 1e-6, 1e5, 3.0]), np.array([4.0, 1e6, 1e-9, 0.5])
     edges = np.array([[0.0, np.inf], [1e-3, np.inf], [0.0, 2.0], [0.2, np.inf]])
-    plastic = Piece(plastic_with_adhesion, same, (eta, pull), edges, "plastic")
+    plastic = NormalPiece(plastic_with_adhesion, same, (eta, pull), edges, "plastic")
     assert_allclose(zero_load(plastic), [2.0, 5e11, 5e-15, 0.2], rtol=1e-14)
     assert_allclose(zero_load(hertz_piece(3)), 0.0, atol=0.0)
-    assert zero_load(Piece(no_load, no_load, (), np.zeros((2, 1)), "elastic")) is None
+    assert zero_load(NormalPiece(no_load, no_load, (), np.zeros((2, 1)), "elastic")) is None
 
 
 @pytest.mark.parametrize("law", LAWS, ids=NAMES)
@@ -297,16 +301,16 @@ def test_never_negative_never_nan(law):
     pieces = [] if "JKR" in law.RECORD.wants else [hertz_piece(n)]
     pieces += [] if "no adhesion" in law.RECORD.wants else [jkr_piece(given), jkr_piece(given, "unloading")]
     for piece in pieces:
-        grip = law.grip(piece, given)
+        tangential_resistance = law.tangential_resistance(piece, given)
         first = piece.edges[:, 0]
         scale = np.sqrt(given.eta) if piece.normal is not hertz.normal else given.eta  # u where the mean pressure is about H
         places = [first, *(first + part * scale for part in (1e-12, 1e-3, 0.1, 0.5, 1.0, 2.0, 30.0))]
-        kinks = np.empty((n, 0)) if grip.kinks is None else grip.kinks
+        kinks = np.empty((n, 0)) if tangential_resistance.kinks is None else tangential_resistance.kinks
         assert kinks.shape[0] == n and np.all(np.isfinite(kinks))
         places += [kink * near for kink in kinks.T for near in (1 - 1e-15, 1.0, 1 + 1e-15)]
         for u in places:
             state = np.array([piece.normal(*row) for row in zip(u, *piece.parameters, strict=True)])
-            found = resist(grip, state[:, 0], state[:, 2], state[:, 3], u)
+            found = resist(tangential_resistance, state[:, 0], state[:, 2], state[:, 3], u)
             assert np.all(np.isfinite(found)) and np.all(found >= 0.0) and np.all(found.min(axis=1) == 0.0)
 
 
@@ -314,9 +318,9 @@ def test_never_negative_never_nan(law):
 def test_broken_powers_start_at_first_touch(law):
     """Said where a piece starts at first touch, and nowhere else."""
     given = groups(theta=[30.0, 1e4], lam=[2.0, 1e5])
-    assert np.all(law.grip(hertz_piece(2), given).branch == 0.0)
-    later = Piece(hertz.normal, hertz.coordinate, (), np.array([[1.0, np.inf]] * 2), "elastic-plastic")
-    assert np.all(law.grip(later, given).branch == -np.inf)
+    assert np.all(law.tangential_resistance(hertz_piece(2), given).branch == 0.0)
+    later = NormalPiece(hertz.normal, hertz.coordinate, (), np.array([[1.0, np.inf]] * 2), "elastic-plastic")
+    assert np.all(law.tangential_resistance(later, given).branch == -np.inf)
 
 
 def test_presliding():

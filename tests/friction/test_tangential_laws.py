@@ -10,14 +10,14 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 
-from stiction.asperity import jkr, roy_chowdhury_ghosh_1994
-from stiction.coating import printed as to_the_letter
-from stiction.friction import chang_etsion_bogy_1988 as ceb
-from stiction.friction import soft_coating_2015
-from stiction.friction.edge_yield import yield_resistance
-from stiction.friction.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
-from stiction.groups import hardness_group, stiffness_group
-from stiction.law import Law, states
+from stiction.contact.groups import hardness_group, stiffness_group
+from stiction.laws.asperity import jkr, roy_chowdhury_ghosh_1994
+from stiction.laws.film import printed as to_the_letter
+from stiction.laws.joining import Law, states
+from stiction.laws.tangential import chang_etsion_bogy_1988 as ceb
+from stiction.laws.tangential import soft_coating_2015
+from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
+from stiction.laws.tangential.shared.edge_yield import yield_resistance
 from tables import column, groups_of, read
 
 ROWS = read("asperity.csv")
@@ -113,7 +113,7 @@ def test_slip_and_yield(formulation):
     """tests/reference/asperity.csv: both resistances, and which of them the asperity is said to have."""
     rows = [row for row in ROWS if row["formulation"] == formulation]
     groups = groups_of([row | {"n_E": ""} for row in rows])
-    x, P, slip, tear = (column(rows, name) for name in ("x", "load", "slip", "yield"))
+    x, P, slip_limited, yield_limited = (column(rows, name) for name in ("x", "load", "slip", "yield"))
     eta = hardness_group(groups.theta, groups.lam)
     found_states = states(LAWS[formulation].regimes(groups)[0], x**0.25)
     for i in range(len(rows)):
@@ -123,9 +123,9 @@ def test_slip_and_yield(formulation):
         else:
             found = slip_resistance_printed(x[i], theta, K_beta)
         # Near its own zero the slip force is the square root of a rounded difference.
-        assert found == pytest.approx(slip[i], rel=1e-12, abs=1e-7 / theta)
-        assert yield_resistance(P[i], eta[i] * x[i] / (math.pi * k), nu) == pytest.approx(tear[i], rel=1e-9)
-        smaller = [slip[i], 0.0] if slip[i] <= tear[i] else [0.0, tear[i]]
+        assert found == pytest.approx(slip_limited[i], rel=1e-12, abs=1e-7 / theta)
+        assert yield_resistance(P[i], eta[i] * x[i] / (math.pi * k), nu) == pytest.approx(yield_limited[i], rel=1e-9)
+        smaller = [slip_limited[i], 0.0] if slip_limited[i] <= yield_limited[i] else [0.0, yield_limited[i]]
         assert tuple(found_states[i, 4:]) == (pytest.approx(smaller[0], rel=1e-9), pytest.approx(smaller[1], rel=1e-9))
 
 
@@ -141,9 +141,9 @@ def test_crossings_of_slip_and_yield():
 
         def excess(u):
             x, P = u**4, jkr.load(u, jkr.adhesion(theta))  # noqa: B023
-            slip = slip_resistance_printed(x, theta, K_beta) if printed else slip_resistance(P, theta, K_beta)  # noqa: B023
-            tear = yield_resistance(P, eta * x / (math.pi * k), nu)  # noqa: B023
-            return (slip - tear) / max(slip, tear)
+            slip_limited = slip_resistance_printed(x, theta, K_beta) if printed else slip_resistance(P, theta, K_beta)  # noqa: B023
+            yield_limited = yield_resistance(P, eta * x / (math.pi * k), nu)  # noqa: B023
+            return (slip_limited - yield_limited) / max(slip_limited, yield_limited)
 
         inner = np.unique(edges[0])
         inner = inner[(inner > edges[0, 0]) & (inner < edges[0, -1])]
@@ -164,11 +164,11 @@ def test_smallest_lambda_with_a_slip_window(theta, lam, printed):
     K_beta, S = stiffness_group(0.3), jkr.adhesion(float(theta))
     u = jkr.coordinate(0.0, S)
     x, P = u**4, jkr.load(u, S)
-    slip = slip_resistance_printed(x, float(theta), K_beta) if printed else slip_resistance(P, float(theta), K_beta)
+    slip_limited = slip_resistance_printed(x, float(theta), K_beta) if printed else slip_resistance(P, float(theta), K_beta)
 
     def excess(log_lam):
         eta = float(hardness_group(float(theta), math.exp(log_lam)))
-        return yield_resistance(P, eta * x / (math.pi * 2.8), 0.3) - slip
+        return yield_resistance(P, eta * x / (math.pi * 2.8), 0.3) - slip_limited
 
     assert math.exp(brentq(excess, math.log(1e-3), math.log(1e6))) == pytest.approx(lam, rel=5e-3)
 

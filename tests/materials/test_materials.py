@@ -2,8 +2,8 @@
 
 import pytest
 
-from stiction.errors import InputError
-from stiction.materials import Material, material, material_names
+from stiction.contact.materials import Material, material, material_names
+from stiction.quantities.errors import InputError
 
 
 def test_every_preset_is_valid_and_says_where_each_number_is_from():

@@ -8,11 +8,11 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 from scipy.stats import multivariate_normal, norm
 
-from stiction import n_point
-from stiction.errors import InputError
-from stiction.models import hariri_zu_ben_mrad_2006 as model
-from stiction.moments import bandwidth, reduced_pressure, summit_height
-from stiction.n_point import mean_height, n_point_asperities, points_above, rate_of_rows, row_probabilities
+from stiction.laws.rough_surface import hariri_zu_ben_mrad_2006 as model
+from stiction.quantities.errors import InputError
+from stiction.surfaces.theory import n_point
+from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, summit_height
+from stiction.surfaces.theory.n_point import mean_height, n_point_asperities, points_above, rate_of_rows, row_probabilities
 from tables import column, groups, read
 
 SIMULATED = read("hariri_zu_ben_mrad_2006.csv")

@@ -10,20 +10,20 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import erfc
 
-from stiction import moments
-from stiction.errors import InputError
-from stiction.groups import Groups
-from stiction.models import (
+from stiction.contact.groups import Groups
+from stiction.laws.criterion import pastewka_robbins_2014
+from stiction.laws.rough_surface import (
     bush_gibson_thomas_1975,
     ciavarella_greenwood_paggi_2008,
     greenwood_2006,
     mccool_1986,
-    pastewka_robbins_2014,
     persson_2001,
     persson_2001_elastoplastic,
 )
-from stiction.moments import Moments
-from stiction.summits import truncated_mean
+from stiction.quantities.errors import InputError
+from stiction.surfaces.theory import moments
+from stiction.surfaces.theory.moments import Moments
+from stiction.surfaces.theory.summits import truncated_mean
 from tables import assert_near, column, read
 
 ELLIPTIC = (bush_gibson_thomas_1975, greenwood_2006)

@@ -12,8 +12,8 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import stiction as st
-from stiction.errors import InputError
-from stiction.registry import of_kind
+from stiction.laws.registry import of_kind
+from stiction.quantities.errors import InputError
 
 THETA, LAM, NU, HARDNESS_TO_YIELD = 40.0, 3.0, 0.3, 2.8
 GROUPS = {"theta": THETA, "lam": LAM, "nu": NU, "sharpness": 0.01, "tabor_parameter": 6.0, "shear_strength": 0.1}

@@ -4,11 +4,12 @@ import matplotlib
 import numpy as np
 import pytest
 
-from stiction import figures, plot
-from stiction.case import read_case
-from stiction.claims import claim_map
-from stiction.contact import Contact, Indices, Roughness
-from stiction.solve import solve
+from stiction.contact.contact import Contact, Indices, Roughness
+from stiction.report import pictures as plot
+from stiction.solving.solve import solve
+from stiction.studies import paper_figures as figures
+from stiction.studies.case import read_case
+from stiction.studies.paper_claims import claim_map
 
 
 @pytest.fixture(autouse=True)

@@ -86,9 +86,9 @@ def jackson_green_2005(c):
 def brizmer_kligerman_etsion_2006(c):
     nu = c["nu"]
     held = max(nu, mpf("0.2"))
-    slip = (pi * (mpf("1.234") + mpf("1.256") * nu) * c["Y"] / 2) ** 2
-    dc = slip * (mpf("6.82") * held - mpf("7.83") * (held**2 + mpf("0.0586")))
-    Lc = mpf(4) / 3 * slip ** mpf("1.5") * (mpf("8.88") * held - mpf("10.13") * (held**2 + mpf("0.089")))
+    slip_limited = (pi * (mpf("1.234") + mpf("1.256") * nu) * c["Y"] / 2) ** 2
+    dc = slip_limited * (mpf("6.82") * held - mpf("7.83") * (held**2 + mpf("0.0586")))
+    Lc = mpf(4) / 3 * slip_limited ** mpf("1.5") * (mpf("8.88") * held - mpf("10.13") * (held**2 + mpf("0.089")))
     beta, alpha = mpf("0.174") + mpf("0.08") * nu, mpf("0.25") + mpf("0.125") * nu
 
     def law(d):

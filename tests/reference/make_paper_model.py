@@ -1,7 +1,7 @@
 """Writes paper_model_own.csv, asperity.csv, unloading.csv, pull_off.csv and parts.csv (see README.md).
 
-    python make_paper_model.py [file ...]       # all files when none is named
-    python make_paper_model.py --check OTHER.csv    # compare a table of the same columns with these equations
+python make_paper_model.py [file ...]       # all files when none is named
+python make_paper_model.py --check OTHER.csv    # compare a table of the same columns with these equations
 """
 
 import csv
@@ -85,9 +85,14 @@ def branch_at_start(theta, nu, k):
 
 
 # (published?, theta, nu, k, two values of eta S^(-2/3) between which the number of crossings changes by two)
-TANGENT = [(False, 300.0, 0.45, 4.0, "4.5446", "4.5709"), (False, 1.0, 0.45, 2.8, "3.408", "3.4277"),
-           (False, 40.0, 0.499, 4.0, "4.5446", "4.5709"), (True, 1.0, 0.3, 2.8, "5.0699", "5.0992"),
-           (True, 40.0, 0.3, 2.8, "5.1582", "5.188"), (True, 300.0, 0.4, 2.0, "3.4874", "3.5075")]
+TANGENT = [
+    (False, 300.0, 0.45, 4.0, "4.5446", "4.5709"),
+    (False, 1.0, 0.45, 2.8, "3.408", "3.4277"),
+    (False, 40.0, 0.499, 4.0, "4.5446", "4.5709"),
+    (True, 1.0, 0.3, 2.8, "5.0699", "5.0992"),
+    (True, 40.0, 0.3, 2.8, "5.1582", "5.188"),
+    (True, 300.0, 0.4, 2.0, "3.4874", "3.5075"),
+]
 
 
 def tangent_lambda(published, theta, nu, k, low, high):
@@ -145,16 +150,25 @@ def paper_model_own():
                 values = evaluate(reading, *map(exact, law), film and tuple(map(exact, film)))
                 yield [reading, *law, *(film or ("", "", "")), *values]
 
-    write("paper_model_own.csv",
-          ["formulation", *INPUTS, *COATING, "load", "area", "friction", "abs_load"], rows())
+    write("paper_model_own.csv", ["formulation", *INPUTS, *COATING, "load", "area", "friction", "abs_load"], rows())
 
 
 # --- 2. asperity.csv ------------------------------------------------------------------------------
 
-ASPERITIES = [(1, 100, 0.3, 2.8), (10, 1, 0.3, 2.8), (40, 10, 0.3, 2.8), (100, 1000, 0.25, 3),
-              (3, 0.01, 0.4, 2.8), (1000, 1e6, 0, 1.5), (0.05, 2, 0.499, 4), (1e5, 1e4, 0.2, 2.8),
-              # two and three crossings of slip and yield in the corrected reading, three in the published one
-              (1, 22.8725, 0.499, 3), (300, 5522.02, 0.45, 4), (10, 907.748, 0.3, 2.8)]
+ASPERITIES = [
+    (1, 100, 0.3, 2.8),
+    (10, 1, 0.3, 2.8),
+    (40, 10, 0.3, 2.8),
+    (100, 1000, 0.25, 3),
+    (3, 0.01, 0.4, 2.8),
+    (1000, 1e6, 0, 1.5),
+    (0.05, 2, 0.499, 4),
+    (1e5, 1e4, 0.2, 2.8),
+    # two and three crossings of slip and yield in the corrected reading, three in the published one
+    (1, 22.8725, 0.499, 3),
+    (300, 5522.02, 0.45, 4),
+    (10, 907.748, 0.3, 2.8),
+]
 
 
 def asperity():
@@ -168,19 +182,46 @@ def asperity():
                     x = mpf(float(x))
                     u = mp.root(x, 4)
                     ends = law.u0**4, law.u1**4, law.w1, law.plastic_load(law.w1), law.K_beta, len(crossings)
-                    here = x, law.w(u), law.load(u), law.slip(u), law.yield_(u)
+                    here = x, law.w(u), law.load(u), law.slip_limited(u), law.yield_(u)
                     yield [reading, theta, lam, nu, k, *ends, *here]
 
-    write("asperity.csv", ["formulation", *INPUTS[1:], "x0", "x1", "w1", "plastic_load_at_w1", "K_beta",
-                           "crossings", "x", "w", "load", "slip", "yield"], rows())
+    write(
+        "asperity.csv",
+        [
+            "formulation",
+            *INPUTS[1:],
+            "x0",
+            "x1",
+            "w1",
+            "plastic_load_at_w1",
+            "K_beta",
+            "crossings",
+            "x",
+            "w",
+            "load",
+            "slip",
+            "yield",
+        ],
+        rows(),
+    )
 
 
 # --- 3. unloading.csv, pull_off.csv ---------------------------------------------------------------
 
-UNLOADING = [(1, 40, 10, 0.3, 2.8), (0, 10, 1, 0.3, 2.8), (2, 10, 1, 0.3, 2.8), (0, 1, 100, 0.3, 2.8),
-             (3, 1, 100, 0.3, 2.8), (-2, 100, 1000, 0.25, 3.0), (1.5, 100, 1e5, 0.25, 3.0),
-             (1, 3, 0.01, 0.4, 2.8), (4, 5, 500, 0.0, 2.8), (0.5, 1000, 1e6, 0.45, 1.5),
-             (-4, 300, 1e6, 0.3, 2.8), (2, 0.05, 2, 0.499, 4.0)]
+UNLOADING = [
+    (1, 40, 10, 0.3, 2.8),
+    (0, 10, 1, 0.3, 2.8),
+    (2, 10, 1, 0.3, 2.8),
+    (0, 1, 100, 0.3, 2.8),
+    (3, 1, 100, 0.3, 2.8),
+    (-2, 100, 1000, 0.25, 3.0),
+    (1.5, 100, 1e5, 0.25, 3.0),
+    (1, 3, 0.01, 0.4, 2.8),
+    (4, 5, 500, 0.0, 2.8),
+    (0.5, 1000, 1e6, 0.45, 1.5),
+    (-4, 300, 1e6, 0.3, 2.8),
+    (2, 0.05, 2, 0.499, 4.0),
+]
 
 
 def unloading():
@@ -215,24 +256,33 @@ def fuller_tabor(ratio):
     # the tension is one hump in h: scan for the sign change of its slope, then the root
     grid = [mpf(i) / 4 for i in range(-4, 41)]
     slopes = [tension(h)[1] for h in grid]
-    best = max((tension(a)[0], a, b) for a, b, p, q in zip(grid, grid[1:], slopes, slopes[1:], strict=False)
-               if (p > 0) != (q > 0))
+    best = max(
+        (tension(a)[0], a, b) for a, b, p, q in zip(grid, grid[1:], slopes, slopes[1:], strict=False) if (p > 0) != (q > 0)
+    )
     h = mp.findroot(lambda v: tension(v)[1], best[1:], solver="anderson", tol=mpf(10) ** -44)
     return theta, tension(h)[0], h
 
 
 def pull_off():
     ratios = ["0.1", "0.2", "0.3", "0.5", "0.75", "1", "1.25", "1.5", "2", "2.38", "2.5", "3", "4"]
-    write("pull_off.csv", ["inverse_delta_c", "theta", "largest_tension", "h"],
-          ([r, *fuller_tabor(mpf(r))] for r in ratios))
+    write("pull_off.csv", ["inverse_delta_c", "theta", "largest_tension", "h"], ([r, *fuller_tabor(mpf(r))] for r in ratios))
 
 
 # --- 6. parts.csv ---------------------------------------------------------------------------------
 
-SPLITS = [(1, 40, 10, 0.3, 2.8), (0, 10, 1, 0.3, 2.8), (-1, 1, 100, 0.3, 2.8), (2, 100, 1000, 0.25, 3),
-          (0.5, 300, 1e6, 0.45, 2.8), (1, 40, 10, 0.3, 2.8, 1.5, 0.5, 2), (1, 40, 10, 0.3, 2.8, 0.5, 0.8, 2),
-          (0, 1, 100, 0.3, 2.8, 0.5, 0.8, 4), (-2, 100, 1000, 0.25, 3, 2.5, 0.2, 0.5),
-          (-1, 10, 1, 0.3, 2.8, 0.3, 0.1, 6), (-3, 300, 1e6, 0.3, 2.8, 20, 3, 0.02)]
+SPLITS = [
+    (1, 40, 10, 0.3, 2.8),
+    (0, 10, 1, 0.3, 2.8),
+    (-1, 1, 100, 0.3, 2.8),
+    (2, 100, 1000, 0.25, 3),
+    (0.5, 300, 1e6, 0.45, 2.8),
+    (1, 40, 10, 0.3, 2.8, 1.5, 0.5, 2),
+    (1, 40, 10, 0.3, 2.8, 0.5, 0.8, 2),
+    (0, 1, 100, 0.3, 2.8, 0.5, 0.8, 4),
+    (-2, 100, 1000, 0.25, 3, 2.5, 0.2, 0.5),
+    (-1, 10, 1, 0.3, 2.8, 0.3, 0.1, 6),
+    (-3, 300, 1e6, 0.3, 2.8, 20, 3, 0.02),
+]
 
 
 def split(h, theta, lam, nu, k, n_E=None, n_H=None, tau=None):
@@ -250,19 +300,33 @@ def split(h, theta, lam, nu, k, n_E=None, n_H=None, tau=None):
 
 def parts():
     groups = ("film_elastic", "film_plastic", "film_held", "substrate_elastic", "substrate_plastic")
-    header = [*INPUTS, *COATING, *(f"{g}_load" for g in groups),
-              *(f"{g}_friction_{limit}" for g in (groups[0], *groups[2:4]) for limit in ("slip", "yield")),
-              *(f"{g}_asperities" for g in groups if g != "film_held"),
-              "load", "friction", "area", "touching_asperities"]
+    header = [
+        *INPUTS,
+        *COATING,
+        *(f"{g}_load" for g in groups),
+        *(f"{g}_friction_{limit}" for g in (groups[0], *groups[2:4]) for limit in ("slip", "yield")),
+        *(f"{g}_asperities" for g in groups if g != "film_held"),
+        "load",
+        "friction",
+        "area",
+        "touching_asperities",
+    ]
 
     def rows():
         for case in SPLITS:
             pieces, outer_area = split(*case)
             total = add(*pieces)
-            yield [*case, *[""] * (8 - len(case)), *(p["load"] for p in pieces),
-                   *(pieces[i][limit] for i in (0, 2, 3) for limit in ("slip", "yield")),
-                   *(pieces[i]["count"] for i in (0, 1, 3, 4)),
-                   total["load"], force(total), outer_area, total["count"]]
+            yield [
+                *case,
+                *[""] * (8 - len(case)),
+                *(p["load"] for p in pieces),
+                *(pieces[i][limit] for i in (0, 2, 3) for limit in ("slip", "yield")),
+                *(pieces[i]["count"] for i in (0, 1, 3, 4)),
+                total["load"],
+                force(total),
+                outer_area,
+                total["count"],
+            ]
 
     write("parts.csv", header, rows())
 

@@ -125,8 +125,8 @@ def kogut_etsion():
 def full_stick():
     for pair in map(Pair, BODIES):
         nu, Y = pair.nu, pair.H / pair.k
-        slip = (mp.pi * (mpf("1.234") + mpf("1.256") * nu) * Y / (2 * pair.E_star)) ** 2 * pair.R
-        L_c = pair.hertz(slip) * (mpf("8.88") * nu - mpf("10.13") * (nu**2 + mpf("0.089")))
+        slip_limited = (mp.pi * (mpf("1.234") + mpf("1.256") * nu) * Y / (2 * pair.E_star)) ** 2 * pair.R
+        L_c = pair.hertz(slip_limited) * (mpf("8.88") * nu - mpf("10.13") * (nu**2 + mpf("0.089")))
         for ratio in ("1e-6", "0.1", "1", "5", "100", "1e5"):
             P = mpf(ratio) * L_c
             yield [

@@ -82,7 +82,7 @@ class Law:
     def load(self, u):
         return u**6 - self.S * u**3
 
-    def slip(self, u):
+    def slip_limited(self, u):
         """Savkoor-Briggs, (2 pi/theta) P + 3 pi^2/theta^2 = (2 pi/theta)(u^3 - S/2)^2; published: eq (10)."""
         t = 2 * mp.pi / self.theta
         if self.published:
@@ -100,7 +100,7 @@ class Law:
         return (-b + mp.sqrt(max(b * b - 4 * self.a * c, mpf(0)))) / (2 * self.a)
 
     def friction(self, u):
-        return min(self.slip(u), self.yield_(u))
+        return min(self.slip_limited(u), self.yield_(u))
 
     def plastic_load(self, w):
         return 2 * self.eta * w - 2 * mp.pi / self.theta
@@ -110,7 +110,7 @@ class Law:
         if w >= self.w1:
             return self.plastic_load(w), mpf(0), False, False
         u = bisect(lambda v: self.w(v) - w, self.u0, self.u1) if w > 0 else self.u0
-        return self.load(u), self.friction(u), True, self.slip(u) <= self.yield_(u)
+        return self.load(u), self.friction(u), True, self.slip_limited(u) <= self.yield_(u)
 
     def crossings(self, start, end):
         """All u in (start, end) where slip = yield."""
@@ -149,14 +149,14 @@ class Law:
         yield_ = (np.sqrt(np.maximum(b * b - 4 * a * c, 0)) - b) / (2 * a)
         t = 2 * np.pi / float(self.theta)
         if self.published:
-            slip = 4 * np.sqrt((t * u**6 - 3 * (t / 2) ** 2) / float(self.K_beta))
+            slip_limited = 4 * np.sqrt((t * u**6 - 3 * (t / 2) ** 2) / float(self.K_beta))
         else:
-            slip = 4 * np.sqrt(t / float(self.K_beta)) * abs(u**3 - float(self.S) / 2)
-        return (yield_ - slip) / (yield_ + slip)
+            slip_limited = 4 * np.sqrt(t / float(self.K_beta)) * abs(u**3 - float(self.S) / 2)
+        return (yield_ - slip_limited) / (yield_ + slip_limited)
 
     def relative_gap(self, u):
-        slip, yield_ = self.slip(u), self.yield_(u)
-        return (yield_ - slip) / (yield_ + slip)
+        slip_limited, yield_ = self.slip_limited(u), self.yield_(u)
+        return (yield_ - slip_limited) / (yield_ + slip_limited)
 
     def close_pair(self, left, middle, right):
         """Both crossings hidden in a near miss, by ternary search for the smallest |gap|."""
@@ -236,9 +236,9 @@ def elastic(law, h, start, end):
 
     def values(u):
         weight = density(height(u)) * jacobian(u)
-        P, slip, yield_ = law.load(u) * weight, law.slip(u), law.yield_(u)
-        force = min(slip, yield_) * weight * force_scale
-        split = (force, mpf(0)) if slip <= yield_ else (mpf(0), force)
+        P, slip_limited, yield_ = law.load(u) * weight, law.slip_limited(u), law.yield_(u)
+        force = min(slip_limited, yield_) * weight * force_scale
+        split = (force, mpf(0)) if slip_limited <= yield_ else (mpf(0), force)
         return [P, abs(P), u**4 * weight, *split, weight]
 
     kinks = law.kinks(start, end)

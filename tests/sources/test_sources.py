@@ -6,8 +6,8 @@ from importlib.resources import files
 
 import pytest
 
-from stiction.errors import InputError
-from stiction.sources import Source, bibliography, bibtex
+from stiction.laws.sources import Source, bibliography, bibtex
+from stiction.quantities.errors import InputError
 
 REQUIRED = {
     "article": {"author", "title", "journal", "year"},
@@ -38,7 +38,7 @@ def balanced(text: str) -> bool:
 
 
 def test_file_holds_nothing_but_unique_entries_in_order():
-    text = files("stiction").joinpath("sources.bib").read_text(encoding="utf-8")
+    text = files("stiction.laws").joinpath("sources.bib").read_text(encoding="utf-8")
     written = re.findall(r"^@\w+\{([^,\s]+),", text, re.MULTILINE)
     assert written == list(ENTRIES) == sorted(set(written))
     for entry in ENTRIES.values():
@@ -60,45 +60,48 @@ def test_entry(key):
     assert "doi" not in fields or re.fullmatch(r"10\.\d{4,}/\S+", fields["doi"])
 
 
-@pytest.mark.parametrize(("key", "volume", "first_page"), [
-    ("johnson_kendall_roberts_1971", "324", "301"),
-    ("derjaguin_muller_toporov_1975", "53", "314"),
-    ("savkoor_briggs_1977", "356", "103"),
-    ("hamilton_1983", "197", "53"),
-    ("greenwood_williamson_1966", "295", "300"),
-    ("fuller_tabor_1975", "345", "327"),
-    ("chang_etsion_bogy_1987", "109", "257"),
-    ("chang_etsion_bogy_1988", "110", "57"),
-    ("chang_etsion_bogy_1988_adhesion", "110", "50"),
-    ("roy_chowdhury_ghosh_1994", "174", "9"),
-    ("gao_chiu_lee_1992", "29", "2471"),
-    ("bhattacharya_nix_1988", "24", "1287"),
-    ("zhao_maietta_chang_2000", "122", "86"),
-    ("kogut_etsion_2002", "69", "657"),
-    ("hertz_1882", "92", "156"),
-    ("mindlin_1949", "16", "259"),
-    ("finkin_1969", "91", "551"),
-    ("dayson_1971", "14", "105"),
-    ("nayak_1971", "93", "398"),
-    ("finkin_1973", "95", "328"),
-    ("bush_gibson_thomas_1975", "35", "87"),
-    ("ravindran_ramasamy_laddha_1980", "66", "249"),
-    ("kato_1981", "103", "236"),
-    ("halling_1982", "25", "528"),
-    ("mccool_1986", "107", "37"),
-    ("thornton_1991", "24", "1942"),
-    ("thornton_ning_1998", "99", "154"),
-    ("persson_2001", "115", "3840"),
-    ("persson_2001_elastoplastic", "87", "116101"),
-    ("kogut_etsion_2004", "126", "34"),
-    ("jackson_green_2005", "127", "343"),
-    ("greenwood_2006", "261", "191"),
-    ("brizmer_kligerman_etsion_2007_junction", "129", "783"),
-    ("ciavarella_greenwood_paggi_2008", "265", "729"),
-    ("cohen_kligerman_etsion_2008", "130", "031401"),
-    ("pastewka_robbins_2014", "111", "3298"),
-    ("menga_carbone_dini_2018", "112", "145"),
-])
+@pytest.mark.parametrize(
+    ("key", "volume", "first_page"),
+    [
+        ("johnson_kendall_roberts_1971", "324", "301"),
+        ("derjaguin_muller_toporov_1975", "53", "314"),
+        ("savkoor_briggs_1977", "356", "103"),
+        ("hamilton_1983", "197", "53"),
+        ("greenwood_williamson_1966", "295", "300"),
+        ("fuller_tabor_1975", "345", "327"),
+        ("chang_etsion_bogy_1987", "109", "257"),
+        ("chang_etsion_bogy_1988", "110", "57"),
+        ("chang_etsion_bogy_1988_adhesion", "110", "50"),
+        ("roy_chowdhury_ghosh_1994", "174", "9"),
+        ("gao_chiu_lee_1992", "29", "2471"),
+        ("bhattacharya_nix_1988", "24", "1287"),
+        ("zhao_maietta_chang_2000", "122", "86"),
+        ("kogut_etsion_2002", "69", "657"),
+        ("hertz_1882", "92", "156"),
+        ("mindlin_1949", "16", "259"),
+        ("finkin_1969", "91", "551"),
+        ("dayson_1971", "14", "105"),
+        ("nayak_1971", "93", "398"),
+        ("finkin_1973", "95", "328"),
+        ("bush_gibson_thomas_1975", "35", "87"),
+        ("ravindran_ramasamy_laddha_1980", "66", "249"),
+        ("kato_1981", "103", "236"),
+        ("halling_1982", "25", "528"),
+        ("mccool_1986", "107", "37"),
+        ("thornton_1991", "24", "1942"),
+        ("thornton_ning_1998", "99", "154"),
+        ("persson_2001", "115", "3840"),
+        ("persson_2001_elastoplastic", "87", "116101"),
+        ("kogut_etsion_2004", "126", "34"),
+        ("jackson_green_2005", "127", "343"),
+        ("greenwood_2006", "261", "191"),
+        ("brizmer_kligerman_etsion_2007_junction", "129", "783"),
+        ("ciavarella_greenwood_paggi_2008", "265", "729"),
+        ("cohen_kligerman_etsion_2008", "130", "031401"),
+        ("pastewka_robbins_2014", "111", "3298"),
+        ("menga_carbone_dini_2018", "112", "145"),
+    ],
+)
 def test_place_of_the_works_that_the_models_rest_on(key, volume, first_page):
     _, _, fields = parse(ENTRIES[key])
     assert (fields["volume"], fields["pages"].split("--")[0]) == (volume, first_page)

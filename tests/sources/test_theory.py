@@ -9,8 +9,12 @@ import pytest
 TEXT = (Path(__file__).parents[2] / "docs" / "theory.md").read_text(encoding="utf-8")
 EQUATION = re.compile(r"^\$\$\n(.*?)\n\$\$\n\n(.*?)\n", re.MULTILINE | re.DOTALL)
 CASES = [  # theta, lambda, nu, k
-    ("0.002", "30", "0.1", "3"), ("1", "100", "0.3", "2.8"), ("10", "0.125", "0.25", "1.6"),
-    ("40", "10", "0.3", "2.8"), ("7e5", "4e-3", "0.45", "3.7"), ("3e3", "1e6", "0", "2"),
+    ("0.002", "30", "0.1", "3"),
+    ("1", "100", "0.3", "2.8"),
+    ("10", "0.125", "0.25", "1.6"),
+    ("40", "10", "0.3", "2.8"),
+    ("7e5", "4e-3", "0.45", "3.7"),
+    ("3e3", "1e6", "0", "2"),
 ]
 STATES = ["0.17", "0.4", "0.51", "0.6667", "0.9", "1.2", "3", "40"]  # y of (S2.7)
 
@@ -38,14 +42,18 @@ class Asperity:
     def load(self, x):
         return x ** mp.mpf("1.5") - self.S1 * x ** mp.mpf("0.75")
 
-    def slip(self, load):
+    def slip_limited(self, load):
         radicand = 2 * mp.pi / self.theta * load + 3 * mp.pi**2 / self.theta**2
         return 4 / mp.sqrt(self.K_beta) * mp.sqrt(radicand)
 
     def yield_terms(self, load, x, T):
         """The terms of (S3.7), all on one side."""
-        return [3 * self.n**2 * load**2, 3 * self.n * (self.p - self.q) * load * T, self.D * T**2,
-                -((self.eta * x / (mp.pi * self.k)) ** 2)]
+        return [
+            3 * self.n**2 * load**2,
+            3 * self.n * (self.p - self.q) * load * T,
+            self.D * T**2,
+            -((self.eta * x / (mp.pi * self.k)) ** 2),
+        ]
 
 
 @pytest.fixture(params=CASES, ids="/".join)
@@ -91,8 +99,15 @@ def test_every_equation_and_every_departure_has_its_row():
 def test_closed_forms_of_the_printed_constants():
     rows = re.findall(r"^\| ([\d.]+) \| \$.*?\$ \| ([\d.]+) \|", TEXT, re.MULTILINE)
     pi = mp.pi
-    closed = [mp.sqrt(6 * pi), mp.sqrt(8 * pi / 3), mp.cbrt(8 * pi / 3) ** 2, pi * mp.root(18 / pi**2, 4),
-              2 * pi * mp.root(18 / pi**2, 4), 2 * pi, 3 * pi**2]
+    closed = [
+        mp.sqrt(6 * pi),
+        mp.sqrt(8 * pi / 3),
+        mp.cbrt(8 * pi / 3) ** 2,
+        pi * mp.root(18 / pi**2, 4),
+        2 * pi * mp.root(18 / pi**2, 4),
+        2 * pi,
+        3 * pi**2,
+    ]
     assert len(rows) == len(closed)
     for (printed, value), exact in zip(rows, closed, strict=True):
         assert abs(mp.mpf(printed) - exact) <= mp.mpf("0.006")
@@ -119,8 +134,9 @@ def test_jump_at_yield(asperity):
     assert close(2 * w / x, 2 - 4 / (3 * y))
 
 
-@pytest.mark.parametrize(("theta", "lam", "jump"), [
-    ("10", "0.125", 0.890), ("10", "1", 1.276), ("10", "10", 1.585), ("1", "100", 1.870)])
+@pytest.mark.parametrize(
+    ("theta", "lam", "jump"), [("10", "0.125", 0.890), ("10", "1", 1.276), ("10", "10", 1.585), ("1", "100", 1.870)]
+)
 def test_jump_at_yield_in_numbers(theta, lam, jump):
     e = Asperity(theta, lam, "0.3", "2.8").e
     y = mp.findroot(lambda v: v**3 - e * v - 1, 1.5 + mp.sqrt(e)) ** 3
@@ -130,29 +146,31 @@ def test_jump_at_yield_in_numbers(theta, lam, jump):
 def test_slip_force_is_linear_along_the_elastic_branch(asperity):
     for y in map(mp.mpf, STATES):
         x = x_of(asperity, y)
-        slip = asperity.slip(asperity.load(x))
-        in_u = (4 / mp.sqrt(asperity.K_beta) * mp.sqrt(2 * mp.pi / asperity.theta)
-                * abs(mp.root(x, 4) ** 3 - mp.sqrt(6 * mp.pi / asperity.theta) / 2))
-        assert close(slip, in_u)
-        assert close(slip, asperity.g * asperity.S1**2 * abs(y - 0.5))
+        slip_limited = asperity.slip_limited(asperity.load(x))
+        in_u = (
+            4
+            / mp.sqrt(asperity.K_beta)
+            * mp.sqrt(2 * mp.pi / asperity.theta)
+            * abs(mp.root(x, 4) ** 3 - mp.sqrt(6 * mp.pi / asperity.theta) / 2)
+        )
+        assert close(slip_limited, in_u)
+        assert close(slip_limited, asperity.g * asperity.S1**2 * abs(y - 0.5))
 
 
 def test_printed_slip_force_is_the_peeled_state(asperity):
     for load in map(mp.mpf, ("0.1", "1", "25")):
         peeled = load + 3 * mp.pi / asperity.theta  # x^(3/2) of the peeled state
-        printed = 4 / mp.sqrt(asperity.K_beta) * mp.sqrt(
-            2 * mp.pi / asperity.theta * peeled - 3 * mp.pi**2 / asperity.theta**2)
+        printed = 4 / mp.sqrt(asperity.K_beta) * mp.sqrt(2 * mp.pi / asperity.theta * peeled - 3 * mp.pi**2 / asperity.theta**2)
         y = peeled / asperity.S1**2  # square of y
-        assert close(printed, asperity.slip(load))
+        assert close(printed, asperity.slip_limited(load))
         assert close(printed, asperity.g * asperity.S1**2 * mp.sqrt(y - 0.25))
 
 
-@pytest.mark.parametrize(("ratio", "expected"), [
-    ("-0.5", 1.28338), ("0", 1.81497), ("2", 3.14362), ("10", 6.01958)])
+@pytest.mark.parametrize(("ratio", "expected"), [("-0.5", 1.28338), ("0", 1.81497), ("2", 3.14362), ("10", 6.01958)])
 def test_slip_force_over_pull_off(ratio, expected):
     asperity = Asperity("3", "1", "0.3", "2.8")
     pull_off = 3 * mp.pi / (2 * asperity.theta)
-    assert abs(asperity.slip(mp.mpf(ratio) * pull_off) / pull_off - expected) < 5.1e-6
+    assert abs(asperity.slip_limited(mp.mpf(ratio) * pull_off) / pull_off - expected) < 5.1e-6
 
 
 def test_yield_condition_has_the_seven_powers_of_eq_11(asperity):
@@ -164,9 +182,8 @@ def test_yield_condition_has_the_seven_powers_of_eq_11(asperity):
     for y in map(mp.mpf, STATES):
         x = x_of(asperity, y)
         X = mp.root(x, 4) ** 3
-        T = asperity.slip(asperity.load(x))
-        eq11 = (c1 * x**3 - 2 * S1 * c1 * X**3 + c3 * x**2 + (S1**2 * c1 + c5 * T) * X**2
-                - S1 * c5 * T * X + c7 * T**2)
+        T = asperity.slip_limited(asperity.load(x))
+        eq11 = c1 * x**3 - 2 * S1 * c1 * X**3 + c3 * x**2 + (S1**2 * c1 + c5 * T) * X**2 - S1 * c5 * T * X + c7 * T**2
         terms = [2 * mp.pi**2 * term for term in asperity.yield_terms(asperity.load(x), x, T)]
         assert close(eq11, sum(terms), scale=sum(map(abs, terms)) + c1 * x**3)
 
@@ -175,8 +192,15 @@ def test_reconstructed_coefficients_in_numbers():
     rows = re.findall(r"^\| \$(C_\d)\$ \| .*? \| \$?(-?[\d.]+)", TEXT, re.MULTILINE)
     nu, k, S = mp.mpf("0.3"), mp.mpf("2.8"), mp.sqrt(6 * mp.pi)
     c1, c5 = 1.5 * (1 - 2 * nu) ** 2, 9 * mp.pi / 4 * (1 - 2 * nu) * (1 - nu / 2)
-    exact = [c1, -2 * S * c1, -6 * mp.pi * mp.sqrt(2) / k**2, S**2 * c1, c5, -S * c5,
-             9 * mp.pi**2 / 16 * (2 - nu / 2 + 7 * nu**2 / 8)]
+    exact = [
+        c1,
+        -2 * S * c1,
+        -6 * mp.pi * mp.sqrt(2) / k**2,
+        S**2 * c1,
+        c5,
+        -S * c5,
+        9 * mp.pi**2 / 16 * (2 - nu / 2 + 7 * nu**2 / 8),
+    ]
     assert [name for name, _ in rows] == [f"C_{i}" for i in range(1, 8)]
     for (_, number), value in zip(rows, exact, strict=True):
         assert abs(mp.mpf(number) - value) < 5.1e-6
@@ -187,11 +211,14 @@ def test_slip_equals_yield_is_one_function_of_y(asperity):
     for y in map(mp.mpf, STATES):
         x = x_of(asperity, y)
         load = asperity.load(x)
-        terms = asperity.yield_terms(load, x, asperity.slip(load))
+        terms = asperity.yield_terms(load, x, asperity.slip_limited(load))
         m = abs(y - 0.5)
-        reduced = (asperity.D * g**2 * m**2 + 3 * n * (p - q) * g * y * (y - 1) * m
-                   + 3 * n**2 * y**2 * (y - 1) ** 2
-                   - (asperity.e / (mp.pi * asperity.k)) ** 2 * mp.cbrt(y) ** 8)
+        reduced = (
+            asperity.D * g**2 * m**2
+            + 3 * n * (p - q) * g * y * (y - 1) * m
+            + 3 * n**2 * y**2 * (y - 1) ** 2
+            - (asperity.e / (mp.pi * asperity.k)) ** 2 * mp.cbrt(y) ** 8
+        )
         assert close(sum(terms), asperity.S1**4 * reduced, scale=sum(map(abs, terms)))
 
 
@@ -199,12 +226,10 @@ def test_ends_of_the_yield_force(asperity):
     n, p, q, D, k = asperity.n, asperity.p, asperity.q, asperity.D, asperity.k
     K0 = 1 / (mp.sqrt(3) * mp.pi * k * n)
     K1 = 2 * mp.sqrt(D) * K0 / (p + q)
-    u = mp.findroot(lambda u: u**3 + K1 * asperity.eta * u - asperity.S1,
-                    (mp.mpf(0), mp.cbrt(asperity.S1)), solver="anderson")
+    u = mp.findroot(lambda u: u**3 + K1 * asperity.eta * u - asperity.S1, (mp.mpf(0), mp.cbrt(asperity.S1)), solver="anderson")
     load_squared, mixed, _, limit = asperity.yield_terms(asperity.load(u**4), u**4, mp.mpf(1))
     assert close(mixed**2, 4 * D * (load_squared + limit), scale=4 * D * load_squared)  # discriminant zero
-    u = mp.findroot(lambda u: u**3 - K0 * asperity.eta * u - asperity.S1,
-                    mp.cbrt(asperity.S1) + mp.sqrt(K0 * asperity.eta))
+    u = mp.findroot(lambda u: u**3 - K0 * asperity.eta * u - asperity.S1, mp.cbrt(asperity.S1) + mp.sqrt(K0 * asperity.eta))
     load_squared, _, _, limit = asperity.yield_terms(asperity.load(u**4), u**4, mp.mpf(0))
     assert close(load_squared, -limit, scale=load_squared + 3 * n**2 * u**12)  # the load alone yields
     assert (K0 < 1) == ((1 - 2 * asperity.nu) * k > 2 / mp.sqrt(3))

@@ -9,7 +9,6 @@ from scipy import fft, ndimage, stats
 
 import stiction
 from stiction import InputError
-from stiction.moments import Moments
 from stiction.surfaces.areal_asperities import FITS
 from stiction.surfaces.asperities import METHODS, asperities, combine, methods_for
 from stiction.surfaces.asperity_set import Asperities, of_samples
@@ -18,6 +17,7 @@ from stiction.surfaces.height_model import exponent_of_skewness, height_model, r
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.persistence import persistent_maxima
 from stiction.surfaces.targets import GaussianCorrelation
+from stiction.surfaces.theory.moments import Moments
 
 RADIUS, PITCH, CELL, SIDE = 2e-6, (3e-8, 2e-8), 16, 5
 
@@ -260,9 +260,14 @@ def mean_over_seeds(method, length, **options):
 
 
 # Sampling: 4 maps with 1024^2 / (pi sqrt(3) 10^2) = 1900 summits each; 300 independent patches each for the heights.
-@pytest.mark.parametrize(("method", "options"), [
-    ("mccool", {}), ("eight_neighbour", {"fit_points": 5}), ("persistence", {"threshold": 0.0, "fit_points": 9}),
-])
+@pytest.mark.parametrize(
+    ("method", "options"),
+    [
+        ("mccool", {}),
+        ("eight_neighbour", {"fit_points": 5}),
+        ("persistence", {"threshold": 0.0, "fit_points": 9}),
+    ],
+)
 def test_a_gaussian_surface_has_the_summits_of_nayak(method, options):
     _, moments = gaussian_surface(0, 10.0, count=8)
     deviation, radius, density = moments.asperities()
@@ -437,18 +442,21 @@ def test_two_surfaces_add_by_their_moments():
 # ---- what is refused
 
 
-@pytest.mark.parametrize(("call", "field"), [
-    (lambda: asperities(egg_crate(), "no_such"), "method"),
-    (lambda: asperities(egg_crate(), "mccool", threshold=1.0), "threshold"),
-    (lambda: asperities(egg_crate(), "eight_neighbour", fit_points=7), "fit_points"),
-    (lambda: asperities(egg_crate(), "persistence", threshold=-1.0), "threshold"),
-    (lambda: asperities(egg_crate(), "persistence", threshold=math.nan), "threshold"),
-    (lambda: asperities(egg_crate(), "three_point", directions="z"), "directions"),
-    (lambda: asperities(egg_crate(), "n_point", level=math.nan), "level"),
-    (lambda: asperities(surface_of(np.full((9, 9), np.nan)), "mccool"), "heights"),
-    (lambda: asperities(surface_of(np.ones((2, 9))), "eight_neighbour"), "heights"),
-    (lambda: of_moments("mccool", Moments(1.0, 1.0, 0.5), ""), "asperities by mccool"),
-])
+@pytest.mark.parametrize(
+    ("call", "field"),
+    [
+        (lambda: asperities(egg_crate(), "no_such"), "method"),
+        (lambda: asperities(egg_crate(), "mccool", threshold=1.0), "threshold"),
+        (lambda: asperities(egg_crate(), "eight_neighbour", fit_points=7), "fit_points"),
+        (lambda: asperities(egg_crate(), "persistence", threshold=-1.0), "threshold"),
+        (lambda: asperities(egg_crate(), "persistence", threshold=math.nan), "threshold"),
+        (lambda: asperities(egg_crate(), "three_point", directions="z"), "directions"),
+        (lambda: asperities(egg_crate(), "n_point", level=math.nan), "level"),
+        (lambda: asperities(surface_of(np.full((9, 9), np.nan)), "mccool"), "heights"),
+        (lambda: asperities(surface_of(np.ones((2, 9))), "eight_neighbour"), "heights"),
+        (lambda: of_moments("mccool", Moments(1.0, 1.0, 0.5), ""), "asperities by mccool"),
+    ],
+)
 def test_what_will_not_do_is_one_clear_line(call, field):
     with pytest.raises(InputError) as raised:
         call()
@@ -487,7 +495,7 @@ def test_lengths_may_be_text_with_a_unit():
             stiction.asperities(surface, method, **{name: "2 kg"})
         with pytest.raises(stiction.InputError, match=name):
             stiction.asperities(surface, method, **{name: [1.0]})
-    assert stiction.fan(surface, ["0.8 um"])["cutoff"].item() == 0.8e-6
+    assert stiction.resolution_study(surface, ["0.8 um"])["cutoff"].item() == 0.8e-6
     for size in ("10 um", ("10 um",), ("10 um", "far"), (1.0, np.inf), 3.0):
         with pytest.raises(stiction.InputError, match="size"):
             stiction.HeightMap(surface.heights, size)

@@ -10,14 +10,14 @@ from scipy import integrate
 
 import stiction as st
 from stiction import InputError
-from stiction.choice import Choice
-from stiction.moments import Moments
+from stiction.solving.choice import Choice
+from stiction.studies.resolution import default_cutoffs, resolution_study, thinned
 from stiction.surfaces.asperities import METHODS, asperities
-from stiction.surfaces.fan import default_cutoffs, fan, thinned
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import filter_band
 from stiction.surfaces.targets import GaussianCorrelation, SelfAffine
+from stiction.surfaces.theory.moments import Moments
 
 SIZE, COUNT, HURST = 20e-6, 1024, 0.3
 TARGET = SelfAffine(hurst=HURST, rolloff=2e-6, shortest=80e-9, deviation=40e-9)
@@ -32,7 +32,7 @@ def surface():
 
 @pytest.fixture(scope="module")
 def table(surface):
-    return fan(surface, CUTOFFS)
+    return resolution_study(surface, CUTOFFS)
 
 
 def contact(first="silver", second="iron"):
@@ -80,7 +80,7 @@ def test_the_fan_is_what_the_methods_find_in_the_filtered_map(surface, table):
     found = asperities(filter_band(surface, shortest=CUTOFFS[1]), "three_point")
     at = table.loc[{"asperity_method": "three_point"}].isel(cutoff=1)
     assert [float(at[name]) for name in ("sigma", "R", "N")] == [found.deviation, found.radius, found.density]
-    raw = fan(surface, [0.0], ["n_point"], options={"n_point": {"level": 1e-8}})
+    raw = resolution_study(surface, [0.0], ["n_point"], options={"n_point": {"level": 1e-8}})
     assert float(raw["N"][0, 0]) == asperities(surface, "n_point", level=1e-8).density
 
 
@@ -93,7 +93,7 @@ def test_numbers_have_names_and_units(table):
 
 def test_fewer_points_find_the_same(surface):
     """Six points to a cutoff are as good as all, but for the curvature of three points."""
-    all_points, some = (fan(surface, [1.2e-6], ["mccool"], points_per_cutoff=points) for points in (None, 10.0))
+    all_points, some = (resolution_study(surface, [1.2e-6], ["mccool"], points_per_cutoff=points) for points in (None, 10.0))
     for name in ("sigma", "R", "N"):
         assert float(some[name][0, 0]) == near(float(all_points[name][0, 0]), rel=0.05)
     thin = thinned(surface, 1.2e-6, 10.0)
@@ -107,22 +107,26 @@ def test_fewer_points_find_the_same(surface):
 def test_friction_is_in_the_fan():
     smooth = GaussianCorrelation(deviation=10e-9, length=0.5e-6)
     surface = gaussian_surface((256, 256), (20e-6, 20e-6), smooth, 3)
-    table = fan(surface, [0.0, 1e-6], contact=contact(), load="1 N")
+    table = resolution_study(surface, [0.0, 1e-6], contact=contact(), load="1 N")
     assert np.isfinite(table["mu"].values).all() and (table["mu"] > 0.0).all() and (table["failure"] == "").all()
     found = asperities(surface, "mccool")
     rough = st.Roughness(
-        asperity_height_deviation=found.deviation, asperity_radius=found.radius, asperity_density=found.density,
+        asperity_height_deviation=found.deviation,
+        asperity_radius=found.radius,
+        asperity_density=found.density,
     )
     alone = st.solve(contact().model_copy(update={"roughness": rough}), load="1 N")
     assert float(table["mu"].loc["mccool", 0.0]) == near(float(alone["friction_coefficient"]), rel=1e-12)
     assert float(table["mu"].max() / table["mu"].min()) > 1.05  # why there is a fan
-    published = fan(surface, [0.0], ["mccool"], contact=contact(), load=1.0, choice=Choice(options={"reading": "published"}))
+    published = resolution_study(
+        surface, [0.0], ["mccool"], contact=contact(), load=1.0, choice=Choice(options={"reading": "published"})
+    )
     alone = st.solve(contact().model_copy(update={"roughness": rough}), load="1 N", reading="published")
     assert float(published["mu"][0, 0]) == near(float(alone["friction_coefficient"]), rel=1e-12)
 
 
 def test_a_load_that_is_not_carried_is_a_failure_in_words(surface):
-    table = fan(surface, [2e-6], ["mccool"], contact=contact(), load="1e9 N")
+    table = resolution_study(surface, [2e-6], ["mccool"], contact=contact(), load="1e9 N")
     assert "load" in str(table["failure"].values[0, 0]) and math.isnan(table["mu"].values[0, 0])
     assert all(np.isfinite(table[name].values).all() for name in ("sigma", "R", "N"))
 
@@ -134,7 +138,7 @@ def test_where_a_method_finds_nothing_the_reason_stands():
     """One wave on the map: too smooth for summits that stand out, not for its moments."""
     wave = 1e-9 * np.cos(2.0 * math.pi * np.arange(64) / 64)
     surface = HeightMap(wave[:, None] + wave, (1e-6, 1e-6))
-    table = fan(surface, [0.0, 0.5e-6], ["persistence", "mccool"])
+    table = resolution_study(surface, [0.0, 0.5e-6], ["persistence", "mccool"])
     nothing = table["failure"].values != ""
     assert nothing[0].all() and not nothing[1].any()
     reason = str(table["failure"].values[0, 0])
@@ -145,7 +149,7 @@ def test_where_a_method_finds_nothing_the_reason_stands():
 
 def test_a_profile_has_a_fan():
     profile = gaussian_surface((1, 4096), (1e-6, 80e-6), SelfAffine(0.8, 5e-6, 80e-9, 40e-9, dimensions=1), 1)
-    table = fan(profile)
+    table = resolution_study(profile)
     assert list(table["asperity_method"].values) == ["three_point", "n_point", "mccool"]
     assert np.isfinite(table["R"].values).all()
     assert (np.diff(table["R"].loc["mccool"].values) > 0.0).all()
@@ -172,7 +176,7 @@ def test_progress_wraps_the_cutoffs(surface):
             yield step
             seen.append(step)
 
-    fan(surface, CUTOFFS[1:], ["mccool"], progress=progress)
+    resolution_study(surface, CUTOFFS[1:], ["mccool"], progress=progress)
     assert seen == [2, *CUTOFFS[1:]]
 
 
@@ -204,13 +208,13 @@ def test_progress_wraps_the_cutoffs(surface):
 ])  # fmt: skip
 def test_what_will_not_do_is_one_clear_line(surface, given, field):
     with pytest.raises(InputError) as raised:
-        fan(surface, **{"cutoffs": [0.5e-6], "methods": ["mccool"]} | given)
+        resolution_study(surface, **{"cutoffs": [0.5e-6], "methods": ["mccool"]} | given)
     assert raised.value.field == field and "\n" not in str(raised.value)
 
 
 def test_a_profile_has_no_methods_of_maps():
     with pytest.raises(InputError, match="three_point, n_point, mccool"):
-        fan(HeightMap(np.arange(100.0)[None, :] % 7, (1e-6, 1e-6)), [0.0], ["persistence"])
+        resolution_study(HeightMap(np.arange(100.0)[None, :] % 7, (1e-6, 1e-6)), [0.0], ["persistence"])
 
 
 def test_theories_of_the_surface_take_the_moments_after_every_method(surface):
@@ -218,7 +222,9 @@ def test_theories_of_the_surface_take_the_moments_after_every_method(surface):
     options = {"mccool": {"cutoff": "0.3 um"}}
     choice = Choice("persson_2001", tangential="bowden_tabor_1943")
     sheared = contact().model_copy(update={"interfacial_shear_strength": 1e8})
-    found = fan(surface, [0.0], ("mccool", "eight_neighbour"), contact=sheared, load="10 mN", choice=choice, options=options)
+    found = resolution_study(
+        surface, [0.0], ("mccool", "eight_neighbour"), contact=sheared, load="10 mN", choice=choice, options=options
+    )
     seen = asperities(surface, "mccool", cutoff=0.3e-6)
     rough = st.Roughness(asperity_height_deviation=seen.deviation, asperity_radius=seen.radius, asperity_density=seen.density)
     expected = st.solve(sheared.model_copy(update={"roughness": rough}), load="10 mN", **choice.arguments())

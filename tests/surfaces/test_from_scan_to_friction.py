@@ -10,8 +10,8 @@ from comparing import near
 from typer.testing import CliRunner
 
 import stiction as st
-from stiction.case import json_schema
 from stiction.cli import app
+from stiction.studies.case import json_schema
 
 SIZE, PITCHES, AMPLITUDE = 20e-6, 256, 4e-9
 CASE = """
@@ -64,7 +64,9 @@ def test_a_scan_is_solved_as_the_numbers_that_are_found_in_it(folder):
     for method in data["asperity_method"].values:
         found = st.asperities(surface, str(method))
         numbers = {
-            "asperity_height_deviation": found.deviation, "asperity_radius": found.radius, "asperity_density": found.density,
+            "asperity_height_deviation": found.deviation,
+            "asperity_radius": found.radius,
+            "asperity_density": found.density,
         }
         model = read.measured.by_method[method]
         by_hand = st.Roughness(
@@ -103,8 +105,8 @@ def test_theories_of_the_surface_take_what_was_measured_of_it(folder, method):
         direct = st.solve(read.subject, load=1.0, model=model)
         assert float(sums["contact_area_at_load"]) == near(float(direct["contact_area"]), rel=1e-9)
         assert float(sums["mean_separation_at_load"]) == near(float(direct["mean_separation"]), rel=1e-9)
-    of_surface = st.solve(read.by_method["mccool"], load=1.0, model="greenwood_williamson_1966")
-    assert float(direct["contact_area"]) == near(float(of_surface["contact_area"]), rel=1e-9)
+    takes_surface_moments = st.solve(read.by_method["mccool"], load=1.0, model="greenwood_williamson_1966")
+    assert float(direct["contact_area"]) == near(float(takes_surface_moments["contact_area"]), rel=1e-9)
 
 
 def test_theories_of_the_surface_have_no_spread_over_methods(folder):
@@ -205,9 +207,7 @@ def test_spikes_are_masked_on_demand(folder):
     heights[100, 100] += 5e-6
     np.save(folder / "spike.npy", heights)
     spiked = ONE.replace("rough", "spike")
-    with_spike, without, never = (
-        st.read_case(case(folder, text)).measured for text in (spiked, spiked + "\nspikes = 10", ONE)
-    )
+    with_spike, without, never = (st.read_case(case(folder, text)).measured for text in (spiked, spiked + "\nspikes = 10", ONE))
     assert with_spike.counts.get("persistence", 0) < 5
     assert without.counts["persistence"] == pytest.approx(never.counts["persistence"], abs=2)
     assert "1 points further than 10 robust deviations" in " ".join(without.history["first"])
@@ -344,7 +344,11 @@ def test_surface_prints_closed_forms_of_an_egg_crate(folder):
         assert found["R"] == near(1.0 / (AMPLITUDE * q * q), rel=0.06)
         assert found["N"] == pytest.approx(128.0 / SIZE**2, rel=0.15)  # less those at the edge
     assert set(answer["asperities"]) | set(answer["failures"]) == {
-        "three_point", "eight_neighbour", "persistence", "n_point", "mccool",
+        "three_point",
+        "eight_neighbour",
+        "persistence",
+        "n_point",
+        "mccool",
     }
 
 
@@ -355,13 +359,20 @@ def test_surface_writes_pictures_and_tables(folder):
     assert "Sq = " in text and "nm" in text
     names = {path.name for path in out.iterdir()}
     assert names == {
-        "map.png", "spectrum.png", "asperities.png", "fan.png", "fan.csv", "fan.nc", "spectrum.csv", "surface.json",
+        "map.png",
+        "spectrum.png",
+        "asperities.png",
+        "fan.png",
+        "fan.csv",
+        "fan.nc",
+        "spectrum.csv",
+        "surface.json",
     }
     for name in names:
         assert (out / name).stat().st_size > 200
-    with xarray.open_dataset(out / "fan.nc") as fan:
-        assert set(fan.dims) == {"asperity_method", "cutoff"}
-        assert np.isfinite(fan["mu"].sel(asperity_method="mccool").values).all()
+    with xarray.open_dataset(out / "fan.nc") as resolution_study:
+        assert set(resolution_study.dims) == {"asperity_method", "cutoff"}
+        assert np.isfinite(resolution_study["mu"].sel(asperity_method="mccool").values).all()
 
 
 @pytest.mark.parametrize(

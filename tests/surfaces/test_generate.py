@@ -8,7 +8,7 @@ import pytest
 from comparing import near
 from scipy import integrate, stats
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.generate import gaussian_surface, non_gaussian_surface, rms_slope, with_deviation, with_slope
 from stiction.surfaces.johnson import johnson
 from stiction.surfaces.read import read_scan

@@ -8,15 +8,21 @@ import xarray
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 
-from stiction.band import with_band
-from stiction.choice import Choice
-from stiction.contact import Contact, Roughness
-from stiction.errors import InputError
-from stiction.solve import solve
+from stiction.contact.contact import Contact, Roughness
+from stiction.quantities.errors import InputError
+from stiction.report.surface_pictures import (
+    asperity_figure,
+    map_figure,
+    method_spread_figure,
+    resolution_figure,
+    spectrum_figure,
+)
+from stiction.solving.choice import Choice
+from stiction.solving.solve import solve
+from stiction.studies.method_spread import with_method_spread
 from stiction.surfaces.asperities import asperities
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.pictures import asperity_figure, band_figure, fan_figure, map_figure, spectrum_figure
 from stiction.surfaces.prepare import level
 from stiction.surfaces.read import read_scan
 from stiction.surfaces.spectrum import BinnedSpectrum
@@ -239,7 +245,7 @@ def test_the_heights_of_all_points_are_beneath():
 def test_one_method_is_one_colour_in_every_picture():
     alone = asperity_figure([samples("n_point", 0.0)])
     among = asperity_figure([samples("three_point", 0.0), samples("n_point", 0.0)])
-    shown = fan_figure(fan_of(methods=("three_point", "n_point")))
+    shown = resolution_figure(fan_of(methods=("three_point", "n_point")))
     colours = {
         to_hex(alone.axes[0].patches[0].get_edgecolor()),
         to_hex(among.axes[0].patches[1].get_edgecolor()),
@@ -270,8 +276,8 @@ def fan_of(methods=("three_point", "mccool"), friction=True):
 
 
 def test_the_fan_has_a_line_for_each_method_in_every_panel():
-    fan = fan_of()
-    figure = fan_figure(fan)
+    resolution_study = fan_of()
+    figure = resolution_figure(resolution_study)
     labels = [
         "deviation of asperity heights $\\sigma$ [nm]", "asperity radius $R$ [µm]", "asperities per area $N$ [1/µm²]",
         "static friction coefficient $\\mu$",
@@ -283,7 +289,7 @@ def test_the_fan_has_a_line_for_each_method_in_every_panel():
         for method, label in (("three_point", "three-point peaks"), ("mccool", "moments (McCool)")):
             x, y = lines(axes)[label].get_data()
             np.testing.assert_allclose(x, [50.0, 100.0, 400.0])
-            np.testing.assert_allclose(y, fan[name].sel({"asperity_method": method}) * factor, rtol=1e-12)
+            np.testing.assert_allclose(y, resolution_study[name].sel({"asperity_method": method}) * factor, rtol=1e-12)
         assert [text.get_text() for text in axes.get_xticklabels()] == ["none", "100", "400"]
     assert legend(figure) == ["three-point peaks", "moments (McCool)"]
     assert figure.legends[0].get_title().get_text() == "The resolution fan: a scan"
@@ -291,21 +297,21 @@ def test_the_fan_has_a_line_for_each_method_in_every_panel():
 
 
 def test_without_friction_the_fan_has_three_panels_and_the_cutoffs_may_fall():
-    fan = fan_of(friction=False)
-    figure = fan_figure(fan.isel({"cutoff": [2, 1, 0]}), "a title")
+    resolution_study = fan_of(friction=False)
+    figure = resolution_figure(resolution_study.isel({"cutoff": [2, 1, 0]}), "a title")
     assert len(figure.axes) == 3 and figure.legends[0].get_title().get_text() == "a title"
     np.testing.assert_allclose(lines(figure.axes[0])["moments (McCool)"].get_xdata(), [50.0, 100.0, 400.0])
-    np.testing.assert_allclose(lines(figure.axes[0])["moments (McCool)"].get_ydata(), fan["sigma"][1] * 1e9)
+    np.testing.assert_allclose(lines(figure.axes[0])["moments (McCool)"].get_ydata(), resolution_study["sigma"][1] * 1e9)
 
 
 def test_where_a_method_failed_its_line_has_a_gap_and_a_note():
-    fan = fan_of(("three_point", "persistence", "mccool"))
+    resolution_study = fan_of(("three_point", "persistence", "mccool"))
     for name in ("sigma", "R", "N", "mu"):
-        fan[name][1, 2] = np.nan
-    fan["failure"][1, 2] = "only 1 found"
-    fan["mu"][0, 1] = 0.0
-    fan["mu"][2] = np.nan
-    figure = fan_figure(fan)
+        resolution_study[name][1, 2] = np.nan
+    resolution_study["failure"][1, 2] = "only 1 found"
+    resolution_study["mu"][0, 1] = 0.0
+    resolution_study["mu"][2] = np.nan
+    figure = resolution_figure(resolution_study)
     for axes in figure.axes:
         drawn = ~np.isnan(lines(axes)["persistent summits"].get_ydata())
         assert drawn.tolist() == [True, True, False]
@@ -319,14 +325,14 @@ def test_where_a_method_failed_its_line_has_a_gap_and_a_note():
 
 
 def test_the_marks_of_friction_say_which_heights_it_rests_on():
-    fan = fan_of()
+    resolution_study = fan_of()
     names = np.array([["empirical", "weibull", "gaussian"], ["gaussian"] * 3])
-    fan["height_distribution"] = (("asperity_method", "cutoff"), names)
-    for one in (fan, fan.isel({"cutoff": [1, 2, 0]})):
-        axes = fan_figure(one).axes[3]
+    resolution_study["height_distribution"] = (("asperity_method", "cutoff"), names)
+    for one in (resolution_study, resolution_study.isel({"cutoff": [1, 2, 0]})):
+        axes = resolution_figure(one).axes[3]
         hollow = [line for line in axes.lines if line.get_label() == "_empirical"]
         np.testing.assert_allclose(hollow[0].get_xdata(), [50.0, np.nan, np.nan])
-        np.testing.assert_allclose(hollow[0].get_ydata(), fan["mu"][0])
+        np.testing.assert_allclose(hollow[0].get_ydata(), resolution_study["mu"][0])
         assert hollow[0].get_markerfacecolor() == "white" and np.isnan(hollow[1].get_xdata()).all()
         half = next(line for line in axes.lines if line.get_label() == "_weibull")
         assert half.get_fillstyle() == "left" and np.isnan(half.get_xdata()).tolist() == [True, False, True]
@@ -334,17 +340,17 @@ def test_the_marks_of_friction_say_which_heights_it_rests_on():
 
 
 def test_a_fan_of_failures_says_so():
-    fan = fan_of(friction=False)
+    resolution_study = fan_of(friction=False)
     for name in ("sigma", "R", "N"):
-        fan[name][:] = np.nan
-    assert texts(fan_figure(fan).axes[2]) == ["no method has a value here"]
+        resolution_study[name][:] = np.nan
+    assert texts(resolution_figure(resolution_study).axes[2]) == ["no method has a value here"]
 
 
 # ---- friction over methods
 
 
 @pytest.fixture(scope="module")
-def banded():
+def with_range_over_methods():
     """A contact read in three ways. The last surface is so smooth that all asperities flow: its friction is 0 at high loads."""
     return banded_at(np.geomspace(1e-3, 10.0, 5))
 
@@ -362,17 +368,17 @@ def banded_at(load):
         "n_point": contact(21e-9, 1.08e-6, 4e11),
     }
     counts = dict.fromkeys(contacts, 1000)
-    return with_band(solve(contacts["persistence"], load=load), contacts, counts, Choice())
+    return with_method_spread(solve(contacts["persistence"], load=load), contacts, counts, Choice())
 
 
-def test_the_band_lies_between_the_lowest_and_the_highest_of_the_methods(banded):
-    figure = band_figure(banded, "a title")
+def test_the_band_lies_between_the_lowest_and_the_highest_of_the_methods(with_range_over_methods):
+    figure = method_spread_figure(with_range_over_methods, "a title")
     (axes,) = figure.axes
     load, taken = axes.lines[0].get_data()
     assert axes.lines[0].get_label() == "taken: persistent summits"
-    np.testing.assert_array_equal(load, banded["load"])
-    np.testing.assert_array_equal(taken, banded["friction_coefficient"])
-    table = banded["friction_coefficient_by_method"].values
+    np.testing.assert_array_equal(load, with_range_over_methods["load"])
+    np.testing.assert_array_equal(taken, with_range_over_methods["friction_coefficient"])
+    table = with_range_over_methods["friction_coefficient_by_method"].values
     drawn = {line.get_label().partition("\n")[0]: line for line in axes.lines}
     assert len(drawn) == 3
     np.testing.assert_array_equal(drawn["moments (McCool)"].get_ydata(), table[1])
@@ -389,19 +395,21 @@ def test_the_band_lies_between_the_lowest_and_the_highest_of_the_methods(banded)
     assert legend(figure)[0] == "spread over methods of\nfinding asperities" and inside(figure)
 
 
-def test_gaps_and_zeros_are_named(banded):
-    table = banded["friction_coefficient_by_method"].values.copy()
+def test_gaps_and_zeros_are_named(with_range_over_methods):
+    table = with_range_over_methods["friction_coefficient_by_method"].values.copy()
     table[0], table[1], table[2] = [0.5, 0.4, 0.3, 0.2, 0.1], [0.3, 0.2, 0.01, 1e-3, 0.0], [0.3, 0.2, np.nan, np.nan, np.nan]
-    changed = banded.assign(friction_coefficient_by_method=(banded["friction_coefficient_by_method"].dims, table))
+    changed = with_range_over_methods.assign(
+        friction_coefficient_by_method=(with_range_over_methods["friction_coefficient_by_method"].dims, table)
+    )
     changed["friction_coefficient_low"] = (changed["load"].dims, np.fmin.reduce(table))
     changed["friction_coefficient_high"] = (changed["load"].dims, np.fmax.reduce(table))
-    said = legend(band_figure(changed))
+    said = legend(method_spread_figure(changed))
     assert "moments (McCool)\n(0 where it is not drawn)" in said
     assert "n-point asperities\n(does not carry every load)" in said
 
 
 def test_one_load_is_a_bar():
-    figure = band_figure(banded_at(1e-2))
+    figure = method_spread_figure(banded_at(1e-2))
     (axes,) = figure.axes
     assert axes.lines[0].get_marker() == "o" and axes.get_xlim() == pytest.approx((1e-2 / 3.0, 3e-2))
     (bar,) = axes.collections[0].get_segments()
@@ -409,6 +417,6 @@ def test_one_load_is_a_bar():
     np.testing.assert_allclose(bar[:, 1], [table.min(), table.max()])
 
 
-def test_a_result_without_band_is_refused(banded):
+def test_a_result_without_band_is_refused(with_range_over_methods):
     with pytest.raises(InputError, match="friction_coefficient_by_method"):
-        band_figure(banded.drop_vars("friction_coefficient_by_method"))
+        method_spread_figure(with_range_over_methods.drop_vars("friction_coefficient_by_method"))

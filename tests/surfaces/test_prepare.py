@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.special import erf
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import crop, fill_missing, filter_band, level, remove_form
 from stiction.surfaces.spikes import mask_spikes, spikes

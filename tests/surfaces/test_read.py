@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.prepare import level
 from stiction.surfaces.read import read_scan

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from comparing import AREAS, PROFILES, near
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces import spectrum as spectra
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spectrum import line_spectrum, power_spectrum, radial_average, tip_cutoff
@@ -104,7 +104,7 @@ def test_line_spectrum_of_an_isotropic_surface():
     rng = np.random.default_rng(2)
     q = 2.0 * math.pi * np.hypot(np.fft.fftfreq(count, pitch)[:, None], np.fft.fftfreq(count, pitch))
     area = (count * pitch) ** 2
-    plane = 2.0 * math.pi * (deviation * length) ** 2 * np.exp(-(q * length) ** 2 / 2.0)
+    plane = 2.0 * math.pi * (deviation * length) ** 2 * np.exp(-((q * length) ** 2) / 2.0)
     waves = np.fft.fft2(rng.standard_normal((count, count))) / count * np.sqrt(plane * area)
     surface = HeightMap(np.fft.ifft2(waves).real * count**2 / area, (count * pitch, count * pitch))
     for average, front in [
@@ -113,7 +113,7 @@ def test_line_spectrum_of_an_isotropic_surface():
         (radial_average(power_spectrum(surface), bins="linear"), 2.0 * math.pi * (deviation * length) ** 2),
     ]:
         part = average.reliable & (average.wavevector * length < 3.0)
-        ratio = average.density[part] / (front * np.exp(-(average.wavevector[part] * length) ** 2 / 2.0))
+        ratio = average.density[part] / (front * np.exp(-((average.wavevector[part] * length) ** 2) / 2.0))
         assert part.sum() > 40
         assert np.average(ratio, weights=average.waves[part]) == pytest.approx(1.0, abs=0.03)
         assert ratio == pytest.approx(1.0, abs=0.5)

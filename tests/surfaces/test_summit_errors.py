@@ -12,12 +12,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from stiction.moments import Moments
 from stiction.surfaces.asperities import asperities
 from stiction.surfaces.gaussian_asperities import combine
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.targets import GaussianCorrelation, SelfAffine
+from stiction.surfaces.theory.moments import Moments
 
 LENGTH = 1e-7
 SMOOTH = GaussianCorrelation(deviation=1e-8, length=LENGTH)

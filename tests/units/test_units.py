@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from stiction.errors import InputError
-from stiction.quantities import QUANTITIES
-from stiction.units import axis, show, to_si
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import axis, show, to_si
 
 
 @pytest.mark.parametrize(
@@ -191,6 +191,6 @@ def test_error_is_one_line_and_can_be_pickled():
 
 def test_slow_libraries_are_not_imported_before_they_are_needed():
     slow = {"pint", "xarray", "scipy", "matplotlib"}
-    code = f"import stiction.case, sys; print(sorted({slow} & set(sys.modules)))"
+    code = f"import stiction.studies.case, sys; print(sorted({slow} & set(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"

@@ -1,8 +1,8 @@
 """The command line: a file for each command. What is slow to import is imported inside the commands, so that
 `stiction --help` answers at once."""
 
-from . import run, compare, surface, figures, lists  # noqa: F401, I001  the order of the help
-from .program import app
+from stiction.cli import run, compare, surface, figures, lists  # noqa: F401, I001  the order of the help
+from stiction.cli.program import app
 
 __all__ = ["app", "main"]
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .program import Json, Out, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, app, bar, busy, console, written
 
 if TYPE_CHECKING:
     import xarray
@@ -25,14 +25,14 @@ def compare(
     also the spread of each model over the methods of finding asperities. A working load presses: it is above 0 N; where the
     middle one of the case is not, the nearest that is stands in, and without any there are only curves.
     """
-    from ..output import as_json, check_folder
+    from stiction.report.files import as_json, check_folder
 
     if out is not None:
         check_folder(out)
     with busy("Reading the case"):
-        from ..case import read_case
-        from ..compare import comparison, working_load
-        from ..solve_case import compare_case
+        from stiction.studies.case import read_case
+        from stiction.studies.case_results import compare_case
+        from stiction.studies.comparison import comparison, working_load
 
         chosen = read_case(case)
         at = working_load(chosen, load)
@@ -42,14 +42,14 @@ def compare(
         measured = {} if chosen.measured is None else {"measured": chosen.measured.record()}
         print(as_json(comparison(data) | measured))
         return
-    from ..tables import comparison_summary, comparison_table
+    from stiction.report.tables import comparison_summary, comparison_table
 
     terminal = console()
     terminal.print(comparison_table(data))
     for line in comparison_summary(data):
         terminal.print(line)
     if chosen.measured is not None:
-        from ..surfaces.tables import roughness_notes, roughness_table
+        from stiction.report.surface_tables import roughness_notes, roughness_table
 
         terminal.print(roughness_table(chosen.measured), *roughness_notes(chosen.measured), sep="\n")
         for doubt in chosen.measured.doubts:
@@ -61,9 +61,9 @@ def compare(
 def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> list[str]:
     """Write tables and the picture; returns their names."""
     with busy("Drawing"):
-        from ..compare import at_load_rows, comparison_rows
-        from ..output import write_folder, write_netcdf, write_picture, write_rows
-        from ..plot import comparison_figure
+        from stiction.report.files import write_folder, write_netcdf, write_picture, write_rows
+        from stiction.report.pictures import comparison_figure
+        from stiction.studies.comparison import at_load_rows, comparison_rows
 
         files = {
             "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),

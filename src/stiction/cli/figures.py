@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..quantities import QUANTITIES
-from .program import Json, Reading, app, bar, busy, console, folder, solving
+from stiction.cli.program import Json, Reading, app, bar, busy, console, folder, solving
+from stiction.quantities.table import QUANTITIES
 
 if TYPE_CHECKING:
-    from ..claims import ClaimMap
-    from ..figures import PanelCurves
+    from stiction.studies.paper_claims import ClaimMap
+    from stiction.studies.paper_figures import PanelCurves
 
 
 def _bounds(name: str) -> str:
@@ -36,14 +36,14 @@ def figures(
     covers theta 1 to 1e4 and lambda 1e-3 to 1e4 in both readings. Written: fig1a.png to fig3.png, curves.csv, claims.png,
     claims.csv.
     """
-    from ..output import as_json, check_folder
+    from stiction.report.files import as_json, check_folder
 
     check_folder(out)
     with busy(solving()):
-        from ..figures import PANELS, panel_curves
+        from stiction.studies.paper_figures import PANELS, panel_curves
 
         panels = [panel_curves(panel, theta, lam, reading or "corrected") for panel in PANELS]
-    from ..claims import claim_map, summary
+    from stiction.studies.paper_claims import claim_map, summary
 
     claims = claim_map(progress=bar("Judging the claims"))
     rows = summary(claims, theta, lam)
@@ -52,7 +52,7 @@ def figures(
     if json:
         print(as_json({"theta": theta, "lambda": lam, "reading": reading or "corrected", "claims": rows}))
         return
-    from ..tables import claims_meaning, claims_table
+    from stiction.report.tables import claims_meaning, claims_table
 
     terminal = console()
     terminal.print(claims_meaning(rows), "", "Shares of the plane theta 1 to 1e4, lambda 1e-3 to 1e4, logarithmic:")
@@ -64,10 +64,10 @@ def figures(
 def _write_figures(out: Path, panels: "list[PanelCurves]", claims: "ClaimMap", here: dict[str, float]) -> None:
     from functools import partial
 
-    from ..claims import claim_rows
-    from ..figures import curve_rows
-    from ..output import write_folder, write_picture, write_rows
-    from ..plot import claims_figure, panel_figure
+    from stiction.report.files import write_folder, write_picture, write_rows
+    from stiction.report.pictures import claims_figure, panel_figure
+    from stiction.studies.paper_claims import claim_rows
+    from stiction.studies.paper_figures import curve_rows
 
     def draw(make: Any, path: Path) -> None:
         write_picture(make(), path)

@@ -5,8 +5,8 @@ from typing import Annotated
 
 import typer
 
-from ..errors import InputError
-from .program import Json, app, console
+from stiction.cli.program import Json, app, console
+from stiction.quantities.errors import InputError
 
 
 @app.command()
@@ -15,15 +15,15 @@ def models(
     json: Json = False,
 ) -> None:
     """Every model and law: key, kind, provenance grade, source, range of validity; what is missing where there is none."""
-    from ..overview import models as all_models
+    from stiction.laws.overview import models as all_models
 
     rows = all_models(keys or None)
     if json:
-        from ..output import as_json
+        from stiction.report.files import as_json
 
         print(as_json(rows))
         return
-    from ..tables import grades, model_in_full, models_tables
+    from stiction.report.tables import grades, model_in_full, models_tables
 
     terminal = console()
     for row in rows if keys else ():
@@ -37,7 +37,7 @@ def cite(
     keys: Annotated[list[str] | None, typer.Argument(metavar="[KEY]...", help="Models or entries; all if none.")] = None,
 ) -> None:
     """BibTeX of models, film laws and entries of the bibliography."""
-    from ..overview import cite as bibtex_of
+    from stiction.laws.overview import cite as bibtex_of
 
     print(bibtex_of(keys or None), end="")
 
@@ -45,8 +45,8 @@ def cite(
 @app.command()
 def schema(out: Annotated[Path | None, typer.Option(help="File to write to; else it is printed.")] = None) -> None:
     """JSON schema of a case file, for editors that complete and check TOML."""
-    from ..case import json_schema
-    from ..output import as_json
+    from stiction.report.files import as_json
+    from stiction.studies.case import json_schema
 
     text = as_json(json_schema())
     if out is None:

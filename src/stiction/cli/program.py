@@ -9,8 +9,8 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from .. import __version__
-from ..errors import InputError
+from stiction import __version__
+from stiction.quantities.errors import InputError
 
 _BAD_INPUT, _INTERRUPTED = 2, 130
 # What typer raises for wrong usage; it has no name for the parent of BadParameter.
@@ -132,7 +132,7 @@ def console():
 
 def solving() -> str:
     """What the waiting line says: a model's first use on this machine takes some ten seconds more."""
-    from ..compiled import cache_folder
+    from stiction.engine.compiled import cache_folder
 
     compiled = any(cache_folder().rglob("*.nbi"))
     return "Solving" if compiled else "Compiling kernels (once per installation, 10 s)"

@@ -5,13 +5,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..quantities import QUANTITIES
-from .program import Json, Out, Reading, app, busy, console, solving, written
+from stiction.cli.program import Json, Out, Reading, app, busy, console, solving, written
+from stiction.quantities.table import QUANTITIES
 
 if TYPE_CHECKING:
     import xarray
 
-    from ..case import Case
+    from stiction.studies.case import Case
 
 # Inputs of the Python interface that no case file has.
 _NOT_IN_CASES = ("interfacial_energy", "equilibrium_distance")
@@ -42,17 +42,17 @@ def run(
     With --out: curve.csv, curve.nc (netCDF4) and curve.png. Options given here override those of the case file. Where the case
     names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
     """
-    from ..output import check_folder
+    from stiction.report.files import check_folder
 
     if out is not None:
         check_folder(out)
     with busy("Reading the case"):
-        from ..case import read_case
+        from stiction.studies.case import read_case
 
         chosen = read_case(case)
     laws = {"model": model, "asperity": asperity, "tangential": tangential, "coating_law": coating_law}
     data = _solve(chosen, laws, {"reading": reading, "branch": branch, "transition": transition})
-    chosen = chosen.as_taken(data.attrs["model"])
+    chosen = chosen.with_surface_moments(data.attrs["model"])
     names = _write_run(out, chosen, data) if out is not None else []
     if json:
         _print_json(chosen, data)
@@ -64,7 +64,7 @@ def run(
 
 def _solve(case: "Case", laws: dict[str, str | None], options: dict[str, str | None]) -> "xarray.Dataset":
     with busy(solving()):
-        from ..solve_case import solve_case
+        from stiction.studies.case_results import solve_case
 
         return solve_case(case, case.choice.with_changes(laws, options))
 
@@ -72,9 +72,9 @@ def _solve(case: "Case", laws: dict[str, str | None], options: dict[str, str | N
 def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and pictures; returns their names."""
     with busy("Writing the results"):
-        from ..band import as_columns
-        from ..output import write_csv, write_folder, write_netcdf, write_picture
-        from ..plot import curve_figure
+        from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture
+        from stiction.report.pictures import curve_figure
+        from stiction.studies.method_spread import as_columns
 
         files = {
             "curve.csv": lambda path: write_csv(as_columns(data), path),
@@ -82,15 +82,15 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
             "curve.png": lambda path: write_picture(curve_figure(data, case.title), path),
         }
         if "friction_coefficient_by_method" in data:
-            from ..surfaces.pictures import band_figure
+            from stiction.report.surface_pictures import method_spread_figure
 
-            files["band.png"] = lambda path: write_picture(band_figure(data, case.title), path)
+            files["band.png"] = lambda path: write_picture(method_spread_figure(data, case.title), path)
         write_folder(out, files)
     return list(files)
 
 
 def _print_json(case: "Case", data: "xarray.Dataset") -> None:
-    from ..output import as_json, groups_of, record
+    from stiction.report.files import as_json, groups_of, record
 
     measured = {} if case.measured is None else {"measured": case.measured.record()}
     print(as_json(record(data, groups_of(case.subject)) | measured))
@@ -99,12 +99,12 @@ def _print_json(case: "Case", data: "xarray.Dataset") -> None:
 def _print_run(case: "Case", data: "xarray.Dataset") -> None:
     from rich.text import Text
 
-    from ..tables import curve_table, outside_validity, run_notes, run_summary
+    from stiction.report.tables import curve_table, outside_validity, run_notes, run_summary
 
     terminal = console()
     terminal.print(run_summary(case, data), "", curve_table(data), "")
     if case.measured is not None:
-        from ..surfaces.tables import roughness_notes, roughness_table
+        from stiction.report.surface_tables import roughness_notes, roughness_table
 
         terminal.print(roughness_table(case.measured, data), *roughness_notes(case.measured), "", sep="\n")
     for note in run_notes(data):

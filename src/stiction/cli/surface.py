@@ -5,15 +5,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..errors import InputError
-from .program import Json, Out, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, app, bar, busy, console, written
+from stiction.quantities.errors import InputError
 
 if TYPE_CHECKING:
     import xarray
 
-    from ..case import Case
-    from ..surfaces.analysis import Analysis
-    from ..surfaces.heightmap import HeightMap
+    from stiction.studies.case import Case
+    from stiction.studies.surface_analysis import Analysis
+    from stiction.surfaces.heightmap import HeightMap
 
 
 @app.command()
@@ -30,27 +30,29 @@ def surface(
     shortest: Annotated[str | None, typer.Option(help='Shortest wavelength kept, e.g. "200 nm".')] = None,
     longest: Annotated[str | None, typer.Option(help='Longest wavelength kept, e.g. "5 um".')] = None,
     tip_radius: Annotated[str | None, typer.Option(help='Of the stylus, e.g. "2 um": ends the reliable band.')] = None,
-    case: Annotated[Path | None, typer.Option(help="Case file: draw its mu in the fan, with this surface in it.")] = None,
+    case: Annotated[
+        Path | None, typer.Option(help="Case file: draw its mu in the resolution study, with this surface in it.")
+    ] = None,
     load: Annotated[str | None, typer.Option(help='Load of that, e.g. "1 N"; default: the middle load of the case.')] = None,
     out: Out = None,
     json: Json = False,
 ) -> None:
     """A measured surface: heights, slopes, curvatures, spectrum, and asperities by five methods.
 
-    With --out: map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution fan (how sigma, R and N,
+    With --out: map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study (how sigma, R and N,
     and with --case mu, change with the method and the shortest wavelength) as fan.png, fan.csv and fan.nc.
     """
-    from ..output import as_json, check_folder
+    from stiction.report.files import as_json, check_folder
 
     if out is not None:
         check_folder(out)
     if out is None and (case is not None or load is not None):
         what, value = ("--load", load) if case is None else ("--case", str(case))
-        raise InputError(what, value, "together with --out: it is for the fan")
+        raise InputError(what, value, "together with --out: it is for the resolution study")
     given = {"size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel}
     with busy("Reading the scan"):
-        from ..surfaces.analysis import analyse, prepared, summary
-        from ..surfaces.read import read_scan
+        from stiction.studies.surface_analysis import analyse, prepared, summary
+        from stiction.surfaces.read import read_scan
 
         chosen, at = _chosen(case, load)
         scan = prepared(read_scan(file, **given), form, spikes, fill, shortest, longest)
@@ -59,7 +61,7 @@ def surface(
     if json:
         print(as_json(summary(analysis)))
         return
-    from ..surfaces.tables import asperity_table, surface_notes, surface_summary
+    from stiction.report.surface_tables import asperity_table, surface_notes, surface_summary
 
     terminal = console()
     terminal.print(surface_summary(analysis), "", asperity_table(analysis), "", *surface_notes(analysis), sep="\n")
@@ -73,9 +75,9 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
         if load is not None:
             raise InputError("--load", load, "together with --case: it is the load of that")
         return None, None
-    from ..case import read_case
-    from ..compare import working_load
-    from ..contact import Contact
+    from stiction.contact.contact import Contact
+    from stiction.studies.case import read_case
+    from stiction.studies.comparison import working_load
 
     chosen = read_case(case)
     if not isinstance(chosen.subject, Contact):
@@ -88,19 +90,19 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
 
 def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any) -> list[str]:
     """Write pictures and tables; returns their names."""
-    from ..output import as_json, write_csv, write_folder, write_netcdf, write_picture, write_rows
-    from ..surfaces.analysis import spectrum_rows, summary
+    from stiction.report.files import as_json, write_csv, write_folder, write_netcdf, write_picture, write_rows
+    from stiction.studies.surface_analysis import spectrum_rows, summary
 
-    resolution = _fan(analysis.surface, case, load)
+    resolution = _resolution(analysis.surface, case, load)
     with busy("Drawing"):
-        from ..surfaces.pictures import asperity_figure, fan_figure, map_figure, spectrum_figure
+        from stiction.report.surface_pictures import asperity_figure, map_figure, resolution_figure, spectrum_figure
 
         found = list(analysis.asperities.values())
         files = {
             "map.png": lambda path: write_picture(map_figure(analysis.surface), path),
             "spectrum.png": lambda path: write_picture(spectrum_figure(analysis.spectrum), path),
             "asperities.png": lambda path: write_picture(asperity_figure(found, analysis.surface), path),
-            "fan.png": lambda path: write_picture(fan_figure(resolution), path),
+            "fan.png": lambda path: write_picture(resolution_figure(resolution), path),
             "fan.csv": lambda path: write_csv(resolution, path),
             "fan.nc": lambda path: write_netcdf(resolution, path),
             "spectrum.csv": lambda path: write_rows(path, *spectrum_rows(analysis.spectrum)),
@@ -110,8 +112,8 @@ def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any) -> l
     return list(files)
 
 
-def _fan(scan: "HeightMap", case: "Case | None", load: Any) -> "xarray.Dataset":
-    from ..surfaces.fan import fan
+def _resolution(scan: "HeightMap", case: "Case | None", load: Any) -> "xarray.Dataset":
+    from stiction.studies.resolution import resolution_study
 
     contact = None if case is None else {"contact": case.subject, "load": load, "choice": case.choice}
-    return fan(scan, progress=bar("Opening the fan"), **(contact or {}))
+    return resolution_study(scan, progress=bar("Studying the resolution"), **(contact or {}))

@@ -13,11 +13,10 @@ from typing import Any
 import numpy as np
 from scipy.ndimage import minimum_filter
 
-from stiction.errors import InputError
-
-from .asperity_set import Asperities, of_samples, over_mean_plane, rounding
-from .heightmap import HeightMap, in_metres
-from .persistence import persistent_maxima
+from stiction.quantities.errors import InputError
+from stiction.surfaces.asperity_set import Asperities, of_samples, over_mean_plane, rounding
+from stiction.surfaces.heightmap import HeightMap, in_metres
+from stiction.surfaces.persistence import persistent_maxima
 
 # ISO 25178-3's default for pruning the tree of hills and dales, which it gives as a share of the maximum height Sz.
 PRUNING = 0.05
@@ -40,7 +39,12 @@ def eight_neighbour(surface: HeightMap, fit_points: int = 9) -> Asperities:
             top &= middle > heights[i : rows - 2 + i, j : columns - 2 + j]  # never beside NaN
     row, column = np.nonzero(top)
     return _fitted(
-        "eight_neighbour", surface, heights, row + 1, column + 1, fit_points,
+        "eight_neighbour",
+        surface,
+        heights,
+        row + 1,
+        column + 1,
+        fit_points,
         f"summits higher than all eight neighbours; paraboloid through {fit_points} points",
     )
 
@@ -61,7 +65,12 @@ def persistence(surface: HeightMap, threshold: Any = None, fit_points: int = 25)
         raise InputError("threshold", threshold, ">= 0 m")
     row, column = np.unravel_index(persistent_maxima(heights, threshold), heights.shape)
     return _fitted(
-        "persistence", surface, heights, row, column, fit_points,
+        "persistence",
+        surface,
+        heights,
+        row,
+        column,
+        fit_points,
         f"summits that stand out by more than {threshold:.4g} m; paraboloid through {fit_points} points",
         remedy=f"a threshold below {threshold:.4g} m, finer points or a larger map",
     )

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.lib.format import open_memmap
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.raw_scan import RawScan, no_channel
 
 __all__ = ["read_npy", "read_npz"]

@@ -7,13 +7,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from stiction.errors import InputError
-
-from .areal_asperities import eight_neighbour, persistence
-from .asperity_set import Asperities
-from .gaussian_asperities import combine, mccool
-from .heightmap import HeightMap
-from .profile_asperities import n_point, three_point
+from stiction.quantities.errors import InputError
+from stiction.surfaces.areal_asperities import eight_neighbour, persistence
+from stiction.surfaces.asperity_set import Asperities
+from stiction.surfaces.gaussian_asperities import combine, mccool
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.profile_asperities import n_point, three_point
 
 __all__ = ["AREAL", "METHODS", "Asperities", "asperities", "combine", "methods_for"]
 

@@ -4,10 +4,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from stiction.contact import Roughness
-from stiction.errors import InputError
-
-from .heightmap import HeightMap
+from stiction.contact.contact import Roughness
+from stiction.quantities.errors import InputError
+from stiction.surfaces.heightmap import HeightMap
 
 __all__ = ["Asperities"]
 
@@ -66,8 +65,15 @@ def of_samples(
     with np.errstate(divide="ignore"):
         radii = np.where(curvatures > 0.0, 1.0 / curvatures, np.inf)
     return Asperities(
-        method, density, spread(heights), 1.0 / mean_curvature, float(heights.mean()), skewness(heights), "; ".join(notes),
-        heights, radii,
+        method,
+        density,
+        spread(heights),
+        1.0 / mean_curvature,
+        float(heights.mean()),
+        skewness(heights),
+        "; ".join(notes),
+        heights,
+        radii,
     )
 
 

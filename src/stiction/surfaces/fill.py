@@ -6,7 +6,7 @@ import numpy as np
 from scipy import ndimage, sparse
 from scipy.sparse.linalg import LinearOperator, cg, splu
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 
 __all__ = ["FILLS", "fill_missing"]

@@ -1,16 +1,15 @@
 """Asperities that a surface would have if it were Gaussian, isotropic but for a stretch: McCool's, from spectral moments.
 
 No asperity is looked for. The mean squares of height, slope and second derivative along profiles (m0, m2, m4), put into Nayak's
-statistics (1971) as McCool (1986) does, give sigma, R and N; stiction.moments has the relations.
+statistics (1971) as McCool (1986) does, give sigma, R and N; stiction.surfaces.theory.moments has the relations.
 """
 
-from stiction.errors import InputError
-from stiction.moments import LEAST_BANDWIDTH, SUMMIT_DEFICIT, Moments
-
-from .asperity_set import Asperities
-from .heightmap import HeightMap
-from .statistics import combine as added
-from .statistics import moments_by_differences
+from stiction.quantities.errors import InputError
+from stiction.surfaces.asperity_set import Asperities
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.statistics import combine as added
+from stiction.surfaces.statistics import moments_by_differences
+from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, SUMMIT_DEFICIT, Moments
 
 
 def mccool(surface: HeightMap, cutoff: float | None = None) -> Asperities:

@@ -25,11 +25,11 @@ import numpy as np
 from scipy.fft import irfft2, rfft2
 from scipy.special import ndtri
 
-from ..errors import InputError
-from ..units import show
-from .heightmap import HeightMap, size_in_metres
-from .johnson import johnson
-from .targets import SelfAffine, require_positive
+from stiction.quantities.errors import InputError
+from stiction.quantities.units import show
+from stiction.surfaces.heightmap import HeightMap, size_in_metres
+from stiction.surfaces.johnson import johnson
+from stiction.surfaces.targets import SelfAffine, require_positive
 
 __all__ = ["gaussian_surface", "non_gaussian_surface", "rms_slope", "with_deviation", "with_slope"]
 

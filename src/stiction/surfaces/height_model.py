@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from stiction.contact import Roughness
-from stiction.errors import InputError
-
-from .asperity_set import FEW, Asperities
+from stiction.contact.contact import Roughness
+from stiction.quantities.errors import InputError
+from stiction.surfaces.asperity_set import FEW, Asperities
 
 __all__ = ["MODELS", "HeightModel", "height_model", "roughness"]
 
@@ -23,7 +22,7 @@ MODELS = ("gaussian", "weibull", "empirical")
 _ONE_IN_TWENTY = 0.886
 _INDEPENDENT = 100
 _QUANTILES = 2000  # that stand for the samples, if there are more
-_LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # as of stiction.heights.weibull
+_LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # as of stiction.engine.heights.weibull
 
 
 @dataclass(frozen=True)

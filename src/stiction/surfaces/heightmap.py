@@ -5,8 +5,8 @@ from numbers import Real
 
 import numpy as np
 
-from stiction.errors import InputError
-from stiction.units import to_si
+from stiction.quantities.errors import InputError
+from stiction.quantities.units import to_si
 
 __all__ = ["HeightMap", "in_metres", "metres", "size_in_metres"]
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.positions import equally_spaced
 from stiction.surfaces.raw_scan import RawScan, ends_in_a_line, unreadable
 

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.optimize import brentq, least_squares
 from scipy.special import expit
 
-from ..errors import InputError
+from stiction.quantities.errors import InputError
 
 __all__ = ["johnson"]
 

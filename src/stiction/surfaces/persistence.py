@@ -8,7 +8,7 @@ of the same height that with the larger flat index counts as higher, so that the
 import numpy as np
 from scipy.ndimage import label
 
-from stiction.compiled import formula, kernel
+from stiction.engine.compiled import formula, kernel
 
 __all__ = ["persistent_maxima"]
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.raw_scan import FEWEST_POINTS
 
 __all__ = ["equally_spaced", "gridded"]

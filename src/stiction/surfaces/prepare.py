@@ -10,10 +10,10 @@ import numpy as np
 import scipy.fft
 from numpy.polynomial.legendre import legvander
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
+from stiction.quantities.units import show
 from stiction.surfaces.fill import FILLS, fill_missing
 from stiction.surfaces.heightmap import HeightMap, metres
-from stiction.units import show
 
 __all__ = ["FILLS", "crop", "fill_missing", "filter_band", "level", "remove_form"]
 

@@ -18,11 +18,10 @@ from typing import Any
 
 import numpy as np
 
-from stiction.errors import InputError
-from stiction.n_point import n_point_asperities
-
-from .asperity_set import Asperities, of_samples, over_mean_plane, rounding
-from .heightmap import HeightMap, in_metres
+from stiction.quantities.errors import InputError
+from stiction.surfaces.asperity_set import Asperities, of_samples, over_mean_plane, rounding
+from stiction.surfaces.heightmap import HeightMap, in_metres
+from stiction.surfaces.theory.n_point import n_point_asperities
 
 # Of equation (1).
 SUMMITS_PER_PEAKS_SQUARED = 2.0 * math.pi / (3.0 * math.sqrt(3.0))
@@ -39,7 +38,10 @@ def three_point(surface: HeightMap, directions: str = "xy") -> Asperities:
     found = [_peaks(lines, pitch) for lines, pitch in _profiles(surface, directions)]
     heights, curvatures = np.concatenate([one[0] for one in found]), np.concatenate([one[1] for one in found])
     return of_samples(
-        "three_point", heights, curvatures, _per_area([one[2] for one in found]),
+        "three_point",
+        heights,
+        curvatures,
+        _per_area([one[2] for one in found]),
         f"peaks higher than both neighbours on the profiles along {_said(surface, directions)}; {_RELATION}",
     )
 
@@ -57,7 +59,7 @@ def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, flo
 
 
 def n_point(surface: HeightMap, level: Any = 0.0, directions: str = "xy") -> Asperities:
-    """Rows of neighbouring points above a level, each one asperity: see stiction.n_point, which defines height and radius.
+    """Rows of neighbouring points above a level, each one asperity: see surfaces.theory.n_point, which defines height and radius.
 
     level: [m] or text with a unit, over the mean plane. directions: as of `three_point`. Every asperity begins where the
     profile comes up through the level: these places are counted, per length of neighbours that are there. Heights and radii are
@@ -75,7 +77,10 @@ def n_point(surface: HeightMap, level: Any = 0.0, directions: str = "xy") -> Asp
         curvatures += [1.0 / one.radius for one in found]
         per_length.append(_rises(lines, level) / pitch)
     return of_samples(
-        "n_point", np.concatenate(heights), np.concatenate(curvatures), _per_area(per_length),
+        "n_point",
+        np.concatenate(heights),
+        np.concatenate(curvatures),
+        _per_area(per_length),
         f"rows of points more than {level:g} m over the mean plane on the profiles along {_said(surface, directions)}; "
         f"{_RELATION}",
     )

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 
 __all__ = ["FEWEST_POINTS", "RawScan", "ends_in_a_line", "no_channel", "unreadable"]
 

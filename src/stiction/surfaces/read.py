@@ -11,13 +11,13 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
+from stiction.quantities.units import show
 from stiction.surfaces.array_files import read_npy, read_npz
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.instrument_files import read_instrument
 from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan
 from stiction.surfaces.text_files import read_positions, read_table, read_text
-from stiction.units import show
 
 __all__ = ["FEWEST_POINTS", "read_scan"]
 

@@ -31,11 +31,18 @@ import numpy as np
 import scipy.fft
 from scipy.signal.windows import hann
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 
 __all__ = [
-    "BINS", "WINDOWS", "BinnedSpectrum", "PowerSpectrum", "line_spectrum", "power_spectrum", "radial_average", "tip_cutoff",
+    "BINS",
+    "WINDOWS",
+    "BinnedSpectrum",
+    "PowerSpectrum",
+    "line_spectrum",
+    "power_spectrum",
+    "radial_average",
+    "tip_cutoff",
 ]
 
 LEAST_PERIODS = 3
@@ -77,8 +84,9 @@ class PowerSpectrum:
     @property
     def wavevectors(self) -> tuple[np.ndarray, np.ndarray]:
         """q_y (rows,) and q_x (columns // 2 + 1,) [rad/m]."""
-        return _wavevectors(self.density.shape[0], self.size[0], np.fft.fftfreq), \
-            _wavevectors(self.columns, self.size[1], np.fft.rfftfreq)
+        return _wavevectors(self.density.shape[0], self.size[0], np.fft.fftfreq), _wavevectors(
+            self.columns, self.size[1], np.fft.rfftfreq
+        )
 
     @property
     def waves(self) -> np.ndarray:

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 
 __all__ = ["SUSPICIOUS", "mask_spikes", "spikes"]

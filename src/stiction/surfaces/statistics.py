@@ -34,10 +34,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stiction.errors import InputError
-from stiction.moments import Moments
+from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap, in_metres
 from stiction.surfaces.spectrum import PowerSpectrum
+from stiction.surfaces.theory.moments import Moments
 
 __all__ = ["ProfileMoments", "Statistics", "combine", "moments_by_differences", "moments_by_spectrum", "statistics"]
 
@@ -101,7 +101,14 @@ def statistics(surface: HeightMap) -> Statistics:
     curvature_y = _rms_difference(heights, 0, 2) / dy**2
     curvature = 0.5 * _rms_laplacian(heights, dy, dx)
     return Statistics(
-        *heights_of, mean, slope_x, slope_y, math.hypot(slope_x, slope_y), curvature_x, curvature_y, curvature,
+        *heights_of,
+        mean,
+        slope_x,
+        slope_y,
+        math.hypot(slope_x, slope_y),
+        curvature_x,
+        curvature_y,
+        curvature,
     )
 
 

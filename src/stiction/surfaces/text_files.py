@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.errors import InputError
+from stiction.quantities.errors import InputError
 from stiction.surfaces.instrument_files import read_instrument
 from stiction.surfaces.positions import equally_spaced, gridded
 from stiction.surfaces.raw_scan import RawScan, ends_in_a_line, no_channel

@@ -1,0 +1,368 @@
+"""From two materials, a film and a rough surface to the dimensionless groups (docs/theory.md)."""
+
+from dataclasses import dataclass
+from math import pi
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BeforeValidator, Field, model_validator
+
+from stiction.contact.materials import Material, as_material
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input, Number, OptionalNumber
+from stiction.quantities.units import to_si
+
+__all__ = ["Body", "Coating", "Contact", "Indices", "Roughness", "Scales", "work_of_adhesion"]
+
+# H/Y where no material says otherwise: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
+HARDNESS_TO_YIELD = 2.8
+
+# Equilibrium distance of two surfaces for the Tabor parameter. Of the order of an atomic spacing; 0.3 nm is
+# a customary round value, written down from memory and not taken from one source.
+EQUILIBRIUM_DISTANCE = 0.3e-9
+
+Body = Annotated[Material, BeforeValidator(as_material, json_schema_input_type=str | Material)]
+
+
+def _parameter(value):
+    numbers = np.asarray(value)
+    if numbers.dtype.kind not in "iuf" or not np.isfinite(numbers).all():
+        raise InputError("", value, "a finite number or a list of them")
+    return numbers.astype(float).tolist()
+
+
+_Parameter = Annotated[Any, BeforeValidator(_parameter, json_schema_input_type=float | list[float])]
+
+
+class Coating(Input):
+    """A film on one body or on both.
+
+    material: Material, name of a preset, or dict of its numbers. bodies: which body carries it; with
+    "both", the default and the paper's case, film meets film and `thickness` is the sum of the two.
+    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact.
+    The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
+    yield_stress or tangent_modulus of the film is not used. Raises InputError.
+    """
+
+    material: Body = Field(description="a material: the name of a preset, or its numbers")
+    thickness: Number
+    bodies: Literal["both", "first", "second"] = "both"
+    work_of_adhesion: OptionalNumber = None
+
+
+class Roughness(Input):
+    """The equivalent rough surface: asperities of one radius, with distributed heights (GW 1966).
+
+    height_distribution: name of a height distribution; height_parameters: its parameters, e.g. {"shape":
+    3.4}. surface: asperities with the spectral moments of the surface (McCool 1986), with Gaussian heights, which theories of
+    the whole surface take in place of these; left out, they take these. Raises InputError.
+    """
+
+    asperity_height_deviation: Number
+    asperity_radius: Number
+    asperity_density: Number
+    height_distribution: str = "gaussian"
+    height_parameters: dict[str, _Parameter] = Field(default_factory=dict)
+    surface: "Roughness | None" = Field(default=None, description="a table with sigma, R and N of a Gaussian surface")
+
+    @model_validator(mode="after")
+    def _surface_is_gaussian(self):
+        if self.surface is not None and self.surface.height_distribution != "gaussian":
+            raise InputError("surface.height_distribution", self.surface.height_distribution, "gaussian")
+        if self.surface is not None and self.surface.surface is not None:
+            raise InputError("surface.surface", "a table", "nothing: this is the surface already")
+        return self
+
+
+@dataclass(frozen=True)
+class Scales:
+    """What the dimensionless results of a contact are multiplied by to be in SI units.
+
+    load [N] and contact_area [m^2] per asperity, separation [m], asperities: their number on the nominal
+    area. The load of the whole contact is its dimensionless value times load times asperities.
+    """
+
+    load: Any
+    contact_area: Any
+    separation: Any
+    asperities: Any
+
+
+class Indices(Input):
+    """The dimensionless groups of theory 1 and 4: all that a model needs to know of a contact.
+
+    Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
+    alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
+    out is nu, film_K_beta left out follows from film_nu, or is K_beta. The last eight are needed by some laws only.
+    Raises InputError.
+    """
+
+    theta: Number
+    lam: Number
+    nu: Number = 0.3
+    hardness_to_yield: Number = HARDNESS_TO_YIELD
+    n_E: OptionalNumber = None
+    n_H: OptionalNumber = None
+    tau: OptionalNumber = None
+    n_g: Number = 1.0
+    film_aspect: OptionalNumber = None
+    K_beta: OptionalNumber = None
+    film_nu: OptionalNumber = None
+    film_K_beta: OptionalNumber = None
+    tabor_parameter: OptionalNumber = None
+    sharpness: OptionalNumber = None
+    density: OptionalNumber = None
+    nominal_width: OptionalNumber = None
+    shear_strength: OptionalNumber = None
+    pressure_coefficient: OptionalNumber = None
+    peeling: OptionalNumber = None
+    hardening: OptionalNumber = None
+
+    @model_validator(mode="after")
+    def _film_is_whole(self):
+        needed = ("n_E", "n_H", "tau")
+        missing = [name for name in needed if getattr(self, name) is None]
+        beside = [name for name in ("film_aspect", "film_nu", "film_K_beta") if getattr(self, name) is not None]
+        if np.any(self.n_g != 1):
+            beside.append("n_g")
+        if missing and (len(missing) < len(needed) or beside):
+            given = next((name for name in needed if name not in missing), None) or beside[0]
+            raise InputError(missing[0], None, f"a film needs n_E, n_H and tau together ({given} is given)")
+        self.check_dimensions()
+        return self
+
+    @property
+    def has_film(self) -> bool:
+        """Whether there is a film."""
+        return self.tau is not None
+
+    def resolved(self) -> "Indices":
+        """The same groups with K_beta, and with a film film_nu and film_K_beta, filled in."""
+        K_beta = _K_beta_alike(self.nu) if self.K_beta is None else self.K_beta
+        if not self.has_film:
+            return self._with(K_beta=K_beta)
+        film_nu = self.nu if self.film_nu is None else self.film_nu
+        film_K_beta = self.film_K_beta
+        if film_K_beta is None:
+            film_K_beta = K_beta if self.film_nu is None else _K_beta_alike(film_nu)
+        return self._with(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta)
+
+    def film(self) -> "Indices":
+        """The groups of the film as a half-space (theory 4).
+
+        theta_c = theta n_E / n_g, lambda_c = lambda n_H^4 / (n_E n_g)^2, with nu and K beta of the film.
+        Raises InputError without a film.
+        """
+        if not self.has_film:
+            raise InputError("tau", None, "n_E, n_H and tau: there is no film")
+        whole = self.resolved()
+        strength, tabor = whole.shear_strength, whole.tabor_parameter
+        return whole.substrate()._with(
+            theta=whole.theta * whole.n_E / whole.n_g,
+            lam=whole.lam * whole.n_H**4 / (whole.n_E * whole.n_g) ** 2,
+            nu=whole.film_nu,
+            K_beta=whole.film_K_beta,
+            shear_strength=None if strength is None else strength / whole.n_H,
+            tabor_parameter=None if tabor is None else tabor * (whole.n_g / whole.n_E) ** (2 / 3),
+        )
+
+    def substrate(self) -> "Indices":
+        """The groups of the same contact without its film."""
+        return self._with(n_g=1.0, **dict.fromkeys(_FILM))
+
+    def _with(self, **changes) -> "Indices":
+        return Indices(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
+
+
+_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta")
+
+
+class Contact(Input):
+    """Two bodies with rough surfaces, perhaps a film between them.
+
+    first, second: Material, name of a preset, or dict of numbers. work_of_adhesion: of the bodies'
+    surfaces, see the function of that name. hardness_to_yield: H/Y; left out, it is hardness over
+    yield_stress of the softer body, or 2.8 if that has no yield_stress. interfacial_shear_strength and
+    pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
+    tangential energy release that peels an adhesive asperity (Savkoor and Briggs: all). Every number may be an array with a
+    named dimension (`stiction.axis`). Raises InputError.
+    """
+
+    first: Body = Field(description="a material: the name of a preset, or its numbers")
+    second: Body = Field(description="a material: the name of a preset, or its numbers")
+    roughness: Roughness = Field(description="a table with sigma, R and N of the asperities")
+    work_of_adhesion: Number
+    nominal_area: Number
+    coating: Coating | None = None
+    hardness_to_yield: OptionalNumber = None
+    interfacial_shear_strength: OptionalNumber = None
+    pressure_coefficient: OptionalNumber = None
+    peeling: OptionalNumber = None
+
+    @model_validator(mode="after")
+    def _dimensions_agree(self):
+        self.check_dimensions()
+        return self
+
+    def indices(self) -> Indices:
+        """The dimensionless groups of theory 1, and 4 if there is a film; arrays broadcast by dimension.
+
+        Raises InputError if a group is out of its bounds (a hardness below the yield stress, say).
+        """
+        try:
+            with np.errstate(all="ignore"):  # what overflows in an array is refused by Indices
+                groups = self._groups()
+        except ArithmeticError:
+            raise InputError("contact", "numbers out of all proportion", "numbers of real materials") from None
+        return Indices(**groups)
+
+    def _groups(self) -> dict[str, Any]:
+        bare = _pair(self.first, self.second)
+        sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
+        groups = {
+            # theory 1 and paper, section 2
+            "theta": bare.K * sigma**1.5 / (gamma * radius**0.5),
+            "lam": pi**2 * radius * bare.hardness**4 * sigma / (18 * bare.K**2 * gamma**2),
+            "nu": bare.nu,
+            "hardness_to_yield": bare.k if self.hardness_to_yield is None else self.hardness_to_yield,
+            "K_beta": bare.K * bare.beta,
+            "tabor_parameter": self.tabor_parameter(),
+            "sharpness": (sigma / radius) ** 0.5,
+            "density": self.roughness.asperity_density * radius * sigma,
+            "nominal_width": self.nominal_area**0.5 / sigma,
+            "pressure_coefficient": self.pressure_coefficient,
+            "peeling": self.peeling,
+            "hardening": bare.hardening,
+        }
+        if self.interfacial_shear_strength is not None:
+            groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
+        if self.coating is not None:
+            film = _pair(self.coating.material, self._against_film(self.coating))
+            film_gamma = self.coating.work_of_adhesion
+            groups |= {
+                # theory 4; the ratio of K is the paper's n_E = E_c/E_s where film and bodies share one nu
+                "n_E": film.K / bare.K,
+                "n_H": film.hardness / bare.hardness,
+                "tau": self.coating.thickness / sigma,
+                "n_g": 1.0 if film_gamma is None else film_gamma / gamma,
+                "film_aspect": self.coating.thickness / (radius * sigma) ** 0.5,
+                "film_nu": film.nu,
+                "film_K_beta": film.K * film.beta,
+            }
+        return groups
+
+    def with_surface_moments(self) -> "Contact":
+        """The contact as theories of the whole surface take it: with the asperities that have its spectral moments."""
+        surface = self.roughness.surface
+        return self if surface is None else self.model_copy(update={"roughness": surface})
+
+    def scales(self) -> Scales:
+        """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""
+        K = _pair(self.first, self.second).K
+        return Scales(
+            load=K * self._radius**0.5 * self._sigma**1.5,
+            contact_area=pi * self._radius * self._sigma,
+            separation=self._sigma,
+            asperities=self.roughness.asperity_density * self.nominal_area,
+        )
+
+    @property
+    def contact_modulus(self):
+        """E* of the two bodies without film [Pa] (theory 1)."""
+        return 0.75 * _pair(self.first, self.second).K
+
+    @property
+    def plasticity_index(self):
+        """psi = (E*/H) (sigma/R)^(1/2) of the bodies without film, H of the softer (GW 1966)."""
+        hardness = _pair(self.first, self.second).hardness
+        return self.contact_modulus / hardness * (self._sigma / self._radius) ** 0.5
+
+    def tabor_parameter(self, equilibrium_distance=EQUILIBRIUM_DISTANCE):
+        """mu_T = (R gamma^2 / (E*^2 epsilon^3))^(1/3) of the bodies without film (Tabor 1977).
+
+        equilibrium_distance: epsilon, SI or text with unit; 0.3 nm is a customary round value, not a
+        sourced one. JKR holds well above about 5, DMT well below about 0.1.
+        """
+        distance = to_si(equilibrium_distance, "equilibrium_distance")
+        return (self._radius * self.work_of_adhesion**2 / (self.contact_modulus**2 * distance**3)) ** (1 / 3)
+
+    @property
+    def _sigma(self):
+        return self.roughness.asperity_height_deviation
+
+    @property
+    def _radius(self):
+        return self.roughness.asperity_radius
+
+    def _against_film(self, coating: Coating) -> Material:
+        """What the film meets: itself if both bodies carry it, else the body that does not."""
+        return {"both": coating.material, "first": self.second, "second": self.first}[coating.bodies]
+
+
+def work_of_adhesion(first, second, *, interfacial) -> Any:
+    """Work of adhesion of two surfaces [J/m^2], gamma_1 + gamma_2 - gamma_12 (Dupre).
+
+    first, second: Material or preset name with a surface_energy; interfacial: gamma_12, energy of the closed
+    interface, SI or text with unit, >= 0: zero for one material in perfect registry, and the upper bound
+    otherwise. This holds for clean surfaces; adsorbed layers lower it by one or two orders of magnitude.
+    Raises InputError where a surface energy is missing or the result is not positive.
+    """
+    energies = []
+    for field, body in (("first", first), ("second", second)):
+        body = as_material(body)
+        if body.surface_energy is None:
+            raise InputError(f"{field}.surface_energy", None, "a material with a surface_energy, e.g. 1.25 J/m^2")
+        energies.append(body.surface_energy)
+    return to_si(energies[0] + energies[1] - to_si(interfacial, "interfacial_energy"), "work_of_adhesion")
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """Two half-spaces in contact (theory 1): stiffnesses of both, strength of the softer."""
+
+    K: Any
+    beta: Any
+    hardness: Any
+    nu: Any
+    k: Any
+    hardening: Any
+
+
+def _pair(first: Material, second: Material) -> _Pair:
+    bodies = (first, second)
+    compliance = sum((1 - body.poissons_ratio**2) / body.youngs_modulus for body in bodies)  # 1/E*, departure D1
+    softer = first.hardness <= second.hardness
+    return _Pair(
+        K=4 / (3 * compliance),
+        beta=sum((2 - body.poissons_ratio) / body.shear_modulus for body in bodies),  # paper, below eq (10)
+        hardness=_choose(softer, first.hardness, second.hardness),
+        nu=_choose(softer, first.poissons_ratio, second.poissons_ratio),
+        k=_choose(softer, _hardness_to_yield(first), _hardness_to_yield(second)),
+        hardening=_choose(softer, _hardening(first), _hardening(second)),
+    )
+
+
+def _hardness_to_yield(body: Material):
+    return HARDNESS_TO_YIELD if body.yield_stress is None else body.hardness / body.yield_stress
+
+
+def _hardening(body: Material):
+    return None if body.tangent_modulus is None else body.tangent_modulus / body.youngs_modulus
+
+
+def _choose(condition, one, other):
+    """`one` where the condition holds, else `other`: elementwise if the condition is a labelled array. What is not known (None)
+    somewhere along a sweep is not known."""
+    if hasattr(condition, "dims"):
+        if one is None or other is None:
+            known, chosen = (one, condition) if other is None else (other, ~condition)
+            return known if chosen.all() else None
+        import xarray
+
+        return xarray.where(condition, one, other)
+    return one if condition else other
+
+
+def _K_beta_alike(nu):
+    """K beta of two bodies alike, or of one against a rigid body (theory 1): 6.4762 at nu = 0.3."""
+    return 8 / 3 * (2 - nu) / (1 - nu)

@@ -1,0 +1,94 @@
+"""Materials, given by numbers or taken from the presets in material_data/ (one file per source of data)."""
+
+import tomllib
+from functools import cache
+from importlib import resources
+from typing import Any
+
+from pydantic import Field
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input, Number, OptionalNumber, nearest
+
+__all__ = ["Material", "material", "material_names"]
+
+
+class Material(Input):
+    """A homogeneous isotropic material.
+
+    name: what to call it; source: where the numbers come from, one text or one for each field.
+    Numbers are SI floats, text with a unit ("210 GPa"), or arrays with a named dimension (`stiction.axis`).
+    Raises InputError naming the field, its value and the allowed range.
+    """
+
+    name: str = "unnamed"
+    youngs_modulus: Number
+    poissons_ratio: Number
+    hardness: Number
+    yield_stress: OptionalNumber = None
+    tangent_modulus: OptionalNumber = None
+    surface_energy: OptionalNumber = None
+    source: str | dict[str, str] | None = Field(None, union_mode="left_to_right")
+
+    @property
+    def shear_modulus(self):
+        """Shear modulus of an isotropic material [Pa], E / (2 (1 + nu))."""
+        return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core_schema, handler):
+        """In a file a material may also start from a preset: {preset = "silver", hardness = "0.5 GPa"}."""
+        schema = super().__get_pydantic_json_schema__(core_schema, handler)
+        schema["properties"]["preset"] = {
+            "description": "preset whose numbers hold wherever none is given here",
+            "enum": material_names(),
+        }
+        schema["anyOf"] = [{"required": ["preset"]}, {"required": schema.pop("required")}]
+        return schema
+
+
+def material_names() -> list[str]:
+    """Names of the presets, in alphabetical order."""
+    return sorted(_presets())
+
+
+def material(name: str, /, **changes) -> Material:
+    """The preset of that name, changed where fields are given: material("silver", hardness="1 GPa").
+
+    Raises InputError for an unknown name, listing those near to it, and for a bad number.
+    """
+    if not isinstance(name, str) or name not in _presets():
+        raise InputError("material", name, "a preset: " + nearest(name, material_names()))
+    data, source = _presets()[name]
+    kept = {field: text for field, text in source.items() if field not in changes}
+    return Material(**{"name": name, **data, "source": kept, **changes})
+
+
+def as_material(value):
+    """Validator of a field that holds a body: a Material, the name of a preset, or a table of numbers."""
+    if isinstance(value, str):
+        value = {"preset": value}
+    if isinstance(value, dict) and "preset" in value:
+        changes: dict[str, Any] = {key: entry for key, entry in value.items() if key != "preset"}
+        try:
+            return material(value["preset"], **changes)
+        except InputError as error:
+            raise InputError("" if error.field == "material" else error.field, error.value, error.allowed) from None
+    return value
+
+
+@cache
+def _presets() -> dict[str, tuple[dict, dict[str, str]]]:
+    """Fields and sources of every preset, read from all files of material_data/."""
+    presets: dict[str, tuple[dict, dict[str, str]]] = {}
+    for file in sorted(resources.files("stiction.contact").joinpath("material_data").iterdir(), key=lambda file: file.name):
+        if not file.name.endswith(".toml"):
+            continue
+        content = tomllib.loads(file.read_text(encoding="utf-8"))
+        for name, data in content["materials"].items():
+            notes = data.pop("source", {})
+            source = {field: notes.get(field, content["source"].get(field, "")) for field in data}
+            if name in presets:
+                raise ValueError(f"material {name} stands in two files")
+            presets[name] = (data, source)
+    return presets

@@ -1,0 +1,62 @@
+"""One asperity without adhesion: Hertz up to the critical interference, then a truncated sphere of conserved volume.
+
+Chang, Etsion & Bogy 1987. Loads over K R^(1/2) sigma^(3/2), areas over pi R sigma, displacements over sigma.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.asperity import hertz
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.laws.sources import Source
+
+
+def hardness_coefficient(nu):
+    """K_H = 0.454 + 0.41 nu: the largest pressure at first yield over the hardness. Arrays. The 1987 paper takes the
+    constant 0.6; this form is the authors' of 1988."""
+    return 0.454 + 0.41 * nu
+
+
+def critical_interference(eta, K_H):
+    """omega_c / sigma = ((2/3) K_H eta)^2, from omega_c = (pi K_H H / (2 E*))^2 R with eta = pi H sqrt(R/sigma)/K. Arrays."""
+    return (2.0 / 3.0 * K_H * eta) ** 2
+
+
+@formula
+def plastic(w, w_c, eta, K_H):
+    """A = pi R w (2 - w_c/w), P = A K_H H."""
+    area = 2.0 * w - w_c
+    return w, 1.0, K_H * eta * area, area
+
+
+@formula
+def plastic_coordinate(w, w_c, eta, K_H):
+    return w
+
+
+def pieces(groups: Groups) -> list[NormalPiece]:
+    eta, K_H = groups.eta, hardness_coefficient(groups.nu)
+    w_c = critical_interference(eta, K_H)
+    flow = np.stack([w_c, np.full_like(w_c, np.inf)], axis=1)
+    return [hertz.elastic(w_c), NormalPiece(plastic, plastic_coordinate, (w_c, eta, K_H), flow, "plastic")]
+
+
+RECORD = AsperityLaw(
+    key="chang_etsion_bogy_1987",
+    title="Sphere elastic to first yield, then of conserved volume at K_H H",
+    grade="B",
+    sources=(Source("chang_etsion_bogy_1987", "critical interference, plastic load and area"),),
+    pieces=pieces,
+    traits=frozenset({"no adhesion", "Hertz"}),
+    jumps=(Jump(1, 1.5, 1.0, "at the critical interference"),),
+    verified="independent integrals at 30 digits",
+    needs=("theta", "lam", "nu"),
+    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    load_falls=False,
+    notes="The mean pressure jumps from (2/3) K_H H to K_H H at the critical interference.",
+)

@@ -1,0 +1,48 @@
+"""One elastic asperity with adhesion around the contact: Derjaguin, Muller & Toporov 1975, as Maugis 1992 states it:
+Hertz's contact, with the load less the constant 2 pi gamma R."""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.asperity import hertz
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, Limit, Validity
+from stiction.laws.sources import Source
+
+_coordinate = hertz.coordinate
+
+
+@formula
+def normal(u, theta):
+    """Displacement w = u^2, its slope, load w^(3/2) - 2 pi/theta, area w (over pi R sigma)."""
+    w = u * u
+    return w, 2.0 * u, w * u - 2.0 * math.pi / theta, w
+
+
+@formula
+def coordinate(w, theta):
+    return _coordinate(w)
+
+
+def pieces(groups: Groups) -> list[NormalPiece]:
+    edges = np.tile([0.0, np.inf], (len(groups), 1))
+    return [NormalPiece(normal, coordinate, (groups.theta,), edges, "elastic")]
+
+
+RECORD = AsperityLaw(
+    key="dmt",
+    title="Elastic sphere, adhesion around the contact",
+    grade="B",
+    sources=(Source("derjaguin_muller_toporov_1975", "", "load less 2 pi gamma R, in the form of Maugis 1992"),),
+    pieces=pieces,
+    verified="independent integrals at 30 digits; Hertz without adhesion",
+    needs=("theta",),
+    validity=(
+        Validity("tabor_parameter", 0.0, 0.1, "adhesion acts around the contact only for stiff, small asperities"),
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
+    ),
+    limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-9),),
+)

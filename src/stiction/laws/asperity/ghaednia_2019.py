@@ -1,0 +1,178 @@
+"""One asperity without adhesion whose material hardens: Ghaednia, Brake, Berryhill & Jackson 2019.
+
+A sphere of bilinear strain hardening, flattened: its stress rises by Young's modulus E up to the yield stress S_y and by the
+tangent modulus E_t from there on. Hertz up to 1.9 omega_c; then area and load lie between those of the sphere that does not
+harden (Jackson & Green 2005, with another limiting hardness) and Hertz's, the nearer to these the more it hardens.
+Displacements over sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma. Coordinate: u = sqrt(w).
+
+Equation numbers are those that the code of one author's group gives beside its formulas.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula, kernel
+from stiction.laws.asperity import hertz
+from stiction.laws.asperity import jackson_green_2005 as unhardened
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.laws.sources import Source
+
+_area_ratio, _load_ratio, _elastic_to = unhardened.area_ratio, unhardened.load_ratio, unhardened.ELASTIC_TO
+
+# Where the sum is split, omega over omega_c: beyond, the elastic part of the load without hardening has died out.
+_SPLITS = (1e3, 1e5)
+# E of the asperity over (1 - nu^2) E*: E* = E/(2 (1 - nu^2)) between bodies alike, E/(1 - nu^2) against a rigid one.
+_BODIES = {"alike": 2.0, "rigid": 1.0}
+# How a = R is searched.
+_STEPS, _HALVINGS = 64, 60
+
+
+def elastic_share(hardening):
+    """1 - exp(-3.3 E_t/E): how far the load is on its way to Hertz's (eq 30). Arrays."""
+    return -np.expm1(-3.3 * hardening)
+
+
+def stiffening(hardening, modulus_over_yield):
+    """What eq 26 is made of, Upsilon = -front exp(rate (omega - omega_c)/R): front and rate, arrays.
+
+    Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), e = E_t/E and s = (E/S_y)^(1/2): as computed by
+    that code. The printed one, which it quotes and calls wrong, has the other sign, and omega in place of omega - omega_c; with
+    that sign the area would grow beyond all bounds for e -> 1 and not become Hertz's. Upsilon = 0 for e = 0, at any omega.
+    """
+    s = np.sqrt(modulus_over_yield)
+    front = 2.0 * s * hardening / ((4.0 - 3.0 * np.exp(-2.0 * s * hardening)) * (1.0 - hardening))
+    rate = -np.log(np.where(hardening > 0.0, hardening, 1.0))
+    return front, rate
+
+
+@formula
+def radius(w, w_c, B, sharpness, front, rate):
+    """a over (R sigma)^(1/2): a = a_e + (a_p - a_e) exp(Upsilon) (eq 25), a_e after Hertz (eq 1), a_p of Jackson and Green
+    (eqs 23, 24). Upsilon is kept finite beyond omega = R."""
+    elastic = math.sqrt(w)
+    upsilon = -front * math.exp(min(rate * (w - w_c) * sharpness * sharpness, 300.0))
+    return elastic + elastic * (math.sqrt(_area_ratio(w / w_c, B)) - 1.0) * math.exp(upsilon)
+
+
+@formula
+def hardness(radius):
+    """H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (eq 28), which falls from 2.84 to 1 at a = R and is held there: more has no
+    meaning."""
+    return 2.84 - 0.92 * (1.0 - math.cos(math.pi * min(radius, 1.0)))
+
+
+_radius, _hardness = radius, hardness
+
+
+@formula
+def yielding(u, w_c, C, B, sharpness, front, rate, share, wide):
+    """Beyond 1.9 omega_c; from the displacement `wide` on the hardness stays at S_y.
+
+    The load is F_p + (F_e - F_p) share (eq 30), F_p that of Jackson and Green (eqs 27, 29), F_e Hertz's (eq 31, which is
+    printed with a factor pi that Hertz's force does not have).
+    """
+    w = u * u
+    a = _radius(w, w_c, B, sharpness, front, rate)
+    H = _hardness(a * sharpness) if w < wide else 1.0
+    soft = w_c * math.sqrt(w_c) * _load_ratio(w / w_c, C, H)
+    return w, 2.0 * u, soft + (w * u - soft) * share, a * a
+
+
+@formula
+def coordinate(w, w_c, C, B, sharpness, front, rate, share, wide):
+    return math.sqrt(max(w, 0.0))
+
+
+@kernel
+def _wide_as_high(w_c, B, sharpness, front, rate, steps, halvings, out):
+    """Displacement beyond 1.9 omega_c at which a = R for the first time; 1.9 omega_c if a >= R already.
+
+    With little hardening a may fall below R again, before omega = R: hence the steps.
+    """
+    for i in range(out.size):
+        start = _elastic_to * w_c[i]
+        step = max(1.0 / (sharpness[i] * sharpness[i]) - start, 0.0) / steps  # at omega = R, a >= R
+        low, high = start, start
+        for _ in range(steps):
+            if _radius(high, w_c[i], B[i], sharpness[i], front[i], rate[i]) * sharpness[i] < 1.0:
+                low, high = high, high + step
+        for _ in range(halvings):
+            middle = 0.5 * (low + high)
+            if _radius(middle, w_c[i], B[i], sharpness[i], front[i], rate[i]) * sharpness[i] < 1.0:
+                low = middle
+            else:
+                high = middle
+        out[i] = high
+
+
+def _edges(w_c, sharpness, front, rate, wide):
+    """Displacements at which the second piece begins, is split, and ends: where a = R, and where Upsilon = -1, which may be a
+    narrow place."""
+    start = _elastic_to * w_c
+    hardens = (front > 0.0) & (rate > 0.0)
+    turn = np.log(np.divide(1.0, front, where=hardens, out=np.ones_like(front)))
+    turn = w_c + np.divide(turn, rate * sharpness**2, where=hardens, out=np.zeros_like(turn))
+    between = np.stack([wide, turn, *(at * w_c for at in _SPLITS)], axis=1)
+    between = np.sort(np.maximum(between, start[:, None]), axis=1)
+    return np.column_stack([start, between, np.full_like(w_c, np.inf)])
+
+
+def pieces(groups: Groups, other_body: str = "alike") -> list[NormalPiece]:
+    C, k, sharpness = unhardened.yield_coefficient(groups.nu), groups.hardness_to_yield, groups.sharpness
+    w_c = unhardened.critical_interference(groups.eta, C, k)
+    yield_strain = 4.0 / 3.0 * groups.eta * sharpness / (math.pi * k)  # S_y/E*
+    B = unhardened.area_power(yield_strain)
+    front, rate = stiffening(groups.hardening, _BODIES[other_body] * (1.0 - groups.nu * groups.nu) / yield_strain)
+    wide = np.empty_like(w_c)
+    _wide_as_high(w_c, B, sharpness, front, rate, _STEPS, _HALVINGS, wide)
+    parameters = w_c, C, B, sharpness, front, rate, elastic_share(groups.hardening), wide
+    edges = np.sqrt(_edges(w_c, sharpness, front, rate, wide))
+    return [hertz.elastic(_elastic_to * w_c), NormalPiece(yielding, coordinate, parameters, edges, "elastic-plastic")]
+
+
+RECORD = AsperityLaw(
+    key="ghaednia_2019",
+    title="Elastic-plastic sphere of a hardening material",
+    grade="C",
+    sources=(
+        Source(
+            "ghaednia_2019",
+            "eqs 1 to 6 and 23 to 31",
+            "as in the code of one author's group: eq 26 is not as printed, and eq 31 is without its factor pi",
+        ),
+        Source("jackson_green_2005", "the sphere that does not harden"),
+        Source("hertz_1882", "the elastic asperity"),
+    ),
+    pieces=pieces,
+    traits=frozenset({"no adhesion", "Hertz"}),
+    own_options={"other_body": tuple(_BODIES)},
+    jumps=(
+        Jump(
+            1,
+            1.00474,
+            1.0,
+            "at 1.9 omega_c, without hardening; exp(-3.3 E_t/E) times as much with it",
+            {"theta": 1e3, "lam": 1e2, "nu": 0.3, "hardness_to_yield": 2.8, "sharpness": 0.02, "hardening": 0.0},
+        ),
+    ),
+    verified="that code (TMDSimPy), two materials at E_t/E = 0.0032, one at none: area and load at 0.5 to 8 omega_c to 1e-12, "
+    "with `other_body` rigid; the limits of no hardening and of E_t -> E",
+    needs=("theta", "lam", "nu", "hardness_to_yield", "sharpness", "hardening"),
+    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    limits=(
+        Limit("jackson_green_2005", {"hardening": 0.0}, ("contact_area",), 1e-9),
+        Limit("jackson_green_2005", {"hardening": 0.0, "sharpness": 1e-8}, ("load", "contact_area"), 1e-9),
+        Limit("hertz", {"hardening": 1.0 - 1e-12}, ("contact_area",), 1e-9),
+        Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),
+    ),
+    load_falls=False,
+    notes="The yield stress is H/k, k = H/Y. The law is written in E* of the pair, and E and E_t of the asperity: `other_body` "
+    "says what E is, that of either of two bodies alike (the case of most figures of the source), or of the one that is not "
+    "rigid. For E_t -> E the area becomes Hertz's, the load only nearly: by 96 %. Without hardening this is Jackson and Green "
+    "but for the limiting hardness, which has a cosine in place of their exponential; they differ where a/R is not small. "
+    "The figures go to omega/R = 0.05. From a = R on the limiting hardness is held at its least value, S_y; and as omega nears "
+    "R, eq 26 takes the area back to Hertz's.",
+)

@@ -1,0 +1,71 @@
+"""One elastic asperity without adhesion: Hertz 1882. Coordinate: u = sqrt(w), in which load and area are polynomials."""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, Validity
+from stiction.laws.sources import Source
+
+
+@formula
+def load(w):
+    """P = w^(3/2), over K R^(1/2) sigma^(3/2), K = (4/3) E*."""
+    return w * math.sqrt(w)
+
+
+@formula
+def normal(u):
+    """Displacement w = u^2, its slope, load w^(3/2), area w (over pi R sigma)."""
+    w = u * u
+    return w, 2.0 * u, w * u, w
+
+
+@formula
+def coordinate(w):
+    return math.sqrt(max(w, 0.0))
+
+
+def elastic(last: np.ndarray) -> NormalPiece:
+    """Hertz's piece from first touch to the displacements `last` (n,), where some law takes over."""
+    return NormalPiece(normal, coordinate, (), np.stack([np.zeros_like(last), np.sqrt(last)], axis=1), "elastic")
+
+
+def pieces(groups: Groups) -> list[NormalPiece]:
+    return [elastic(np.full(len(groups), np.inf))]
+
+
+def first_yield(nu: float) -> tuple[float, float]:
+    """Where a loaded contact first yields (von Mises), without friction: on its axis, below the surface.
+
+    nu: Poisson's ratio, 0 <= nu < 0.5. Returns the largest pressure over the yield stress, p0/Y, at first yield, and the
+    depth of that place over the contact radius. Source: stresses on the axis as in Johnson, Contact Mechanics (1985), eq. 3.45,
+    over p0 at the depth z a: sigma_r = -(1 + nu)(1 - z arctan(1/z)) + 1/(2 (1 + z^2)), sigma_z = -1/(1 + z^2).
+    """
+    from scipy.optimize import brentq
+
+    def slope(z):
+        """d(sigma_r - sigma_z)/dz: falls from (1 + nu) pi/2 at the surface to below zero at z = 1."""
+        return (1.0 + nu) * (math.atan2(1.0, z) - z / (1.0 + z * z)) - 3.0 * z / (1.0 + z * z) ** 2
+
+    z = brentq(slope, 0.0, 1.0, xtol=1e-14)
+    largest = 1.5 / (1.0 + z * z) - (1.0 + nu) * (1.0 - z * math.atan2(1.0, z))
+    return 1.0 / largest, z
+
+
+RECORD = AsperityLaw(
+    key="hertz",
+    title="Elastic sphere without adhesion",
+    grade="B",
+    sources=(Source("hertz_1882", "load and contact area of two elastic spheres"),),
+    pieces=pieces,
+    traits=frozenset({"no adhesion", "Hertz"}),
+    verified="closed forms; sums F_n(h) at 30 digits",
+    validity=(
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
+        Validity("theta", 10.0, np.inf, "adhesion is left out"),
+    ),
+)

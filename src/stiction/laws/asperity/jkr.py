@@ -1,0 +1,113 @@
+"""One adhesive elastic asperity: Johnson, Kendall & Roberts 1971, in the units of docs/theory.md.
+
+The coordinate is u = x^(1/4), x = a^2/(R sigma) the apparent displacement: load and displacement are polynomials in it.
+S = sqrt(6 pi / theta) measures adhesion.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, Limit, Validity
+from stiction.laws.sources import Source
+
+
+@formula
+def adhesion(theta):
+    """S = sqrt(6 pi / theta), the 4.34 / theta^(1/2) of eqs (1) and (2) of the 2015 paper."""
+    return math.sqrt(6.0 * math.pi / theta)
+
+
+@formula
+def displacement(u, S):
+    """Real displacement w = x - (2/3) S x^(1/4) (eq 4 of the 2015 paper), over sigma."""
+    return u * (u * u * u - 2.0 / 3.0 * S)
+
+
+@formula
+def stretch(u, S):
+    """dw/du."""
+    return 4.0 * u * u * u - 2.0 / 3.0 * S
+
+
+@formula
+def load(u, S):
+    """P = x^(3/2) - S x^(3/4) (integrand of eq 1 of the 2015 paper), over K R^(1/2) sigma^(3/2)."""
+    u3 = u * u * u
+    return u3 * (u3 - S)
+
+
+@formula
+def area(u):
+    """x = a^2 / (R sigma): contact area over pi R sigma."""
+    return u * u * u * u
+
+
+@formula
+def coordinate(w, S):
+    """u >= 0 with displacement w, on the stable side dw/du >= 0: Newton from above on a convex polynomial."""
+    if w == math.inf:
+        return math.inf
+    s = 2.0 / 3.0 * S
+    if w <= -0.75 * s * (0.25 * s) ** (1.0 / 3.0):  # the displacement at which dw/du vanishes, and less
+        return (0.25 * s) ** (1.0 / 3.0)
+    u = max((2.0 * max(w, 0.0)) ** 0.25, (2.0 * s) ** (1.0 / 3.0))
+    for _ in range(60):
+        u3 = u * u * u
+        step = (u * (u3 - s) - w) / (4.0 * u3 - s)
+        u -= step
+        if step <= 1e-12 * u:
+            break
+    return u
+
+
+@formula
+def normal(u, theta):
+    """The same four at once: displacement, its slope, load, area."""
+    S = adhesion(theta)
+    return displacement(u, S), stretch(u, S), load(u, S), area(u)
+
+
+@formula
+def normal_coordinate(w, theta):
+    return coordinate(w, adhesion(theta))
+
+
+def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
+    """u (n,) at which an asperity first holds: loading, where w = 0 (4 u^3 = 4 s); unloading, where dw/du = 0 (4 u^3 = s)."""
+    s = 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta)
+    return np.cbrt(s if branch == "loading" else s / 4.0)
+
+
+def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> NormalPiece:
+    """JKR's piece from first contact to the coordinates `last` (n,), where some law takes over."""
+    first = first_contact(theta, branch)
+    lowest = 0.0 if branch == "loading" else float(np.min(-3.0 * first**4, initial=0.0))  # w = u (u^3 - s), s = 4 u^3
+    edges = np.stack([first, np.maximum(last, first)], axis=1)
+    return NormalPiece(normal, normal_coordinate, (theta,), edges, "elastic", lowest)
+
+
+def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
+    return [elastic(groups.theta, branch, np.full(len(groups), np.inf))]
+
+
+RECORD = AsperityLaw(
+    key="jkr",
+    title="Elastic sphere, adhesion inside the contact",
+    grade="A",
+    sources=(Source("johnson_kendall_roberts_1971", "load and displacement of one contact"),),
+    pieces=pieces,
+    traits=frozenset({"JKR"}),
+    verified="points of the source in closed form; integrals at 30 digits; Hertz without adhesion",
+    needs=("theta",),
+    validity=(
+        Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
+    ),
+    limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-4),),
+    load_falls=False,
+    own_options={"branch": ("loading", "unloading")},
+)

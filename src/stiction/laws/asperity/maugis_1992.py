@@ -1,0 +1,179 @@
+"""One elastic asperity whose adhesion acts in a ring around the contact, with a constant stress: Maugis 1992, a Dugdale zone.
+
+It passes from Derjaguin, Muller & Toporov (stiff, small spheres) to Johnson, Kendall & Roberts (soft, large ones) as the Tabor
+parameter grows. In Maugis's units - contact radius A over (pi gamma R^2/K)^(1/3), displacement D over
+(pi^2 gamma^2 R/K^2)^(1/3), load over pi gamma R - with m = c/a the radius of the attracting zone over that of the contact:
+
+    (1/2) lambda_M A^2 [sqrt(m^2 - 1) + (m^2 - 2) arctan sqrt(m^2 - 1)]
+        + (4/3) lambda_M^2 A [sqrt(m^2 - 1) arctan sqrt(m^2 - 1) - m + 1] = 1          (the gap at c ends the attraction)
+    D = A^2 - (4/3) lambda_M A sqrt(m^2 - 1)
+    P = A^3 - lambda_M A^2 [sqrt(m^2 - 1) + m^2 arctan sqrt(m^2 - 1)]
+
+For a given m the first is quadratic in A, so that everything is explicit in s = 1/sqrt(m^2 - 1) = a/sqrt(c^2 - a^2), the
+coordinate here. It grows with the contact, from 0 where the surfaces only just touch, and with B = A/s, finite there,
+
+    (1/2) lambda_M F B^2 + (4/3) lambda_M^2 G B = 1,    F = s + (1 - s^2) arctan(1/s),   G = arctan(1/s) - sqrt(1 + s^2) + s
+    D = s^2 B^2 - (4/3) lambda_M B
+    P = s^3 B^3 - lambda_M B^2 [s + (1 + s^2) arctan(1/s)]
+
+where all is smooth. In the units of docs/theory.md, with g = (pi/theta)^(1/3): w = D g^2, load = P g^3, area = A^2 g^2.
+
+An asperity attracts here, as JKR's and DMT's in this package, only while it touches: in loading from w = 0 on, in unloading
+until dw/ds = 0, which for small lambda_M is where the contact has shrunk to a point. The attraction of surfaces that do not
+touch is left out.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula, kernel
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, Limit, Validity
+from stiction.laws.sources import Source
+
+# lambda_M = 2 sigma_0 (R/(pi gamma K^2))^(1/3) over the Tabor parameter (R gamma^2/(E*^2 epsilon^3))^(1/3), for a stress
+# sigma_0 = 16 gamma/(9 sqrt(3) epsilon), the largest between two Lennard-Jones half-spaces: 1.1570. K = (4/3) E*.
+LAMBDA_OVER_TABOR = 32.0 / (9.0 * math.sqrt(3.0)) * (9.0 / (16.0 * math.pi)) ** (1.0 / 3.0)
+
+# The asperity is JKR's to one part in lambda_M^2, so that beyond this nothing changes but the range of a double.
+_SOFTEST = 1e9
+
+# From here on F loses digits in closed form, and its series in 1/s takes over: 14 terms are good to the last digit.
+_FAR = 4.0
+_TERMS = 14
+
+
+@formula
+def _ring(s):
+    """F, -F'/s, G, -G'/s and arctan(1/s): functions of the shape of the attracting ring alone."""
+    turn = math.atan2(1.0, s)
+    root = math.sqrt(1.0 + s * s)
+    G = turn - 1.0 / (s + root)
+    G_falls = 1.0 / ((1.0 + s * s) * (s + root))
+    if s < _FAR:
+        return s + (1.0 - s * s) * turn, 2.0 * (turn - s / (1.0 + s * s)), G, G_falls, turn
+    t = 1.0 / s
+    t2 = t * t
+    F = F_falls = 0.0
+    for back in range(_TERMS):
+        k = 2.0 * (_TERMS - 1 - back)
+        both = 1.0 / (k + 1.0) + 1.0 / (k + 3.0)
+        F = both - t2 * F
+        F_falls = both * (k + 1.0) - t2 * F_falls
+    return t * F, t2 * t * F_falls, G, G_falls, turn
+
+
+@formula
+def _contact(s, lam):
+    """B = A/s, (dB/ds)/s and arctan(1/s), from the condition at the edge of the attracting ring."""
+    F, F_falls, G, G_falls, turn = _ring(s)
+    square, linear = 0.5 * lam * F, 4.0 / 3.0 * lam * lam * G
+    root = math.sqrt(linear * linear + 4.0 * square)
+    B = 2.0 / (linear + root)
+    return B, (0.5 * lam * F_falls * B + 4.0 / 3.0 * lam * lam * G_falls) * B / root, turn
+
+
+@formula
+def stretch(s, lam):
+    """(dD/ds)/s, finite and not zero at s = 0, except for the lambda_M at which approach begins to be unstable."""
+    B, B_grows, _ = _contact(s, lam)
+    return 2.0 * B * (B + s * s * B_grows) - 4.0 / 3.0 * lam * B_grows
+
+
+@formula
+def normal(s, g, lam):
+    """Displacement, its derivative, load, area at the coordinate s; g = (pi/theta)^(1/3), lam = lambda_M."""
+    if s == math.inf:
+        return math.inf, math.inf, math.inf, math.inf
+    B, B_grows, turn = _contact(s, lam)
+    A = s * B
+    D = A * A - 4.0 / 3.0 * lam * B
+    slope = s * (2.0 * B * (B + s * s * B_grows) - 4.0 / 3.0 * lam * B_grows)
+    P = A * A * A - lam * B * B * (s + (1.0 + s * s) * turn)
+    return g * g * D, g * g * slope, g * g * g * P, g * g * A * A
+
+
+@formula
+def coordinate(w, g, lam):
+    """s at the displacement w, on the stable side: Newton from above on a convex function, to its last digits."""
+    if w == math.inf:
+        return math.inf
+    D = w / (g * g)
+    A = math.sqrt(max(D, 0.0)) + 1.5  # no contact is wider at this displacement: JKR's at D = 0 has A = (8/3)^(1/3)
+    s = max(min(A * math.sqrt(2.0 * lam), (1.5 * lam * A * A) ** (1.0 / 3.0)), lam * min(1.2 * math.sqrt(A), 1.6 * lam * A))
+    while normal(s, 1.0, lam)[0] < D:
+        s *= 2.0
+    for _ in range(200):
+        at, slope, _, _ = normal(s, 1.0, lam)
+        if slope <= 0.0:
+            break
+        step = min((at - D) / slope, 0.5 * s)
+        s -= step
+        if step <= 1e-15 * s:
+            break
+    return s
+
+
+@kernel
+def _fill_first(lam, loading, out):
+    for i in range(lam.size):
+        high = coordinate(0.0, 1.0, lam[i])
+        if loading:
+            out[i] = high
+            continue
+        low = 0.0
+        if stretch(low, lam[i]) < 0.0:  # else the contact shrinks stably to a point
+            for _ in range(100):
+                middle = 0.5 * (low + high)
+                if not low < middle < high:
+                    break
+                if stretch(middle, lam[i]) < 0.0:
+                    low = middle
+                else:
+                    high = middle
+            low = high
+        out[i] = low
+
+
+@kernel
+def _fill_displacement(s, g, lam, out):
+    for i in range(s.size):
+        out[i] = normal(s[i], g[i], lam[i])[0]
+
+
+def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
+    """Loading from w = 0, unloading from dw/ds = 0. The edge between is where the functions of the ring change their scale."""
+    lam = np.minimum(LAMBDA_OVER_TABOR * groups.tabor_parameter, _SOFTEST)
+    g = np.cbrt(math.pi / groups.theta)
+    first, lowest = np.empty(len(groups)), np.zeros(len(groups))
+    _fill_first(lam, branch == "loading", first)
+    if branch == "unloading":
+        _fill_displacement(first, g, lam, lowest)
+    edges = np.stack([first, np.maximum(first, _FAR), np.full(len(groups), np.inf)], axis=1)
+    return [NormalPiece(normal, coordinate, (g, lam), edges, "elastic", float(np.min(lowest, initial=0.0)))]
+
+
+RECORD = AsperityLaw(
+    key="maugis_1992",
+    title="Elastic sphere, adhesion of constant stress in a ring around the contact",
+    grade="B",
+    sources=(Source("maugis_1992", "", "the equations, in the source's own units"),),
+    pieces=pieces,
+    verified="solved anew for the ring at 30 digits; JKR and DMT as limits",
+    needs=("theta", "tabor_parameter"),
+    validity=(Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),),
+    limits=(
+        Limit("jkr", {"tabor_parameter": 1e6}, ("load", "contact_area"), 1e-9),
+        Limit("jkr", {"tabor_parameter": 1e6}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),
+        Limit("dmt", {"tabor_parameter": 1e-20}, ("load", "contact_area"), 1e-6),
+        Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-4),
+    ),
+    own_options={"branch": ("loading", "unloading")},
+    load_falls=False,
+    notes="Asperities attract only while they touch: in loading from zero displacement on, as JKR's and DMT's do here. "
+    "The source's surfaces attract before that. lambda_M is 1.157 times the Tabor parameter, which takes the attracting stress "
+    "to be the largest between two Lennard-Jones half-spaces; DMT below about 0.1, JKR above about 5. "
+    "JKR is approached with the inverse square of the Tabor parameter, DMT only with its square root.",
+)

@@ -1,0 +1,92 @@
+"""An adhesive asperity that is elastic (JKR) until its mean pressure reaches the hardness, then plastic.
+
+Roy Chowdhury & Ghosh 1994, as the 2015 paper uses it in eqs (1)-(4), in the units of docs/theory.md: displacements over
+sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula, kernel
+from stiction.laws.asperity import jkr
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.laws.sources import Source
+
+
+@formula
+def largest_root(a, c):
+    """The largest real root of v^3 + a v - c = 0, c > 0: Newton from above."""
+    v = c ** (1.0 / 3.0) + math.sqrt(max(-a, 0.0))
+    for _ in range(100):
+        step = (v * (v * v + a) - c) / (3.0 * v * v + a)
+        v -= step
+        if step <= 1e-15 * v:
+            break
+    return v
+
+
+@kernel
+def _fill_onset(eta, S, out):
+    for i in range(eta.size):
+        out[i] = largest_root(-eta[i], S[i])
+
+
+def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
+    """u (n,) and w (n,) where the mean pressure reaches the hardness: u^3 - eta u - S = 0 (eqs 2 and 4 of the 2015 paper)."""
+    S = np.sqrt(6.0 * math.pi / groups.theta)
+    u = np.empty(len(groups))
+    _fill_onset(groups.eta, S, u)
+    return u, u * (u**3 - 2.0 / 3.0 * S)
+
+
+@formula
+def plastic(w, theta, eta):
+    """P = 2 eta w - 2 pi/theta (second integrand of eq 1): hardness over twice the truncated area, less 2 pi gamma R."""
+    return w, 1.0, 2.0 * eta * w - 2.0 * math.pi / theta, 2.0 * w
+
+
+@formula
+def plastic_coordinate(w, theta, eta):
+    return w
+
+
+def flow(groups: Groups, first: np.ndarray) -> NormalPiece:
+    """The plastic asperity from the displacements `first` (n,) on."""
+    edges = np.stack([first, np.full_like(first, np.inf)], axis=1)
+    return NormalPiece(plastic, plastic_coordinate, (groups.theta, groups.eta), edges, "plastic")
+
+
+def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
+    u_1, w_1 = onset(groups)
+    return [jkr.elastic(groups.theta, branch, u_1), flow(groups, w_1)]
+
+
+RECORD = AsperityLaw(
+    key="roy_chowdhury_ghosh_1994",
+    title="JKR sphere until its mean pressure is the hardness, then plastic",
+    grade="C",
+    sources=(
+        Source("soft_coating_2015", "eqs. (1)-(4)", "the form used; the text of 1994 was not available"),
+        Source("roy_chowdhury_ghosh_1994", "the asperity law as the 2015 paper reports it"),
+        Source("johnson_kendall_roberts_1971", "load and displacement"),
+    ),
+    pieces=pieces,
+    traits=frozenset({"JKR", "2015"}),
+    jumps=(
+        Jump(1, 1.276, 1.399, "where the mean pressure is the hardness; 2 and 2 without adhesion", {"theta": 10.0, "lam": 1.0}),
+    ),
+    verified="independent evaluation at 30 digits",
+    needs=("theta", "lam"),
+    validity=(Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),),
+    limits=(
+        Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9),
+        Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),
+    ),
+    own_options={"branch": ("loading", "unloading")},
+    load_falls=False,
+    notes="The load of an asperity jumps where it becomes plastic: up to twofold. Under strong adhesion it "
+    "falls there, and into tension where lambda^(1/4) theta^(-1/6) is below 0.184.",
+)

@@ -1,0 +1,24 @@
+"""From elastic to fully plastic by degrees: how much of an asperity flows.
+
+Zhao, Maietta & Chang 2000: the contact area passes from pi R omega at omega_1 to 2 pi R omega at omega_2 = 54 omega_1 by the
+step 3 xi^2 - 2 xi^3 in the displacement, omega_1 being where a mean pressure of 0.4 H first yields. Without adhesion the
+displacement goes as the square of the elastic mean pressure p; counted in p/H, omega_1 is at 0.4 and omega_2 at
+sqrt(54) * 0.4 = 2.94. This project's own (grade C): the step is taken in (p/H)^2, which also has a meaning where hardness
+and modulus change with depth, and starts where p reaches H, which is where the 2015 paper ends the elastic asperity.
+"""
+
+from stiction.engine.compiled import formula
+
+FIRST_YIELD = 0.4  # mean pressure over hardness at omega_1
+SPAN = 54.0  # omega_2 / omega_1
+FULLY_PLASTIC_SQUARED = SPAN * FIRST_YIELD * FIRST_YIELD
+FULLY_PLASTIC = FULLY_PLASTIC_SQUARED**0.5  # p/H from which all of the asperity flows
+
+
+@formula
+def plastic_share(ratio):
+    """f in [0, 1], and df/d(ratio), from ratio = elastic mean pressure over hardness: 0 up to 1, 1 from FULLY_PLASTIC on."""
+    ratio = min(max(ratio, 1.0), FULLY_PLASTIC)
+    done = min((ratio * ratio - 1.0) / (FULLY_PLASTIC_SQUARED - 1.0), 1.0)
+    slope = 12.0 * ratio * done * (1.0 - done) / (FULLY_PLASTIC_SQUARED - 1.0)
+    return done * done * (3.0 - 2.0 * done), slope

@@ -1,0 +1,240 @@
+"""One adhesive asperity that is elastic (JKR) until its pressure reaches a limit, which then spreads: Thornton & Ning 1998.
+
+JKR's pressure over the contact is p0 q - p1/q, q = sqrt(1 - r^2/a^2), p0 = 2 E* a/(pi R), p1 = sqrt(2 gamma E*/(pi a)); it is
+largest in the centre. Where that reaches the limiting pressure p_y, at the contact radius a_y, the asperity begins to yield.
+From there on the pressure is p_y in r^2 < a^2 - a_y^2 and JKR's around, and displacement and contact radius are still related
+as in JKR. Integrated, in the units of docs/theory.md with u = (a^2/(R sigma))^(1/4), S = sqrt(6 pi/theta) and
+eta_y = pi p_y sqrt(R/sigma)/K:
+
+    3 u_y^3 - 2 eta_y u_y - S = 0                                            (p0 - p1 = p_y in the centre)
+    P = u_y^6 - S u_y^2 u + eta_y (u^4 - u_y^4)                              (of the ring, and of the yielded centre)
+
+which is the source's stiffness, integrated,
+
+    dP/d delta = (3 pi R p_y sqrt(P1) - 2 E* a_y sqrt(Pc))/(3 sqrt(P1) - sqrt(Pc)),   P1 = K a^3/R, Pc = (3/2) pi gamma R.
+
+JKR's pressure with p_y as its upper bound would be another law: it falls below p_y a little nearer to the centre, and P would
+be a little smaller; without adhesion the two agree. Load and stiffness are continuous at a_y.
+
+If p_y is below (2 E*^2 gamma/(pi^2 R))^(1/3), JKR's central pressure at zero displacement, the asperity has yielded where it
+first touches; the same formulas then hold from there on.
+
+Unloading is JKR's with a larger radius, R_p = R P1/(P + 2 sqrt(Pc P1)) at the turning point, around a residual displacement.
+Summed over heights, the largest contact radius of an asperity, in U, is what it is known by.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula, kernel
+from stiction.laws.asperity import hertz, jkr, roy_chowdhury_ghosh_1994
+from stiction.laws.joining import coordinates, within
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, Limit, Validity
+from stiction.laws.sources import Source
+
+_adhesion, _displacement, _stretch, _load = jkr.adhesion, jkr.displacement, jkr.stretch, jkr.load
+_coordinate, _largest_root = jkr.coordinate, roy_chowdhury_ghosh_1994.largest_root
+
+
+@formula
+def onset(eta_y, S):
+    """u_y, where the pressure in the centre reaches its limit: 3 u^3 - 2 eta_y u - S = 0."""
+    return _largest_root(-2.0 / 3.0 * eta_y, S / 3.0)
+
+
+@formula
+def yielded_load(u, S, eta_y, u_y):
+    """P of a ring with JKR's pressure and a centre with the limiting one; from u_y on."""
+    square = u_y * u_y
+    return square * square * square - S * square * u + eta_y * (u * u * u * u - square * square)
+
+
+@formula
+def loading(u, S, eta_y, u_y):
+    """P at the contact radius u under growing load, yielded or not."""
+    return yielded_load(u, S, eta_y, u_y) if u > u_y else _load(u, S)
+
+
+@formula
+def normal(u, theta, eta_y, u_y):
+    """The yielded asperity: displacement, its slope, load, area. Displacement and contact radius are related as in JKR."""
+    S = _adhesion(theta)
+    return _displacement(u, S), _stretch(u, S), yielded_load(u, S, eta_y, u_y), u * u * u * u
+
+
+@formula
+def coordinate(w, theta, eta_y, u_y):
+    return _coordinate(w, _adhesion(theta))
+
+
+@formula
+def unloading_radius(u_max, P_max, S):
+    """R_p/R = P1/(P + 2 sqrt(Pc P1)) at the turning point, P1 = u^6, Pc = S^2/4: with it JKR's load there is P. 1 or more."""
+    u3 = u_max * u_max * u_max
+    return u3 * u3 / (P_max + S * u3)
+
+
+@formula
+def residual(u_max, radius):
+    """The displacement that unloading starts from: with it JKR's displacement at the turning point is that of loading."""
+    return u_max * u_max * u_max * u_max * (1.0 - 1.0 / radius)
+
+
+@formula
+def unloading(u, u_max, P_max, S):
+    """Displacement, its slope, load and area at the contact radius u, after loading up to u_max and P_max = loading(u_max)."""
+    radius = unloading_radius(u_max, P_max, S)
+    u3 = u * u * u
+    w = residual(u_max, radius) + u * (u3 / radius - 2.0 / 3.0 * S)
+    return w, 4.0 * u3 / radius - 2.0 / 3.0 * S, u3 * (u3 / radius - S), u3 * u
+
+
+@formula
+def unloading_coordinate(w, u_max, P_max, S):
+    """u at the displacement w in unloading; where the contact is lost, dw/du = 0, for smaller w."""
+    radius = unloading_radius(u_max, P_max, S)
+    scale = math.sqrt(math.sqrt(radius))  # JKR's polynomial in u/scale
+    return scale * _coordinate(w - residual(u_max, radius), scale * S)
+
+
+@formula
+def pull_off(u_max, P_max, S):
+    """The largest tension in unloading, (3/2) pi gamma R_p, over K R^(1/2) sigma^(3/2)."""
+    return 0.25 * S * S * unloading_radius(u_max, P_max, S)
+
+
+@formula
+def lost_displacement(u_max, P_max, S):
+    """The displacement at which the contact is lost in unloading, where dw/du = 0: u^3 = (S/6) R_p/R."""
+    radius = unloading_radius(u_max, P_max, S)
+    u = (S * radius / 6.0) ** (1.0 / 3.0)
+    return residual(u_max, radius) - 0.5 * S * u
+
+
+@formula
+def recovery(U, S, eta_y, u_y):
+    """How far the surfaces are drawn apart when an asperity that was pressed to U >= u_y is lost; it grows with U."""
+    return _displacement(U, S) - lost_displacement(U, yielded_load(U, S, eta_y, u_y), S)
+
+
+@formula
+def released_normal(v, theta, eta_y, u_y, distance, origin):
+    """The yielded asperity after it was pressed to U = origin + v^2 and drawn apart: displacement, its slope, load, area.
+
+    Where the contact is just lost, at U = origin, its radius begins like the square root of U - origin.
+    """
+    S = _adhesion(theta)
+    U = origin + v * v
+    w = _displacement(U, S) - distance
+    P_max = yielded_load(U, S, eta_y, u_y)
+    _, _, load, area = unloading(unloading_coordinate(w, U, P_max, S), U, P_max, S)
+    return w, 2.0 * v * _stretch(U, S), load, area
+
+
+@formula
+def released_coordinate(w, theta, eta_y, u_y, distance, origin):
+    return math.sqrt(max(_coordinate(w + distance, _adhesion(theta)) - origin, 0.0))
+
+
+@kernel
+def _fill_origin(theta, eta_y, u_y, first, distance, out):
+    """U from which on asperities still hold. Where all that have yielded do, it is continued below the first of them, that the
+    square root of the distance to it stays smooth, but no further than to 0.9 of it: the law has no meaning there."""
+    for i in range(out.size):
+        S = _adhesion(theta[i])
+        low = high = first[i]
+        if recovery(low, S, eta_y[i], u_y[i]) < distance[i]:
+            while recovery(high, S, eta_y[i], u_y[i]) < distance[i]:
+                high *= 2.0
+        else:
+            low *= 0.9
+        for _ in range(100):
+            middle = 0.5 * (low + high)
+            if not low < middle < high:
+                break
+            if recovery(middle, S, eta_y[i], u_y[i]) < distance[i]:
+                low = middle
+            else:
+                high = middle
+        out[i] = high
+
+
+def _displacements(u: np.ndarray, theta: np.ndarray) -> np.ndarray:
+    """JKR's displacement, as `jkr.displacement`. Arrays."""
+    return u * (u * u * u - 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta))
+
+
+@kernel
+def _fill_onset(theta, eta_y, out):
+    for i in range(theta.size):
+        out[i] = onset(eta_y[i], _adhesion(theta[i]))
+
+
+def _first_yield(groups: Groups) -> np.ndarray:
+    """p_y/H where p_y is the largest pressure of a Hertz contact that first yields somewhere (von Mises)."""
+    each, which = np.unique(groups.nu, return_inverse=True)
+    return np.array([hertz.first_yield(nu)[0] for nu in each])[which] / groups.hardness_to_yield
+
+
+def _hardness(groups: Groups) -> np.ndarray:
+    return np.ones(len(groups))
+
+
+# The limiting pressure over the hardness. The source takes the pressure as given.
+_LIMITS = {"first_yield": _first_yield, "hardness": _hardness}
+
+
+def pieces(groups: Groups, limiting_pressure: str) -> list[NormalPiece]:
+    eta_y = groups.eta * _LIMITS[limiting_pressure](groups)
+    u_y = np.empty(len(groups))
+    _fill_onset(groups.theta, eta_y, u_y)
+    elastic = jkr.elastic(groups.theta, "loading", u_y)
+    edges = np.stack([elastic.edges[:, 1], np.full(len(groups), np.inf)], axis=1)
+    return [elastic, NormalPiece(normal, coordinate, (groups.theta, eta_y, u_y), edges, "elastic-plastic")]
+
+
+def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> list[NormalPiece]:
+    """The asperities after the surfaces were pressed and then drawn apart by the distance (n,) over sigma.
+
+    Those that had not yielded are JKR's in unloading: of them, what had touched, w + distance >= 0, still holds.
+    """
+    elastic, yielded = pieces(groups, limiting_pressure)
+    first, last = elastic.edges.T
+    whole = jkr.elastic(groups.theta, "unloading", np.full(len(groups), np.inf))
+    low = coordinates(whole, -distance)
+    high = coordinates(whole, _displacements(last, groups.theta) - distance)
+    high[~(last > first)] = 0.0
+    origin = np.empty(len(groups))
+    parameters = *yielded.parameters, np.ascontiguousarray(distance, dtype=float)
+    _fill_origin(*yielded.parameters, yielded.edges[:, 0].copy(), parameters[-1], origin)
+    edges = np.sqrt(np.maximum(yielded.edges - origin[:, None], 0.0))
+    lowest = -float(np.max(distance, initial=0.0))
+    held = NormalPiece(released_normal, released_coordinate, (*parameters, origin), edges, yielded.state, lowest)
+    return [within(whole, low, high), held]
+
+
+RECORD = AsperityLaw(
+    key="thornton_ning_1998",
+    title="JKR sphere whose pressure has a limit",
+    grade="B",
+    sources=(
+        Source("thornton_ning_1998", "", "stiffness after yield and unloading, as implementations have them; here integrated"),
+        Source("johnson_kendall_roberts_1971", "load and displacement up to yield"),
+    ),
+    pieces=pieces,
+    released=released,
+    traits=frozenset({"JKR"}),
+    verified="the source's stiffness and the pressure over the contact, both integrated anew at 30 digits",
+    needs=("theta", "lam", "nu", "hardness_to_yield"),
+    validity=(Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),),
+    limits=(Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9),),
+    own_options={"limiting_pressure": tuple(_LIMITS)},
+    load_falls=False,
+    notes="The source takes the limiting pressure as given. By default it is the largest pressure of a Hertz contact "
+    "at first yield, 1.61 times the yield stress at nu = 0.3; or the hardness. The contact area stays JKR's at the same "
+    "displacement: it does not grow as plastic flow would have it. Under strong adhesion an asperity has yielded where it "
+    "first touches, and its load first falls with approach.",
+)

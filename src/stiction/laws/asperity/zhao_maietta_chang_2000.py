@@ -1,0 +1,82 @@
+"""One asperity without adhesion that passes smoothly from Hertz to full plasticity: Zhao, Maietta & Chang 2000.
+
+Elastic up to omega_1, where the mean pressure is 0.4 H; fully plastic (area 2 pi R omega, mean pressure H) from
+omega_2 = 54 omega_1 on; between, the area follows a cubic step in omega and the mean pressure its logarithm. Displacements over
+sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma. Coordinate: u = sqrt(w).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.asperity import hertz
+from stiction.laws.asperity.shared.transition import FIRST_YIELD, SPAN
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, Limit, Validity
+from stiction.laws.sources import Source
+
+_LOG_SPAN = math.log(SPAN)
+
+
+def first_yield(eta):
+    """omega_1 / sigma = (0.4 eta)^2, from omega_1 = (3 pi k H/(4 E*))^2 R with eta = pi H sqrt(R/sigma)/K. Arrays."""
+    return (FIRST_YIELD * eta) ** 2
+
+
+@formula
+def passing(u, w_1, eta):
+    """Between: A = pi R omega (1 + 3 xi^2 - 2 xi^3), xi = (omega - omega_1)/(omega_2 - omega_1), and mean pressure
+    H (1 - (1 - k) ln(omega_2/omega)/ln(omega_2/omega_1))."""
+    w = u * u
+    ratio = w / w_1
+    done = (ratio - 1.0) / (SPAN - 1.0)
+    area = w * (1.0 + done * done * (3.0 - 2.0 * done))
+    pressure = FIRST_YIELD + (1.0 - FIRST_YIELD) * math.log(ratio) / _LOG_SPAN
+    return w, 2.0 * u, eta * pressure * area, area
+
+
+@formula
+def flow(u, w_1, eta):
+    """Fully plastic: A = 2 pi R omega, P = H A."""
+    w = u * u
+    return w, 2.0 * u, 2.0 * eta * w, 2.0 * w
+
+
+@formula
+def coordinate(w, w_1, eta):
+    return math.sqrt(max(w, 0.0))
+
+
+def pieces(groups: Groups) -> list[NormalPiece]:
+    w_1 = first_yield(groups.eta)
+    last = SPAN * w_1
+    parameters = w_1, groups.eta
+    return [
+        hertz.elastic(w_1),
+        NormalPiece(passing, coordinate, parameters, np.sqrt(np.stack([w_1, last], axis=1)), "elastic-plastic"),
+        NormalPiece(flow, coordinate, parameters, np.sqrt(np.stack([last, np.full_like(last, np.inf)], axis=1)), "plastic"),
+    ]
+
+
+RECORD = AsperityLaw(
+    key="zhao_maietta_chang_2000",
+    title="Sphere elastic, then plastic by degrees, without a jump",
+    grade="B",
+    sources=(
+        Source(
+            "zhao_maietta_chang_2000",
+            "area and mean pressure between first yield and full plasticity",
+            "from independent code; the mean pressure at first yield, 0.4 H, as it is commonly quoted",
+        ),
+        Source("hertz_1882", "the elastic asperity"),
+    ),
+    pieces=pieces,
+    traits=frozenset({"no adhesion", "Hertz"}),
+    verified="closed forms at both ends, where load, area and the slope of the area are continuous; independent evaluation",
+    needs=("theta", "lam"),
+    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    notes="The authors give 54 as the least that omega_2/omega_1 can be; it is taken as the ratio, as is usual.",
+)

@@ -1,0 +1,26 @@
+"""Modulus of a film and its substrate as two springs in series under a flat punch: Bec, Tonck & Loubet 2006."""
+
+import math
+
+from stiction.engine.compiled import formula
+from stiction.laws.registry import Composite
+from stiction.laws.sources import Source
+
+
+@formula
+def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
+    """E'_s/E' = f E'_s/E'_f + 1 - f with f = 2 t/(pi a + 2 t). Poisson's ratios do not enter."""
+    film = 1.0 / (1.0 + 0.5 * math.pi / thickness_over_radius)
+    return 1.0 / (film / film_over_substrate + 1.0 - film)
+
+
+RECORD = Composite(
+    key="bec_2006",
+    title="Modulus of film and substrate: two springs in series",
+    grade="B",
+    property="modulus",
+    value=value,
+    sources=(Source("bec_2006", "", "as restated by the documentation of the NIMS toolbox"),),
+    verified="independent evaluation; film and substrate alone in the limits",
+    needs=("n_E", "film_aspect"),
+)

@@ -1,0 +1,51 @@
+"""Modulus of a film and its substrate together, by perturbation of the homogeneous half-space: Gao, Chiu & Lee 1992.
+
+I0 weighs the moduli and I1 Poisson's ratios, both by the film's thickness over the contact radius.
+"""
+
+import math
+
+from stiction.engine.compiled import formula
+from stiction.engine.vectorised import arctan, log_quotient
+from stiction.laws.film.shared.graded_law import modulus_share
+from stiction.laws.registry import Composite, Validity
+from stiction.laws.sources import Source
+
+_LEAST, _MOST = 1e-100, 1e100  # of t/a: squares of it are still numbers
+
+
+@formula
+def ratio_share(thickness_over_radius):
+    """I1 at t/a: the film's share in Poisson's ratio, (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2)."""
+    xi = min(max(thickness_over_radius, _LEAST), _MOST)
+    return 2.0 / math.pi * arctan(xi) + log_quotient(1.0 / xi / xi) / (math.pi * xi)
+
+
+@formula
+def poissons_ratio(thickness_over_radius, nu_film, nu_substrate):
+    """Poisson's ratio of both: 1 - nu = (1 - nu_s)(1 - nu_f) / (1 - (1 - I1) nu_f - I1 nu_s)."""
+    share = ratio_share(thickness_over_radius)
+    mixed = 1.0 - (1.0 - share) * nu_film - share * nu_substrate
+    return 1.0 - (1.0 - nu_substrate) * (1.0 - nu_film) / mixed
+
+
+@formula
+def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
+    """E'/E'_s = 1 + (E'_f/E'_s - 1) I0."""
+    nu = poissons_ratio(thickness_over_radius, nu_film, nu_substrate)
+    share, _ = modulus_share(1.0 / min(max(thickness_over_radius, _LEAST), _MOST), nu)
+    return 1.0 + (film_over_substrate - 1.0) * share
+
+
+RECORD = Composite(
+    key="gao_chiu_lee_1992",
+    title="Modulus of film and substrate: the moduli weighed by a function of thickness over contact radius",
+    grade="B",
+    property="modulus",
+    value=value,
+    sources=(Source("gao_chiu_lee_1992", "I0, I1", "as restated by the documentation of the NIMS toolbox"),),
+    verified="independent evaluation; film and substrate alone in the limits",
+    needs=("n_E", "film_aspect", "nu", "film_nu"),
+    validity=(Validity("n_E", 0.5, 2.0, "beyond, it departs from numerical contact (Perriot & Barthel 2004)"),),
+    notes="Derived for a flat punch. The restatement misprints 1 + [...] for the 1 - [...] of Poisson's ratio.",
+)

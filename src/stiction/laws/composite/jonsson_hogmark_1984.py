@@ -1,0 +1,40 @@
+"""Hardness of a film on a substrate by the areas on which each is felt: Joensson & Hogmark 1984."""
+
+import numpy as np
+
+from stiction.engine.compiled import formula
+from stiction.laws.registry import Composite, Validity
+from stiction.laws.sources import Source
+
+_DIAGONAL = 7.0  # of a Vickers pyramid, over the depth of its impression
+
+
+@formula
+def value(hardness_ratio, depth_over_thickness, constant, exponent):
+    """H/H_s = 1 + (H_f/H_s - 1) A_f/A, A_f/A = 2 C t/d - C^2 (t/d)^2 up to C t/d = 1, then 1; d = 7 omega. No exponent."""
+    rim = min(constant / (_DIAGONAL * depth_over_thickness), 1.0)
+    return 1.0 + (hardness_ratio - 1.0) * rim * (2.0 - rim)
+
+
+def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
+    """C (n,): 1/2 where a hard film cracks over a very soft substrate (6.3 < H_f/H_s), else 1 (1.8 < H_f/H_s < 2.3)."""
+    return np.where(n_H > 6.3, 0.5, 1.0)
+
+
+def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
+    """omega/t (n, 9): where the substrate is first felt, and after."""
+    return constant[:, None] / _DIAGONAL * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
+
+
+RECORD = Composite(
+    key="jonsson_hogmark_1984",
+    title="Hardness of film and substrate: weighed by their areas under the indenter",
+    grade="C",
+    property="hardness",
+    value=value,
+    sources=(Source("jonsson_hogmark_1984", "", "as restated by the documentation of the NIMS toolbox"),),
+    verified="independent evaluation; film and substrate alone in the limits",
+    needs=("n_H", "tau"),
+    validity=(Validity("n_H", 1.8, 12.9, "film and substrate of the experiments; from 2.3 to 6.3 there are none"),),
+    notes="For the Vickers pyramid: the depth of an asperity is taken for a seventh of the diagonal d.",
+)

@@ -1,0 +1,38 @@
+"""Hardness of a film on a substrate from deep impressions: Kao & Byrne 1981."""
+
+import numpy as np
+
+from stiction.engine.compiled import formula
+from stiction.laws.registry import Composite
+from stiction.laws.sources import Source
+
+WEIGHT = 0.09  # k1
+
+
+@formula
+def value(hardness_ratio, depth_over_thickness, constant, exponent):
+    """H/H_s = 1 + (H_f/H_s - 1) 2 k1 t/omega; held at the film's hardness nearer to the surface. No exponent."""
+    return 1.0 + (hardness_ratio - 1.0) * min(constant / depth_over_thickness, 1.0)
+
+
+def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
+    """2 k1 (n,)."""
+    return np.full_like(n_H, 2.0 * WEIGHT)
+
+
+def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
+    """omega/t (n, 9): where the film stops being all that is felt, and after."""
+    return constant[:, None] * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
+
+
+RECORD = Composite(
+    key="kao_byrne_1981",
+    title="Hardness of film and substrate: the film's share falls as one over the depth",
+    grade="C",
+    property="hardness",
+    value=value,
+    sources=(Source("kao_byrne_1981", "", "as restated by the documentation of the NIMS toolbox"),),
+    verified="independent evaluation; the substrate alone in the limit",
+    needs=("n_H", "tau"),
+    notes="Meant for depths well above 0.18 t; nearer to the surface it is held at the film's hardness.",
+)

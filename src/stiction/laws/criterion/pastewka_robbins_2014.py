@@ -1,0 +1,59 @@
+"""Pastewka & Robbins 2014: will a rough surface stick? A number, not a curve.
+
+Attraction acts around the spots that touch, on a rim as wide as the gap there stays within the range rho of the attraction.
+The surface sticks once the attraction on the rims outweighs the repulsion in the spots, that is where
+
+    h' E* rho / (kappa w) (h'^2 / (h'' rho))^(2/3) < 1
+
+with the root mean square gradient h' and curvature h'' of the surface, the work of adhesion w, and kappa = 2 for A/A0 = kappa
+p / (E* h'). As restated with the width of the spots, 4 h'/h'', in the public examples of the authors' group, where h'' is the
+root mean square of half the Laplacian. The range has to be short against the gaps beside the spots, (16/3) h'^2 / h''.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.laws.registry import Criterion
+from stiction.laws.sources import Source
+from stiction.surfaces.theory.moments import slope_over_sharpness
+
+_KAPPA = 2.0  # area over load, A E* h' / (A0 p), from simulations
+
+
+def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_length):
+    """The left-hand side: the surface sticks where it is below 1. Source: Pastewka & Robbins 2014, eq. (10).
+
+    rms_slope: h' [1]; rms_curvature: h'' of half the Laplacian [1/m]; interaction_range: rho [m]; adhesion_length: w/E* [m].
+    """
+    spot = rms_slope * rms_slope / (rms_curvature * interaction_range)
+    return rms_slope * interaction_range / (_KAPPA * adhesion_length) * spot ** (2.0 / 3.0)
+
+
+def stickiness(groups: Groups) -> np.ndarray:
+    """The same of n contacts (n,): isotropic Gaussian surfaces with these summits; rho is the equilibrium distance.
+
+    In units of sigma, with s = sqrt(sigma/R): w/E* = (4/3) s / theta by the definition of theta, rho = (16/9)^(1/3)
+    theta^(-2/3) / mu_T by that of the Tabor parameter, h'' = sqrt(3 pi/32) s^2. s drops out.
+    """
+    interaction_range = np.cbrt(16.0 / 9.0) * groups.theta ** (-2.0 / 3.0) / groups.tabor_parameter
+    slope = slope_over_sharpness(groups.density)  # over s; so are h''/s^2 and (w/E*)/s
+    return stickiness_ratio(slope, math.sqrt(3.0 * math.pi / 32.0), interaction_range, 4.0 / (3.0 * groups.theta))
+
+
+RECORD = Criterion(
+    key="pastewka_robbins_2014",
+    title="Stickiness of a rough surface: attraction beside the contact spots against repulsion inside",
+    grade="B",
+    sources=(
+        Source("pastewka_robbins_2014", "eq. (10)", "as the authors' group restates it: kappa = 2, spots 4 h'/h'' wide"),
+        Source("nayak_1971", "gradient and curvature that belong to sigma, R and N"),
+    ),
+    ratio=stickiness,
+    below="it sticks: pulled apart, it holds a tension",
+    above="it does not stick: contact needs a load",
+    verified="the same ratio in SI units, to rounding",
+    needs=("theta", "density", "tabor_parameter"),
+    notes="The range of the attraction is taken as the equilibrium distance and must be short against (16/3) h'^2/h''.",
+)

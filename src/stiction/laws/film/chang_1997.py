@@ -1,0 +1,108 @@
+"""A plastic film on an elastic-plastic substrate: after Chang 1997.
+
+Known of it: asperities that reach the substrate follow a modified model of Chang, Etsion & Bogy 1987, those that touch only
+the soft film are plastic. Reconstruction: up to omega = t the film is cut, P = 2 pi R omega H_f on A = 2 pi R omega; beyond,
+the substrate answers to omega - t by its own law, and the film carries H_f on the rest of 2 pi R omega. Load and area are
+continuous at omega = t.
+"""
+
+import math
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import bind, formula
+from stiction.engine.regime import Regime
+from stiction.laws.joining import Share
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.sources import Source
+
+# The functions named _*_template are compiled anew for each asperity law, with these names bound.
+normal = coordinate = None
+NORMAL = 0
+
+
+@formula
+def film_alone(w, hardness, pull):
+    """P = H_f A less the adhesion, A = 2 pi R omega; hardness: eta n_H."""
+    return w, 1.0, 2.0 * hardness * w - pull, 2.0 * w
+
+
+@formula
+def film_alone_coordinate(w, hardness, pull):
+    return w
+
+
+def _rim_template(u, *row):
+    """The film around the substrate's contact: all of 2 pi R omega that is not the substrate's."""
+    w, stretch, _, inner = normal(u, *row[:NORMAL])
+    tau, hardness, pull = row[NORMAL:]
+    area = max(2.0 * (w + tau) - inner, 0.0)
+    return w + tau, stretch, hardness * area - pull, area
+
+
+def _rim_coordinate_template(w, *row):
+    return coordinate(w - row[NORMAL], *row[:NORMAL])
+
+
+@cache
+def _rim(normal, coordinate, parameters: int):
+    names = {"normal": normal, "coordinate": coordinate, "NORMAL": parameters}
+    return formula(bind(_rim_template, **names)), formula(bind(_rim_coordinate_template, **names))
+
+
+def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
+    """Regimes of a surface with a plastic film that is pulled on by `pull` (n,) at each touching asperity, in substrate units.
+
+    The film itself holds no tangential force, unless the tangential law is of the interface.
+    """
+    laws = len(groups)
+    tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), laws)
+    hardness = groups.eta * groups.n_H
+    on_film = law if law.interfacial else replace(law, tangential=None)
+    edges = np.stack([np.zeros(laws), tau], axis=1)
+    alone = NormalPiece(film_alone, film_alone_coordinate, (hardness, pull), edges, "plastic")
+    regimes = [on_film.join(alone, groups, body="film")]
+    for piece in law.pieces(groups):
+        along, back = _rim(piece.normal, piece.coordinate, len(piece.parameters))
+        parameters = (*piece.parameters, tau, hardness, pull)
+        lowest = piece.lowest + float(np.min(tau, initial=math.inf))
+        rim = NormalPiece(along, back, parameters, piece.edges, "plastic", lowest)
+        regimes.append(on_film.join(rim, groups, body="film"))
+        regimes.append(law.join(piece, groups, Share(shift=tau), body="substrate", touching=False))
+    return regimes
+
+
+def regimes(groups: Groups, law) -> list[Regime]:
+    """Regimes of a coated surface, loads in units of the substrate."""
+    return plastic_film(groups, law, np.zeros(len(groups)))
+
+
+NO_ADHESION = {"no adhesion": "film and substrate share the contact area as if nothing touched before it is pressed"}
+
+RECORD = FilmLaw(
+    key="chang_1997",
+    title="Plastic film, cut through by the asperities that reach the elastic-plastic substrate",
+    grade="C",
+    sources=(
+        Source("chang_1997", "abstract", "reconstructed: the equations were not available"),
+        Source("chang_etsion_bogy_1987", "", "the substrate, if its asperity law is chosen"),
+    ),
+    regimes=regimes,
+    asperity="chang_etsion_bogy_1987",
+    wants=NO_ADHESION,
+    verified="independent quadrature; load and area at the depth of the film; trends of the abstract",
+    needs=("theta", "lam", "n_H", "tau"),
+    validity=(
+        Validity("theta", 10.0, math.inf, "adhesion is left out"),
+        Validity("n_H", 0.0, 1.0, "the film is soft"),
+    ),
+    notes="With the asperity law chang_etsion_bogy_1987 this is the model named; others may be taken. As in the abstract, "
+    "the area is less changed by the film at high plasticity index, and a thin film stiffens a lightly loaded "
+    "contact; the load is less sensitive too unless the film is very soft (n_H = 0.6 but not 0.1). The area is that "
+    "of the outer contact, whatever the thickness, and a film of no thickness still makes a rim around elastic "
+    "contacts. Only the substrate resists shear, unless the tangential law is of the interface.",
+)

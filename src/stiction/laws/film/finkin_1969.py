@@ -1,0 +1,95 @@
+"""A thin elastic layer between a rigid ball and a rigid substrate: after Finkin 1969, both bounds.
+
+Finkin 1969 considers an elastic layer of much less rigidity than substrate and indenter and finds friction coefficients that
+are powers of thickness and load; which powers could not be read. Both bounds are derived here, for a layer that is thin
+against the contact, in the units of docs/theory.md (a^2 = x R sigma, t = aspect sqrt(R sigma)):
+    compressible (an elastic foundation, as in Johnson, Contact Mechanics (1985)): the pressure is M times the
+        strain, M = 2 G (1 - nu)/(1 - 2 nu), so that P = pi M R delta^2/t, A = 2 pi R delta;
+    incompressible, bonded to the substrate: what is squeezed out flows like a lubricant, q = -(t^3/(k G)) dp/dr, with k = 12
+        if the ball holds the surface too and 3 if it does not. The pressure p = k G (a^2 - r^2)^2/(32 R t^3) makes the
+        volume flow vanish at the edge; it belongs to a^2 = 4 R delta, P = pi k G a^6/(96 R t^3).
+With a constant shear strength s: f = s A/P goes as t^(1/2) P^(-1/2) R^(1/2), or as t P^(-2/3) R^(1/3).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.engine.regime import Regime
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.sources import Source
+
+_PI = math.pi
+# k of an incompressible layer; power of the depth that the load goes with, and the contact area over the depth.
+BOUNDS = {
+    "compressible": (0.0, 2.0, 2.0),
+    "incompressible": (12.0, 3.0, 4.0),
+    "incompressible_frictionless": (3.0, 3.0, 4.0),
+}
+
+
+@formula
+def normal(w, stiffness, power, widening):
+    """P = stiffness w^power, A = widening w."""
+    return w, 1.0, stiffness * w * w * (w if power == 3.0 else 1.0), widening * w
+
+
+@formula
+def coordinate(w, stiffness, power, widening):
+    return w
+
+
+def stiffness(groups: Groups, bound: str) -> np.ndarray:
+    """Load over displacement to its power (n,).
+
+    With E'_f = E_f/(1 - nu^2) = (3/4) n_E K: M = E'_f (1 - nu)^2/(1 - 2 nu), G = E'_f (1 - nu)/2.
+    """
+    k = BOUNDS[bound][0]
+    film = 0.75 * groups.n_E
+    if k == 0.0:
+        return _PI * film * (1.0 - groups.film_nu) ** 2 / (1.0 - 2.0 * groups.film_nu) / groups.film_aspect
+    return _PI * k / 96.0 * film * (1.0 - groups.film_nu) / 2.0 * (BOUNDS[bound][2] / groups.film_aspect) ** 3
+
+
+def regimes(groups: Groups, law, bound: str) -> list[Regime]:
+    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface."""
+    laws = len(groups)
+    _, power, widening = BOUNDS[bound]
+    parameters = (np.broadcast_to(stiffness(groups, bound), laws), np.full(laws, power), np.full(laws, widening))
+    as_wide = np.broadcast_to(groups.film_aspect**2 / widening, laws)  # a = t
+    within = np.stack([np.zeros(laws), as_wide], axis=1)
+    beyond = np.stack([as_wide, np.full(laws, np.inf)], axis=1)
+    return [
+        law.join(
+            NormalPiece(normal, coordinate, parameters, edges, "elastic"), groups, body="film", in_half_space=in_half_space
+        )
+        for edges, in_half_space in ((within, True), (beyond, False))
+    ]
+
+
+RECORD = FilmLaw(
+    key="finkin_1969",
+    title="Thin elastic layer on a rigid substrate, compressible or not",
+    grade="C",
+    sources=(
+        Source("finkin_1969", "", "elastic layer, rigid substrate; its equations could not be read: both bounds derived"),
+        Source("johnson_1985", "", "thin layers; the elastic foundation"),
+    ),
+    regimes=regimes,
+    tangential="interface",
+    accuracy=2e-10,  # of its loads far out of touch, where the sums over many separations lose digits
+    own_asperity=True,
+    own_options={"bound": tuple(BOUNDS)},
+    verified="the layer's own balance of volume, differentiated independently; the powers of thickness, load and radius",
+    needs=("n_E", "film_aspect", "film_nu"),
+    validity=(
+        Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),
+        Validity("n_E", 0.0, 0.1, "a rigid substrate and indenter: the film is much less stiff"),
+        Validity("theta", 10.0, math.inf, "adhesion is left out"),
+    ),
+    notes="The substrate is rigid and never felt, however deep: for films of much smaller modulus than substrate and indenter. "
+    "Which of the bounds the paper has is not known. At film_nu near 1/2 the compressible bound has no meaning.",
+)

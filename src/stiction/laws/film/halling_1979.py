@@ -1,0 +1,168 @@
+"""Film and substrate as one half-space whose modulus and hardness depend on how deep an asperity is pressed.
+
+Halling and co-workers took a soft metal film on its substrate for a Hertz contact of an equivalent modulus (El-Sherbiney &
+Halling 1976) and its friction for the film's shear strength over an effective hardness (Halling 1979). Their own expressions
+were not available: the modulus and the hardness are chosen here from published ones. Reconstruction:
+    elastic, while the mean pressure is below the hardness at this depth: a^2 = R omega, P = (E'(t/a)/E'_s) Hertz;
+    plastic: P = H(omega/t) A, with the area of a truncated sphere of conserved volume, A = pi R (2 omega - omega_c),
+so that load and area are continuous.
+"""
+
+import math
+from functools import cache
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import bind, formula, kernel
+from stiction.engine.regime import Regime
+from stiction.laws.composite import (
+    bec_2006,
+    bhattacharya_nix_1988,
+    gao_chiu_lee_1992,
+    jonsson_hogmark_1984,
+    kao_byrne_1981,
+    perriot_barthel_2004,
+)
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import FilmLaw, Limit, Validity
+from stiction.laws.sources import Source
+
+MODULI = {one.RECORD.key: one for one in (gao_chiu_lee_1992, bec_2006, perriot_barthel_2004)}
+HARDNESSES = {one.RECORD.key: one for one in (bhattacharya_nix_1988, jonsson_hogmark_1984, kao_byrne_1981)}
+_THINNEST = 1e-100  # film over sigma, of one that is not there
+
+# The functions named _*_template are compiled anew for each choice of modulus and hardness, with these names bound.
+modulus = hardness = None
+CELLS, HALVINGS = 256, 60
+
+
+def _elastic_template(u, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
+    """At u = sqrt(w), where a/sqrt(R sigma) is u too."""
+    w = u * u
+    return w, 2.0 * u, modulus(n_E, aspect / u, nu_film, nu) * w * u, w
+
+
+def _plastic_template(w, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
+    area = 2.0 * w - w_c
+    return w, 1.0, eta * hardness(n_H, w / tau, constant, exponent) * area, area
+
+
+@formula
+def elastic_coordinate(w, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
+    return max(w, 0.0) ** 0.5
+
+
+@formula
+def plastic_coordinate(w, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
+    return w
+
+
+def _onset_template(n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, out):
+    """The least u = sqrt(w) at which the mean pressure reaches the hardness: (E'/E'_s) u = eta H/H_s. It lies between the
+    values for the softer of both on the stiffer, and the harder on the less stiff; scanned, then halved."""
+    for i in range(out.size):
+        low = eta[i] * min(n_H[i], 1.0) / max(n_E[i], 1.0)
+        high = eta[i] * max(n_H[i], 1.0) / min(n_E[i], 1.0)
+        step = (high / low) ** (1.0 / CELLS)
+        u = low
+        for _ in range(CELLS):
+            stiff = modulus(n_E[i], aspect[i] / u, nu_film[i], nu[i])
+            if stiff * u >= eta[i] * hardness(n_H[i], u * u / tau[i], constant[i], exponent[i]):
+                break
+            low = u
+            u *= step
+        high = u
+        for _ in range(HALVINGS):
+            u = 0.5 * (low + high)
+            stiff = modulus(n_E[i], aspect[i] / u, nu_film[i], nu[i])
+            if stiff * u >= eta[i] * hardness(n_H[i], u * u / tau[i], constant[i], exponent[i]):
+                high = u
+            else:
+                low = u
+        out[i] = high
+
+
+@cache
+def _compiled(modulus_key: str, hardness_key: str):
+    """Formulas of the elastic and the plastic asperity, and the kernel that finds where one gives way to the other."""
+    names = {"modulus": MODULI[modulus_key].value, "hardness": HARDNESSES[hardness_key].value}
+    elastic, plastic = formula(bind(_elastic_template, **names)), formula(bind(_plastic_template, **names))
+    return elastic, plastic, kernel(bind(_onset_template, **names))
+
+
+def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarray:
+    """Edges (n, m + 2) from low to high (n,), with those of the places (n, m) that are inside between; empty if high < low."""
+    high = np.maximum(low, high)
+    inside = np.minimum(np.maximum(inside, low[:, None]), high[:, None])
+    return np.sort(np.concatenate([low[:, None], inside, high[:, None]], axis=1), axis=1)
+
+
+def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str) -> list[tuple[NormalPiece, str]]:
+    """Elastic and plastic asperity, each until the film is pressed by its own thickness and beyond; with the body named."""
+    laws = len(groups)
+    tau = np.broadcast_to(groups.tau, laws)
+    there = tau > 0.0
+    tau, n_H = np.where(there, tau, _THINNEST), np.where(there, groups.n_H, 1.0)
+    n_E, aspect = np.where(there, groups.n_E, 1.0), np.where(there, groups.film_aspect, 1.0)
+    soft = float(soft_film_exponent)
+    exponent = np.where(n_H < 1.0, soft, 3.0 - soft)
+    constant = HARDNESSES[hardness].constants(n_E, n_H, n_H)
+    eta = np.ascontiguousarray(groups.eta)
+    elastic, plastic, onset = _compiled(modulus, hardness)
+    known = [np.ascontiguousarray(np.broadcast_to(one, laws), dtype=float) for one in (
+        n_E, n_H, eta, aspect, tau, groups.film_nu, groups.nu, constant, exponent,
+    )]  # fmt: skip
+    u_c = np.empty(laws)
+    onset(*known, u_c)
+    parameters = (*known, u_c * u_c)
+    widths = aspect[:, None] * np.array(
+        [0.1, 0.3, 1.0, 3.0, 10.0, 40.0, 200.0, 1e3, 6e3]
+    )  # where the modulus passes from film to substrate
+    depths = tau[:, None] * HARDNESSES[hardness].landmarks(constant, exponent)
+    none, all_u, all_w = np.zeros(laws), np.sqrt(tau), np.full(laws, np.inf)
+    parts = (
+        ("elastic", "film", none, np.minimum(u_c, all_u)),
+        ("elastic", "substrate", np.minimum(u_c, all_u), u_c),
+        ("plastic", "film", u_c * u_c, tau),
+        ("plastic", "substrate", np.maximum(u_c * u_c, tau), all_w),
+    )
+    formulas = {"elastic": (elastic, elastic_coordinate, widths), "plastic": (plastic, plastic_coordinate, depths)}
+    return [
+        (NormalPiece(*formulas[state][:2], parameters, _between(low, high, formulas[state][2]), state), body)
+        for state, body, low, high in parts
+    ]
+
+
+def regimes(groups: Groups, law, modulus: str, hardness: str, soft_film_exponent: str) -> list[Regime]:
+    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface."""
+    return [law.join(piece, groups, body=body) for piece, body in pieces(groups, modulus, hardness, soft_film_exponent)]
+
+
+RECORD = FilmLaw(
+    key="halling_1979",
+    title="Film and substrate as one half-space of effective modulus and effective hardness",
+    grade="C",
+    sources=(
+        Source("halling_1979", "", "effective hardness; the expression itself was not available"),
+        Source("el_sherbiney_halling_1976", "", "Hertz contact with an equivalent modulus; the expression was not available"),
+        Source("chang_etsion_bogy_1987", "", "the plastic asperity: truncated sphere of conserved volume"),
+    ),
+    regimes=regimes,
+    tangential="interface",
+    own_asperity=True,
+    own_options={
+        "modulus": tuple(MODULI),
+        "hardness": tuple(HARDNESSES),
+        "soft_film_exponent": ("2", "1"),
+    },
+    verified="substrate and film alone in the limits; mean pressure at the onset; independent quadrature",
+    needs=("theta", "lam", "nu", "n_E", "n_H", "tau", "film_aspect", "film_nu"),
+    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-9),),
+    load_falls=False,
+    notes="A reconstruction. soft_film_exponent is m of Bhattacharya & Nix for a soft film; a hard one has 3 - m. Under a "
+    "soft film on a hard substrate the shear strength over the effective hardness falls with load: friction rises "
+    "with the film's thickness, and falls with load towards the Bowden-Tabor value, shear strength over substrate "
+    "hardness; it has no minimum over thickness.",
+)

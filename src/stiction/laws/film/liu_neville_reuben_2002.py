@@ -1,0 +1,42 @@
+"""A plastic film on an elastic-plastic substrate, with adhesion: after Liu, Neville & Reuben 2002.
+
+Known of it: an improved model after Derjaguin, Muller & Toporov, together with an elastic-plastic contact with a soft coating.
+Reconstruction: the contact of chang_1997; each touching asperity is pulled by 2 pi R gamma_f, gamma_f that of the film.
+"""
+
+import math
+
+from stiction.contact.groups import Groups
+from stiction.engine.regime import Regime
+from stiction.laws.film.chang_1997 import NO_ADHESION, plastic_film
+from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.sources import Source
+
+
+def regimes(groups: Groups, law) -> list[Regime]:
+    """Regimes of a coated surface, loads in units of the substrate."""
+    return plastic_film(groups, law, 2.0 * math.pi * groups.n_g / groups.theta)
+
+
+RECORD = FilmLaw(
+    key="liu_neville_reuben_2002",
+    title="Plastic film on an elastic-plastic substrate, with the adhesion of Derjaguin, Muller and Toporov",
+    grade="C",
+    sources=(
+        Source("liu_neville_reuben_2002", "abstract", "reconstructed: the equations were not available"),
+        Source("derjaguin_muller_toporov_1975", "", "adhesion, as a constant force on each touching asperity"),
+        Source("chang_1997", "", "the contact, itself reconstructed"),
+        Source("chang_etsion_bogy_1988", "", "friction of the substrate's asperities, if its tangential law is chosen"),
+    ),
+    regimes=regimes,
+    asperity="chang_etsion_bogy_1987",
+    wants=NO_ADHESION,
+    verified="independent quadrature; chang_1997 without adhesion; trends of the abstract, see the notes",
+    needs=("theta", "lam", "n_H", "n_g", "tau"),
+    validity=(Validity("n_H", 0.0, 1.0, "the film is soft"),),
+    notes="With the asperity law chang_etsion_bogy_1987 and a shear strength of the interface it shows what the abstract "
+    "says: at a plasticity index above 0.5 friction rises with the film's thickness, at 0.25 and light load it rises "
+    "as a very thin film gets thinner. With chang_etsion_bogy_1988, where only the substrate resists, the latter "
+    "alone: friction then falls with thickness at every plasticity index, but for strong adhesion. Asperities that do "
+    "not touch are not pulled.",
+)

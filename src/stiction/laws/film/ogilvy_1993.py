@@ -1,0 +1,34 @@
+"""A film that is felt in friction alone: Ogilvy 1993.
+
+Of this work it is known that it leaves the film out of the normal contact. So load and area are the substrate's, whatever its
+asperity law, and the film shears over all of that area: T = s A. With plastic asperities this is Bowden and Tabor's friction
+of thin metallic films, shear strength of the film over hardness of the substrate.
+"""
+
+from stiction.contact.groups import Groups
+from stiction.engine.regime import Regime
+from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.sources import Source
+
+
+def regimes(groups: Groups, law) -> list[Regime]:
+    """Regimes of a coated surface: those of the bare substrate, with a tangential law of the interface."""
+    return law.regimes(groups, body="substrate")
+
+
+RECORD = FilmLaw(
+    key="ogilvy_1993",
+    title="Film too thin to be felt in normal contact: the substrate's load and area, the film's shear strength",
+    grade="C",
+    sources=(
+        Source("ogilvy_1993", "", "not available: the 2015 paper says that it leaves the film out of the contact"),
+        Source("bowden_tabor_1943", "", "shear strength of the film, hardness of the substrate"),
+    ),
+    regimes=regimes,
+    tangential="interface",
+    verified="friction over load of plastic asperities: shear strength over hardness",
+    needs=("shear_strength",),
+    validity=(Validity("tau", 0.0, 1.0, "the film is thin against the roughness"),),
+    notes="Modulus, hardness and thickness of the film have no effect. shear_strength is the film's, over the hardness of the "
+    "substrate. Ogilvy solved the contact of given rough surfaces numerically; asperity laws stand in for that here.",
+)

@@ -1,0 +1,97 @@
+"""The 2015 paper to the letter: bare, and with the soft film of eqs (6) and (15). Kept to reproduce the print.
+
+Heights are weighed at the apparent displacement x (D2), the slip resistance is eq (10) (D6), the resistance lacks the
+1/sqrt(2 pi) of the density (D3). With a film: film terms in the film's own units (D4), the substrate's elastic term from
+tau + x0 with its law unshifted, its plastic term from w1 (D5).
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.engine.regime import Regime
+from stiction.laws.asperity import jkr
+from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import RECORD as CORRECTED
+from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import flow, onset
+from stiction.laws.film.shared.cut_film import film_regimes
+from stiction.laws.joining import Law, Share, within
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.sources import Source
+from stiction.laws.tangential.soft_coating_2015 import RECORD as TANGENTIAL
+from stiction.laws.tangential.soft_coating_2015 import grip_printed
+
+# Eqs (12)-(15) weigh the resistance with exp(-z^2/2) in place of phi(z) (D3).
+_GRIP = math.sqrt(2.0 * math.pi)
+
+_adhesion, _load = jkr.adhesion, jkr.load
+
+
+@formula
+def normal(u, theta):
+    """JKR at u = x^(1/4), the displacement being x (eq 1)."""
+    x = u * u * u * u
+    return x, 4.0 * u * u * u, _load(u, _adhesion(theta)), x
+
+
+@formula
+def coordinate(x, theta):
+    return max(x, 0.0) ** 0.25
+
+
+def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
+    u_1, w_1 = onset(groups)
+    edges = np.stack([jkr.first_contact(groups.theta, "loading"), u_1], axis=1)
+    return [NormalPiece(normal, coordinate, (groups.theta,), edges, "elastic"), flow(groups, w_1)]
+
+
+LAW = Law(replace(CORRECTED, pieces=pieces), replace(TANGENTIAL, tangential_resistance=grip_printed), {"branch": "loading"})
+
+
+def bare_regimes(groups: Groups) -> list[Regime]:
+    """Both regimes of a surface without film."""
+    return LAW.regimes(groups, Share(tangential_resistance=_GRIP))
+
+
+def _film_shares(piece: NormalPiece) -> tuple[Share, Share]:
+    """What of the film counts before and after x = tau: its elastic load goes on, its plastic load does not (D5, D9)."""
+    return Share(tangential_resistance=_GRIP), Share(tangential_resistance=0.0) if piece.state == "elastic" else Share(
+        force=0.0
+    )
+
+
+def regimes(groups: Groups, law: Law) -> list[Regime]:
+    """Regimes of a coated surface; `law`, the corrected one, is not used. Limits that cross make an empty integral (D9); of
+    the film, only asperities with x < tau resist (D10). The area, which is not printed, is the film's own."""
+    tau = groups.tau
+    film_part = film_regimes(LAW, groups, tau, _film_shares)
+    substrate = groups.substrate()
+    elastic, plastic = LAW.pieces(substrate)
+    from_film = within(elastic, (tau + elastic.edges[:, 0] ** 4) ** 0.25, np.inf)
+    labels = {"body": "substrate", "touching": False}
+    return [
+        *film_part,
+        LAW.join(from_film, substrate, Share(tangential_resistance=_GRIP, cover=0.0), **labels),
+        LAW.join(plastic, substrate, Share(cover=0.0), **labels),
+    ]
+
+
+RECORD = FilmLaw(
+    key="printed",
+    title="Soft film to the letter of the 2015 paper; the film law of the published reading",
+    grade="C",
+    sources=(Source("soft_coating_2015", "eqs. (6)-(9) and (15)", "as printed but D7-D11; C1..C7 reconstructed"),),
+    regimes=regimes,
+    verified="independent evaluation at 30 digits. The paper prints no numbers",
+    needs=("n_E", "n_H", "tau"),
+    validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),),
+    wants={"2015": "it is written for that asperity alone"},
+    own_asperity=True,
+    tangential="soft_coating_2015",
+    interchangeable=False,
+    load_falls=False,
+    notes="Adds loads in units of the film to loads in units of the substrate (D4).",
+)

@@ -1,0 +1,70 @@
+"""The corrected reading of the 2015 paper's soft film: it deforms alone until it is pressed by its own thickness; beyond,
+it keeps the load and resistance it had then, and the substrate answers the rest (docs/theory.md; D4, D5, D10).
+"""
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.engine.regime import Regime
+from stiction.laws.film.shared.cut_film import film_regimes
+from stiction.laws.joining import Law, Share, coordinates, normal_states, states
+from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.sources import Source
+
+
+@formula
+def at_rest(w, load, slip_limited, yield_limited):
+    """A film that no longer deforms: the same load and resistance at any displacement."""
+    return w, 1.0, load, 0.0, slip_limited, yield_limited
+
+
+@formula
+def at_rest_coordinate(w, load, slip_limited, yield_limited):
+    return w
+
+
+def regimes(groups: Groups, law: Law) -> list[Regime]:
+    """Regimes of a coated surface, loads and resistances in units of the substrate.
+
+    The area is the film's at the full displacement: the outer contact is always on it. A resistance of the interface goes with
+    that area and the whole load; any other is that of the film, kept, and of the substrate.
+    """
+    tau, n_E = groups.tau, groups.n_E
+    before, after = Share(unit=n_E), Share(unit=n_E, force=0.0, tangential_resistance=0.0)
+    deforming = film_regimes(law, groups, tau, lambda piece: (before, after))
+    load, slip_limited, yield_limited = _kept(law, groups)
+    edges = np.stack([tau, np.full(len(tau), np.inf)], axis=1)
+    rest = Regime(at_rest, at_rest_coordinate, (load, slip_limited, yield_limited), edges, "held", "film", touching=False)
+    below = Share(shift=tau, cover=0.0)
+    return [*deforming, rest, *law.regimes(groups.substrate(), below, body="substrate", touching=False)]
+
+
+def _kept(law: Law, groups: Groups) -> np.ndarray:
+    """Load, slip- and yield-limited resistance (3, n) of the film at the displacement tau. Of a resistance of the interface,
+    what goes with the area is counted where the area is."""
+    film, share = groups.film(), Share(unit=groups.n_E, cover=0.0 if law.interfacial else 1.0)
+    kept = np.zeros((3, len(groups)))
+    for piece in law.pieces(film):
+        regime = law.join(piece, film, share)
+        u = coordinates(piece, groups.tau)
+        at_first, at_last = piece.edges[:, 0], piece.edges[:, -1]
+        start, _, _, width = normal_states(piece, at_first).T
+        # First touch is at no displacement, to rounding: a film of no thickness is there.
+        there = (u >= at_first) & (u < at_last) & (groups.tau >= start - 1e-14 * width)
+        kept[:, there] = states(regime, np.where(there, u, at_first))[there][:, [2, 4, 5]].T
+    return kept
+
+
+RECORD = FilmLaw(
+    key="sequential",
+    title="Soft film deforming alone until it is pressed by its own thickness, then the substrate",
+    grade="C",
+    sources=(Source("soft_coating_2015", "eqs. (6) and (15)", "corrected: D4, D5, D8, D9, D10"),),
+    regimes=regimes,
+    verified="independent evaluation at 30 digits; the film's own law for a thick film",
+    needs=("n_E", "n_H", "tau"),
+    validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),),
+    load_falls=False,
+    notes="At zero thickness the adhesion of first touch on the film remains: -4 pi/(3 theta) for each touching JKR asperity.",
+)

@@ -1,0 +1,45 @@
+"""The film as a body of its own: cut where it is pressed through and where it stops being a half-space."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.regime import Regime
+from stiction.laws.joining import Law, Share, coordinates, coordinates_at_area, within
+from stiction.laws.piece import NormalPiece
+
+
+def film_regimes(
+    law: Law, groups: Groups, through: np.ndarray, shares: Callable[[NormalPiece], tuple[Share, Share]]
+) -> list[Regime]:
+    """The film's own law at every displacement.
+
+    through: the displacement (n,) at which it is pressed through; shares(piece): what counts before and after
+    that.
+    film_aspect = t/sqrt(R sigma), (n,): to an asperity the film is a half-space while a < t, that is x < film_aspect^2; the
+    regimes beyond are marked.
+    """
+    film = groups.film()
+    # Where the film is a half-space to all, the stretches beyond are empty: left out.
+    bounded = not np.all(np.isinf(groups.film_aspect))
+    regimes = []
+    for piece in law.pieces(film):
+        u_through = coordinates(piece, through)
+        u_bound = coordinates_at_area(piece, groups.film_aspect**2) if bounded else np.inf
+        before, after = shares(piece)
+        stretches = (within(piece, -np.inf, u_through), before), (within(piece, u_through, np.inf), after)
+        for stretch, share in stretches:
+            joined = law.join(stretch, film, share, body="film")
+            regimes.append(_between(joined, -np.inf, u_bound))
+            if bounded:
+                regimes.append(replace(_between(joined, u_bound, np.inf), in_half_space=False))
+    return regimes
+
+
+def _between(regime: Regime, low, high) -> Regime:
+    """The part of a regime between two coordinates (n,); nothing where that is empty."""
+    low = np.maximum(np.reshape(low, (-1, 1)), regime.edges[:, :1])
+    high = np.minimum(np.reshape(high, (-1, 1)), regime.edges[:, -1:])
+    return replace(regime, edges=np.minimum(np.maximum(regime.edges, low), high))

@@ -1,0 +1,91 @@
+"""What the program knows and where a result comes from: the registry and the bibliography for users."""
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from stiction.laws.registry import Limit, Record, records
+from stiction.laws.sources import bibliography, bibtex
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import nearest
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
+    """One dict for each record of the registry, with at least key, kind, title, grade, source, validity, needs, options,
+    verified and notes; texts and lists of texts. Those of kind "not available" say under `unknown` what is missing.
+
+    keys: only records with these keys. Raises InputError for one that is not known.
+    """
+    if keys is None:
+        return [_row(record) for record in records()]
+    wanted = list(keys)
+    known = {record.key for record in records()}
+    for key in wanted:
+        if key not in known:
+            raise InputError("key", key, nearest(key, sorted(known)))
+    return [_row(record) for record in records() if record.key in wanted]
+
+
+def _row(record: Record) -> dict[str, Any]:
+    row: dict[str, Any] = {
+        "key": record.key,
+        "kind": record.kind,
+        "title": record.title,
+        "grade": record.grade,
+        "source": [str(source) for source in record.sources],
+        "validity": [f"{rule.quantity} {rule.range}: {rule.why}" for rule in record.validity],
+        "needs": list(record.needs),
+        "options": {name: list(values) for name, values in record.own_options.items()},
+        "accuracy": record.accuracy,
+        "verified": record.verified,
+        "limits": [_limit(limit) for limit in record.limits],
+        "notes": record.notes,
+    }
+    return row | {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}
+
+
+def _limit(limit: Limit) -> str:
+    """A limit in words."""
+    values = ", ".join(f"{name} = {value:g}" for name, value in limit.groups.items())
+    options = "".join(f", {name} {value}" for name, value in limit.options.items())
+    return f"{limit.parent} at {values}{options}: {' and '.join(limit.quantities)} within {limit.within:.0e}"
+
+
+# What the kinds of records have beyond the common columns, and how it is put.
+_MORE: dict[str, Callable[[Any], Any]] = {
+    "traits": sorted,
+    "wants": dict,
+    "jumps": lambda jumps: [f"{jump.where}: load times {jump.load:g}, contact area times {jump.area:g}" for jump in jumps],
+    "asperity": str,
+    "tangential": str,
+    "default_film": str,
+    "own_asperity": bool,
+    "interchangeable": bool,
+    "interfacial": bool,
+    "below": str,
+    "above": str,
+    "property": str,
+    "unknown": str,
+    "nearest": str,
+}
+
+
+def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
+    """BibTeX of exactly what a result used.
+
+    what: a result of `solve`; or the key of a model or of a bibliography entry, or several; or None for all.
+    Raises InputError for an unknown key.
+    """
+    known = records()
+    more = {key: entry for record in known for key, entry in record.entries.items()}
+    if what is None:
+        return bibtex([*bibliography(), *more], more)
+    if hasattr(what, "attrs"):
+        return bibtex(what.attrs["sources"].split(), more)
+    keys: list[str] = []
+    for key in [what] if isinstance(what, str) else what:
+        named = [source.key for record in known if record.key == key for source in record.sources]
+        keys += named or [key]
+    return bibtex(keys, more)

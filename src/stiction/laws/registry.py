@@ -1,0 +1,315 @@
+"""What the program knows of its models: one record each, found in their folders and in entry points.
+
+A model is a module with a RECORD. Adding one is one file in its folder (or, outside the package, an entry point in the group
+"stiction"), one file of reference numbers in the tests and one bibliography entry; tables, command line, citations and
+contract tests are made from the record.
+"""
+
+import importlib
+import importlib.util
+import pkgutil
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from importlib.metadata import entry_points
+from math import inf
+from typing import ClassVar
+
+from stiction.laws.sources import Source
+from stiction.quantities.errors import InputError
+
+_FOLDERS = ("rough_surface", "asperity", "tangential", "film", "composite", "presliding", "criterion", "not_available")
+PLACES = tuple(f"stiction.laws.{folder}" for folder in _FOLDERS)
+_HOMES = {folder.replace("_", " "): place for folder, place in zip(_FOLDERS, PLACES, strict=True)}
+
+GRADES = {
+    "A": "reproduces numbers that its source prints",
+    "B": "re-derived here and checked against limits or an independent code",
+    "C": "reconstructed: the source was not available or is misprinted; what was reconstructed is said",
+}
+
+# What a tangential law or a film may want of an asperity law, and an asperity law may be.
+TRAITS = {
+    "JKR": "while elastic, adhesion acts inside the contact as Johnson, Kendall and Roberts have it",
+    "no adhesion": "the load is compressive, and nothing at first touch",
+    "Hertz": "while elastic, the contact is Hertz's",
+    "2015": "the asperity of the 2015 paper",
+}
+
+
+@dataclass(frozen=True)
+class Validity:
+    """A range in which the authors claim their model, or beyond which an assumption fails.
+
+    quantity: a name in `quantities`, in the sense used there; low and high: the range; why: what fails outside.
+    """
+
+    quantity: str
+    low: float
+    high: float
+    why: str
+
+    @property
+    def range(self) -> str:
+        """The range in words: "0 to 0.5", "5 or more"."""
+        if self.high == inf:
+            return f"{self.low:g} or more"
+        return f"{self.high:g} or less" if self.low == -inf else f"{self.low:g} to {self.high:g}"
+
+
+@dataclass(frozen=True)
+class Limit:
+    """The model becomes `parent` (of the same kind) when these groups take these values: a test over the registry holds it to
+    that.
+
+    groups: values of groups that make the limit. quantities: result names that must agree. within: relative difference.
+    options: with which it does so.
+    """
+
+    parent: str
+    groups: Mapping[str, float]
+    quantities: tuple[str, ...]
+    within: float
+    options: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Jump:
+    """A published law is not continuous: what its load and area are multiplied by where one piece gives way to the next.
+
+    piece: the number of the piece that begins there, 1 for the second. load, area: the factors; groups: for which values of
+    groups, where they depend on them. A test over the registry holds the record to them, to 1 in 1000.
+    """
+
+    piece: int
+    load: float
+    area: float
+    where: str
+    groups: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Record:
+    """All that is said of one model; each kind adds what it computes.
+
+    key: author_year, or a name. grade: see GRADES. verified: what the numbers were checked against. needs: names of the groups
+    it depends on. own_options: option name -> allowed values, the first is the default. load_falls: the source's load falls
+    with growing separation wherever it is compressive. accuracy: sums are good to this, relative to each law's own; larger
+    where kinks of a law are found by scanning. notes: what a user should know. entries: bibliography entries that the
+    package does not have, key -> BibTeX.
+    """
+
+    kind: ClassVar[str]
+    key: str
+    title: str
+    grade: str
+    sources: tuple[Source, ...]
+    verified: str
+    needs: tuple[str, ...] = ()
+    validity: tuple[Validity, ...] = ()
+    limits: tuple[Limit, ...] = ()
+    own_options: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    load_falls: bool = True
+    accuracy: float = 1e-10
+    notes: str = ""
+    entries: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class AsperityLaw(Record):
+    """How one asperity carries a normal load.
+
+    pieces(groups, **own options) -> list of Piece, in the order in which an approaching asperity meets them.
+    traits: what it is, see TRAITS. jumps: where the published pieces do not meet. released(groups, distance, **own options) ->
+    list of Piece, at the displacement that is left: the same after the surfaces were pressed together and then drawn apart by
+    the distance (n,) over sigma; None where the law, if it yields and adheres, says nothing of that.
+    """
+
+    kind = "asperity"
+    pieces: Callable
+    released: Callable | None = None
+    traits: frozenset[str] = frozenset()
+    jumps: tuple[Jump, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class TangentialLaw(Record):
+    """At which force one loaded asperity is sheared off.
+
+    grip(piece, groups, **own options) -> Grip, or None for a piece that resists nothing. wants: trait of the asperity law that
+    it cannot do without -> why. interfacial: it shears the interface, wherever that is: of a coated asperity, the whole load
+    and the outer contact area count, whichever body answers.
+    """
+
+    kind = "tangential"
+    tangential_resistance: Callable
+    wants: Mapping[str, str] = field(default_factory=dict)
+    interfacial: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmLaw(Record):
+    """How a film and its substrate answer together.
+
+    regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
+    of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
+    `law` is not used. tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with
+    laws of the interface, or the key of the one that is built into it. asperity: key of the asperity law that its source
+    takes; any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
+    """
+
+    kind = "film"
+    regimes: Callable
+    wants: Mapping[str, str] = field(default_factory=dict)
+    own_asperity: bool = False
+    tangential: str = ""
+    asperity: str = ""
+    interchangeable: bool = True
+
+
+@dataclass(frozen=True, kw_only=True)
+class RoughSurface(Record):
+    """A whole rough surface.
+
+    It sums an asperity law over heights, with a tangential law (keys; the defaults of the options of these names: any that
+    suit each other may be taken), bare or, if default_film is given, with any film. tangential "none": contact only. Or,
+    where asperity is "": curve(h, groups, **own options) -> load and area (n, H) in closed form at the separations h (H,); or
+    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation.
+    of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
+    found. regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
+    that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
+    """
+
+    kind = "rough surface"
+    asperity: str = ""
+    tangential: str = "none"
+    default_film: str = ""
+    film_by_option: Mapping[str, str] = field(default_factory=dict)
+    takes_surface_moments: bool = False
+    regimes: Callable | None = None
+    curve: Callable | None = None
+    area_at_load: Callable | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Composite(Record):
+    """A property of film and substrate together, against the depth: for films that are one body of changing properties.
+
+    value: a formula of scalars; `property` is "modulus" or "hardness".
+    """
+
+    kind = "composite"
+    property: str
+    value: Callable
+
+
+@dataclass(frozen=True, kw_only=True)
+class Presliding(TangentialLaw):
+    """How a contact yields elastically to a tangential force before it slides: a tangential law whose resistance is the
+    tangential stiffness of one asperity at no force, times sigma and in the unit of the load."""
+
+    kind = "presliding"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Criterion(Record):
+    """A number that tells one behaviour of a rough surface in contact from another.
+
+    ratio(groups) -> array (n,), of asperities with the moments of the surface; below, above: what is said of the contact where
+    it is below 1, and above.
+    """
+
+    kind = "criterion"
+    ratio: Callable
+    below: str
+    above: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Unavailable(Record):
+    """A model that is known of but cannot be computed from what its source is known to say.
+
+    unknown: exactly what is missing. nearest: what of this package is nearest to it.
+    """
+
+    kind = "not available"
+    verified: str = "nothing: there is no number to check"
+    unknown: str
+    nearest: str
+
+
+KINDS = {
+    one.kind: one for one in (RoughSurface, AsperityLaw, TangentialLaw, FilmLaw, Composite, Presliding, Criterion, Unavailable)
+}
+# What the user calls the choice of a record of each kind.
+CHOICES = {
+    "rough surface": "model",
+    "asperity": "asperity",
+    "tangential": "tangential",
+    "film": "coating_law",
+    "presliding": "presliding",
+}
+
+
+@cache
+def records() -> tuple[Record, ...]:
+    """Every record, in the order of KINDS, each kind in alphabetical order."""
+    found = []
+    for place in PLACES:
+        package = importlib.import_module(place)
+        for module in pkgutil.iter_modules(package.__path__, f"{place}."):
+            found.append(getattr(importlib.import_module(module.name), "RECORD", None))
+    found += [entry.load() for entry in entry_points(group="stiction")]
+    order = list(KINDS)
+    return tuple(sorted((one for one in found if one), key=lambda one: (order.index(one.kind), one.key)))
+
+
+def of_kind(kind: str) -> dict[str, Record]:
+    """The records of one kind: key -> Record."""
+    return {one.key: one for one in records() if one.kind == kind}
+
+
+def find(key: str, kind: str) -> Record:
+    """The record of this key and kind; InputError otherwise. One of the package is in the file of its name: the others are then
+    not loaded."""
+    place = _HOMES.get(kind)
+    if place is not None and key.isidentifier() and importlib.util.find_spec(f"{place}.{key}") is not None:
+        record = getattr(importlib.import_module(f"{place}.{key}"), "RECORD", None)
+        if isinstance(record, KINDS[kind]) and record.kind == kind:
+            return record
+    known = of_kind(kind)
+    if key not in known:
+        raise InputError(CHOICES.get(kind, kind), key, ", ".join(known))
+    return known[key]
+
+
+def incompatibility(law: "TangentialLaw | FilmLaw", asperity: AsperityLaw) -> str:
+    """Why a tangential law or a film cannot go with an asperity law; "" if it can."""
+    missing = [f"{why} ({trait}: {TRAITS[trait]})" for trait, why in law.wants.items() if trait not in asperity.traits]
+    return f"{law.key} does not suit the asperity law {asperity.key}: {'; '.join(missing)}" if missing else ""
+
+
+def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) -> str:
+    """Why a film cannot go with a tangential law; "" if it can."""
+    if tangential is None or film.tangential in ("", tangential.key):
+        return ""
+    if film.tangential != "interface":
+        return f"{film.key} brings its own friction, {film.tangential}"
+    return "" if tangential.interfacial else f"{film.key} goes with laws of the interface only: its friction is there"
+
+
+def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:
+    """Those of the options that are the record's own."""
+    return {name: options[name] for name in record.own_options}
+
+
+def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:
+    """Every own option of these records, with its default where None or nothing is given; InputError for what they do not
+    have."""
+    known = tuple(known)
+    allowed = {name: values for record in known for name, values in record.own_options.items()}
+    for name, value in options.items():
+        if value is not None and value not in allowed.get(name, ()):
+            nothing = f"nothing: {' and '.join(record.key for record in known)} have no such option"
+            raise InputError(name, value, ", ".join(allowed.get(name, ())) or nothing)
+    return {name: options.get(name) or values[0] for name, values in allowed.items()}

@@ -1,0 +1,57 @@
+"""Greenwood 2006, the simplified elliptic model: summits of a Gaussian surface as spheres of their geometric mean curvature.
+
+As Bush, Gibson & Thomas (1975), but a summit with the principal curvatures kappa_1 and kappa_2 is pressed as a sphere of
+curvature g = sqrt(kappa_1 kappa_2), of which Greenwood found that Hertz's ellipse differs little.
+"""
+
+import math
+from functools import cache
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.laws.registry import RoughSurface, Validity
+from stiction.laws.sources import Source
+from stiction.surfaces.theory import summits
+from stiction.surfaces.theory.moments import LEAST_DENSITY
+from stiction.surfaces.theory.summits import Shapes
+
+
+@cache
+def spheres() -> Shapes:
+    """Area pi w / g and load (4/3) E* w^(3/2) / sqrt(g) with g = kappa sqrt(1 - t^2); Gauss points in (1 - t)^(1/4)."""
+    node, weight = np.polynomial.legendre.leggauss(120)
+    root = (1.0 + node) / 2.0
+    t = 1.0 - root**4
+    share = root**4 * (2.0 - root**4)  # 1 - t^2 = (g / kappa)^2
+    return Shapes(t=t, weight=2.0 * root**3 * weight, load=share**-0.25, area=share**-0.5)
+
+
+def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
+    """Load and area (n, H) at separations h (H,) from the mean of the summits."""
+    return summits.curve(h, groups.density, spheres)
+
+
+RECORD = RoughSurface(
+    key="greenwood_2006",
+    title="A simplified elliptic model of rough surface contact",
+    grade="B",
+    sources=(
+        Source("greenwood_2006", "", "geometric mean curvature in place of the ellipse; summed here from Nayak's density"),
+        Source("nayak_1971", "", "joint density of height and curvatures of the summits"),
+    ),
+    curve=curve,
+    takes_surface_moments=True,
+    verified="double integrals of the closed density of height and geometric mean curvature; A/A0 = sqrt(2 pi) p/(E* h') "
+    "at light load",
+    needs=("density",),
+    validity=(
+        Validity("density", LEAST_DENSITY, math.inf, "no isotropic Gaussian surface has fewer asperities N R sigma"),
+        Validity("plasticity_index", 0.0, 0.6, "summits are taken as elastic"),
+        Validity("theta", 10.0, math.inf, "adhesion is left out"),
+    ),
+    notes=(
+        "The asperities are the summits of an isotropic Gaussian surface with the same sigma, N and mean curvature 1/R. "
+        "Separation is from the mean of the summits. Load and area are within 3 % of Bush, Gibson & Thomas."
+    ),
+)

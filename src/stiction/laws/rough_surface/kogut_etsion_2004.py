@@ -1,0 +1,20 @@
+"""Kogut & Etsion: elastic-plastic asperities (2002) that slide by yielding (2003), summed over a rough surface (2004)."""
+
+from stiction.laws.registry import Limit, RoughSurface, Validity
+from stiction.laws.sources import Source
+
+RECORD = RoughSurface(
+    key="kogut_etsion_2004",
+    title="Static friction of rough surfaces: elastic-plastic asperities, sliding inception as failure",
+    grade="C",
+    sources=(
+        Source("kogut_etsion_2004", "", "integrals of the laws of 2002 and 2003, not the empirical formulas fitted to them"),
+        Source("greenwood_williamson_1966", "the sum over heights"),
+    ),
+    asperity="kogut_etsion_2002",
+    tangential="kogut_etsion_2003",
+    verified="integrals over Gaussian heights by an independent quadrature; cross-model table",
+    validity=(Validity("theta", 10.0, float("inf"), "the source's adhesion of elastic-plastic asperities is left out"),),
+    limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    notes="The adhesion of elastic-plastic asperities of 2003 is left out: its coefficients could not be checked.",
+)

@@ -1,0 +1,14 @@
+"""DMT asperities under Greenwood & Williamson's sum: weak adhesion of hard, sharp, not too adhesive asperities."""
+
+from stiction.laws.registry import Limit, RoughSurface
+from stiction.laws.sources import Source
+
+RECORD = RoughSurface(
+    key="rough_dmt",
+    title="DMT asperities on a rough surface",
+    grade="B",
+    sources=(Source("greenwood_williamson_1966", "the sum over heights"),),
+    asperity="dmt",
+    verified="independent integrals at 30 digits; Greenwood-Williamson without adhesion",
+    limits=(Limit("greenwood_williamson_1966", {"theta": 1e14}, ("load", "contact_area"), 1e-9),),
+)

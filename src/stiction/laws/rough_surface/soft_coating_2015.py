@@ -1,0 +1,63 @@
+"""The model this project exists for: static friction of adhesive rough surfaces, bare or with a thin soft film (2015)."""
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.regime import Regime
+from stiction.laws.film.printed import bare_regimes
+from stiction.laws.joining import Law
+from stiction.laws.registry import FilmLaw, Limit, RoughSurface, Validity, select_options
+from stiction.laws.sources import Source
+from stiction.quantities.errors import InputError
+
+
+def regimes(groups: Groups, law: Law, film: FilmLaw | None, reading: str, transition: str) -> list[Regime]:
+    """Regimes of a bare or coated surface (docs/theory.md, sections 2 to 6)."""
+    printed, gradual = reading == "published", transition == "gradual"
+    if law.options.get("branch") == "unloading" and (printed or gradual or groups.coated):
+        allowed = "loading; unloading is for the corrected reading of a bare surface that jumps"
+        raise InputError("branch", "unloading", allowed)
+    if gradual and (printed or groups.coated):
+        raise InputError("transition", transition, "jump; bare surfaces and the graded film have a gradual one, corrected")
+    for chosen, key in ((law.asperity, RECORD.asperity), (law.tangential, RECORD.tangential)):
+        if (printed or gradual) and (chosen is None or chosen.key != key):
+            kind, given = (chosen.kind, chosen.key) if chosen else ("tangential", "none")
+            raise InputError(kind, given, f"{key}, for these options")
+    if film is not None:
+        return film.regimes(groups, law, **select_options(film, law.options))
+    if gradual:
+        from stiction.laws.film.graded import bare_regimes_with_transition  # slow to import
+
+        return bare_regimes_with_transition(groups)
+    return bare_regimes(groups) if printed else law.regimes(groups)
+
+
+def _adhesion_without_plasticity(theta: float, eta: float) -> dict[str, float]:
+    """Groups with a given hardness group: lambda = eta^4 theta^2 / (18 pi^2)."""
+    return {"theta": theta, "lam": eta**4 * theta**2 / (18.0 * np.pi**2)}
+
+
+RECORD = RoughSurface(
+    key="soft_coating_2015",
+    title="Static friction in adhesive contact of rough surfaces with soft coatings",
+    grade="C",
+    sources=(
+        Source("soft_coating_2015", "eqs. (1)-(15)", "twelve departures D1-D12, see docs/theory.md"),
+        Source("greenwood_williamson_1966", "the sum over heights"),
+    ),
+    asperity="roy_chowdhury_ghosh_1994",
+    tangential="soft_coating_2015",
+    regimes=regimes,
+    verified="independent evaluation at 30 digits, both readings, bare and coated; limits below. The paper prints no numbers",
+    validity=(
+        Validity("mean_separation", -4.0, np.inf, "closer, asperities are no longer independent (section 4 of the paper)"),
+    ),
+    limits=(
+        Limit("greenwood_williamson_1966", _adhesion_without_plasticity(1e14, 1e4), ("load", "contact_area"), 1e-6),
+        Limit("fuller_tabor_1975", {"lam": 1e30}, ("load", "contact_area"), 1e-9),
+        Limit("fuller_tabor_1975", {"lam": 1e30}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),
+    ),
+    own_options={"reading": ("corrected", "published"), "transition": ("jump", "gradual")},
+    default_film="sequential",
+    film_by_option={"published": "printed"},
+)

@@ -1,0 +1,43 @@
+"""A constant shear strength of the interface: Bowden & Tabor 1943.
+
+Friction is the force that shears the real contact area, T = tau_0 A, whatever carries the load.
+"""
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import TangentialLaw
+from stiction.laws.sources import Source
+
+
+@formula
+def shear_force(area, eta, shear_strength):
+    """T = tau_0 A: a pressure H on the area x is the load eta x, so a stress (tau_0/H) H is that part of it."""
+    return shear_strength * eta * area
+
+
+@formula
+def resistance(u, w, load, area, eta, shear_strength):
+    return shear_force(area, eta, shear_strength), 0.0
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
+    """On every piece: elastic or not, what touches must be sheared."""
+    return TangentialResistance(resistance, (groups.eta, groups.shear_strength))
+
+
+RECORD = TangentialLaw(
+    key="bowden_tabor_1943",
+    title="Constant shear strength of the interface",
+    grade="B",
+    sources=(
+        Source("bowden_tabor_1943", "", "friction as the shear strength of the film times the real contact area"),
+        Source("bowden_tabor_1950", "", "the adhesion theory of friction"),
+    ),
+    tangential_resistance=tangential_resistance,
+    interfacial=True,
+    verified="dimensional evaluation at 30 digits; mu = tau_0/H where the mean pressure is the hardness",
+    needs=("theta", "lam", "shear_strength"),
+    notes="With a soft film, the area is that of the whole asperity and tau_0 the film's strength. Where all contacts are "
+    "plastic mu is tau_0 over their mean pressure: Bowden and Tabor's s/p.",
+)

@@ -1,0 +1,43 @@
+"""A shear strength of the interface that grows with pressure, tau = tau_0 + alpha p: Briscoe & Tabor 1978."""
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import Limit, TangentialLaw
+from stiction.laws.sources import Source
+from stiction.laws.tangential.bowden_tabor_1943 import shear_force
+from stiction.laws.tangential.shared.zero_load import zero_load
+
+
+@formula
+def resistance(u, w, load, area, eta, shear_strength, pressure_coefficient):
+    """T = tau_0 A + alpha P. A net tension raises nothing: alpha counts the load where it is compressive."""
+    return shear_force(area, eta, shear_strength) + pressure_coefficient * max(load, 0.0), 0.0
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
+    """On every piece, with a kink where adhesion and load are in balance."""
+    turns = zero_load(piece)
+    parameters = groups.eta, groups.shear_strength, groups.pressure_coefficient
+    return TangentialResistance(resistance, parameters, None if turns is None else turns[:, None])
+
+
+RECORD = TangentialLaw(
+    key="briscoe_tabor_1978",
+    title="Shear strength of the interface, growing with pressure",
+    grade="B",
+    sources=(
+        Source(
+            "briscoe_tabor_1978",
+            "",
+            "shear strength linear in the pressure, here in the mean pressure of each asperity; that tension lowers nothing is "
+            "this project's",
+        ),
+    ),
+    tangential_resistance=tangential_resistance,
+    interfacial=True,
+    verified="dimensional evaluation at 30 digits; constant strength for alpha = 0",
+    needs=("theta", "lam", "shear_strength", "pressure_coefficient"),
+    limits=(Limit("bowden_tabor_1943", {"pressure_coefficient": 0.0}, ("friction_force",), 1e-12),),
+    notes="For heavy loads mu tends to alpha plus tau_0 over the mean pressure.",
+)

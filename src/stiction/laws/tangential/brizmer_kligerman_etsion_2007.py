@@ -1,0 +1,54 @@
+"""Static friction of an elastic-plastic sphere in full stick: Brizmer, Kligerman & Etsion 2007, fitted to finite elements."""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.asperity.brizmer_kligerman_etsion_2006 import LEAST_NU, critical_values
+from stiction.laws.joining import normal_states
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import TangentialLaw, Validity
+from stiction.laws.sources import Source
+
+
+@formula
+def friction_coefficient(load_ratio):
+    """mu = 0.27 coth(0.27 (P/L_c)^0.35), L_c the load at first yield in full stick: 0.27 for heavy loads, 1.0242 at L_c."""
+    return 0.27 / math.tanh(0.27 * load_ratio**0.35)
+
+
+@formula
+def resistance(u, w, load, area, L_c):
+    """mu P: sliding begins where the yielding junction has lost its tangential stiffness."""
+    return 0.0, load * friction_coefficient(load / L_c) if load > 0.0 else 0.0
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
+    L_c = critical_values(groups.eta, groups.nu, groups.hardness_to_yield)[1]
+    first = np.ascontiguousarray(piece.edges[:, 0])
+    # T grows as P^0.65 from first touch, which is a broken power in any smooth coordinate.
+    touches = normal_states(piece, first)[:, 2] <= 0.0
+    return TangentialResistance(resistance, (L_c,), None, np.where(touches, first, -np.inf))
+
+
+RECORD = TangentialLaw(
+    key="brizmer_kligerman_etsion_2007",
+    title="Static friction of an elastic-plastic sphere in full stick",
+    grade="C",
+    sources=(
+        Source("brizmer_kligerman_etsion_2007", "", "the fit as commonly quoted; the text was not available"),
+        Source("brizmer_kligerman_etsion_2006", "critical load in full stick"),
+    ),
+    tangential_resistance=tangential_resistance,
+    wants={"no adhesion": "the sphere is pressed by its load alone"},
+    verified="seven loads tabulated independently; evaluation at 30 digits; sums over Gaussian heights",
+    needs=("theta", "lam", "nu", "hardness_to_yield"),
+    validity=(
+        Validity("nu", LEAST_NU, 0.5, "the ratios of stick to slip are held at their values for nu = 0.2"),
+        Validity("theta", 10.0, math.inf, "adhesion is left out"),
+    ),
+    notes="The junction is taken to be as strong as the bulk: an upper bound for clean metals. Plastic asperities resist too, "
+    "so that mu stays above 0.27 at any plasticity index. The yield stress is H/k.",
+)

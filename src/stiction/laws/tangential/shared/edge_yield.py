@@ -1,0 +1,30 @@
+"""Tangential force at which the trailing edge of a contact yields: Hamilton 1983 with the von Mises criterion.
+
+Reconstruction: the 2015 paper takes the coefficients C1..C7 of its eq (11) from Roy Chowdhury & Ghosh 1994 without
+printing them. The condition used here has exactly the powers of eq (11); that its coefficients are theirs is unproven (D12).
+"""
+
+import math
+
+from stiction.engine.compiled import formula
+
+
+@formula
+def coefficients(nu):
+    """n, p, q of the edge stresses: n = (1-2nu)/(2 pi), p = 3(4+nu)/16, q = 9nu/16 (docs/theory.md, yield at the edge)."""
+    return (1.0 - 2.0 * nu) / (2.0 * math.pi), 3.0 * (4.0 + nu) / 16.0, 9.0 * nu / 16.0
+
+
+@formula
+def yield_resistance(load, strength, nu):
+    """Larger root T of 3n^2 P^2 + 3n(p-q) P T + (p^2+q^2-pq) T^2 = strength^2, or 0 where it is not real and positive.
+
+    `strength` is eta x / (pi k): the yield stress times the contact area over pi, in the units of the load.
+    """
+    n, p, q = coefficients(nu)
+    d = p * p + q * q - p * q
+    ceiling = 2.0 * math.sqrt(d) * strength
+    pull = math.sqrt(3.0) * n * (p + q) * load
+    discriminant = (ceiling - pull) * (ceiling + pull)
+    root = (math.sqrt(max(discriminant, 0.0)) - 3.0 * n * (p - q) * load) / (2.0 * d)
+    return max(root, 0.0) if discriminant >= 0.0 else 0.0

@@ -1,0 +1,77 @@
+"""The tangential law of the 2015 paper: an adhesive elastic asperity resists until it peels (Savkoor & Briggs) or yields at its
+trailing edge (Hamilton, von Mises), whichever comes first; a plastic one not at all (docs/theory.md, section 3)."""
+
+import math
+
+import numpy as np
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import TangentialLaw
+from stiction.laws.sources import Source
+from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
+from stiction.laws.tangential.shared.edge_yield import yield_resistance
+from stiction.laws.tangential.shared.slip_or_yield import LOADING_KINKS, UNLOADING_KINKS, fill_kinks
+
+
+@formula
+def _lesser(slip_limited, yield_limited):
+    """Both, the greater of them set to zero."""
+    slips = slip_limited <= yield_limited
+    return slip_limited if slips else 0.0, 0.0 if slips else yield_limited
+
+
+@formula
+def resistance(u, w, load, area, theta, eta, K_beta, nu, k):
+    """Slip resistance, or yield resistance where that is less."""
+    slip_limited = slip_resistance(load, theta, K_beta)
+    return _lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
+
+
+@formula
+def resistance_printed(u, w, load, area, theta, eta, K_beta, nu, k):
+    """The same with eq (10) to the letter."""
+    slip_limited = slip_resistance_printed(area, theta, K_beta)
+    return _lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
+    """On a JKR asperity in the coordinate u = x^(1/4)."""
+    return _grip(piece, groups, resistance, printed=False)
+
+
+def grip_printed(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
+    return _grip(piece, groups, resistance_printed, printed=True)
+
+
+def _grip(piece, groups, formula_of, printed: bool) -> TangentialResistance | None:
+    if piece.state != "elastic":
+        return None
+    laws = len(groups)
+    # G_N + zeta G_T = gamma: the tangential compliance counts zeta times.
+    K_beta = groups.K_beta if groups.peeling is None else groups.K_beta * groups.peeling
+    S = np.sqrt(6.0 * math.pi / groups.theta)
+    unloading = piece.lowest < 0.0
+    kinks, branch = np.empty((laws, UNLOADING_KINKS if unloading else LOADING_KINKS)), np.empty(laws)
+    eta, nu, k = groups.eta, groups.nu, groups.hardness_to_yield
+    last = np.ascontiguousarray(piece.edges[:, -1])
+    fill_kinks(S, eta, K_beta, nu, k, last, printed, unloading, kinks, branch)
+    return TangentialResistance(formula_of, (groups.theta, eta, K_beta, nu, k), kinks, branch)
+
+
+RECORD = TangentialLaw(
+    key="soft_coating_2015",
+    title="Peeling or yield at the trailing edge, whichever comes first",
+    grade="C",
+    sources=(
+        Source("soft_coating_2015", "eqs. (10)-(15)", "D6; C1..C7 of eq. (11) are a reconstruction"),
+        Source("savkoor_briggs_1977", "slip resistance"),
+        Source("hamilton_1983", "stresses at the trailing edge"),
+    ),
+    tangential_resistance=tangential_resistance,
+    wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
+    verified="independent evaluation at 30 digits",
+    needs=("theta", "lam", "nu", "hardness_to_yield"),
+    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic.",
+)

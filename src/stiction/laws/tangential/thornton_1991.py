@@ -1,0 +1,46 @@
+"""Tangential force at which an adhesive contact peels, in terms of the pull-off force: Thornton 1991."""
+
+import math
+
+from stiction.contact.groups import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import Limit, TangentialLaw
+from stiction.laws.sources import Source
+from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance
+
+
+@formula
+def peeling_force(load, pull_off, stiffness_ratio):
+    """T = 4 sqrt((P P_c + P_c^2) G*/E*), with P_c = (3/2) pi gamma R and 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2.
+
+    The bracket never is negative: a contact under P < -P_c has come off. Rounding alone can make it so.
+    """
+    return 4.0 * math.sqrt(max((load + pull_off) * pull_off * stiffness_ratio, 0.0))
+
+
+@formula
+def resistance(u, w, load, area, theta, K_beta):
+    """G* = 1/beta and K = (4/3) E*, so that G*/E* = (4/3)/(K beta)."""
+    return peeling_force(load, 1.5 * math.pi / theta, 4.0 / (3.0 * K_beta)), 0.0
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
+    if piece.state != "elastic":
+        return None
+    return TangentialResistance(resistance, (groups.theta, groups.K_beta), no_resistance(piece, groups))
+
+
+RECORD = TangentialLaw(
+    key="thornton_1991",
+    title="Peeling of an adhesive contact by shear, from its pull-off force",
+    grade="B",
+    sources=(Source("thornton_1991", "", "the critical force as commonly quoted; it equals that of Savkoor and Briggs"),),
+    tangential_resistance=tangential_resistance,
+    wants={"JKR": "the force is that at which a JKR contact peels"},
+    verified="identity with Savkoor and Briggs; evaluation at 30 digits from dimensional quantities",
+    needs=("theta", "K_beta"),
+    limits=(Limit("savkoor_briggs_1977", {"peeling": 1.0}, ("friction_force",), 1e-9),),
+    notes="The first part of the 1991 criterion. What is carried after peeling (sliding friction under the load raised by the "
+    "adhesion) is not included: its form could not be looked up. Asperities that are no longer elastic resist nothing.",
+)

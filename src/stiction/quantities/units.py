@@ -1,0 +1,195 @@
+"""The only place where units are read: SI floats inside the program, text with units ("48 nm") at its edge.
+
+pint knows the units; it is slow to import, so it is imported when the first unit is read.
+"""
+
+import re
+from decimal import Decimal
+from fractions import Fraction
+from functools import cache
+from numbers import Real
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES, Quantity
+
+__all__ = ["axis", "show", "to_si"]
+
+_NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
+# pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
+_POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
+_UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
+_LONGEST_TEXT = 100  # no quantity takes more, and the patterns above take their time over megabytes
+_PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
+
+
+def to_si(value, name: str):
+    """A value of the named quantity in SI units, checked against its bounds.
+
+    value: float, array or xarray.DataArray in SI units, or text with its unit ("48 nm"), or a list of
+    these; a DataArray whose `units` attribute is not the SI unit is converted. name: a key of QUANTITIES.
+    Returns a float, a float array, or a DataArray without attributes of its own (its coordinates keep
+    theirs). Raises InputError if it is no number, not finite, out of bounds, or its unit is missing,
+    unknown or of another dimension.
+    """
+    quantity = QUANTITIES[name]
+    if isinstance(value, str):
+        number = _from_text(value, quantity)
+    elif hasattr(value, "dims"):
+        number = _from_labelled(value, quantity)
+    else:
+        number = _from_numbers(value, quantity)
+    _check(number, quantity, value)
+    return number
+
+
+def show(value, name: str, digits: int = 6) -> str:
+    """A value of the named quantity, given in SI, as short text with a fitting prefix: "48 nm", "1.25 mN"; to so many digits,
+    six at most."""
+    unit = QUANTITIES[name].unit
+    value = float(f"{value:.{digits}g}")
+    prefixed = re.fullmatch(r"(m|Pa|N|J)(\^2)?(.*)", unit)
+    if prefixed is None or value == 0 or not np.isfinite(value):
+        return f"{value:.6g} {unit}".rstrip()
+    symbol, square, rest = prefixed.groups(default="")
+    power = 2 if square else 1  # 1 mm^2 is (1 mm)^2: a prefix counts twice in an area
+    # It is rounded to the printed digits first, so that 999.9999999 nm is shown as 1 um and not as 1000 nm.
+    exponent = int(f"{value:.5e}".partition("e")[2]) // (3 * power) * 3
+    exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
+    return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{square}{rest}"
+
+
+def axis(name: str, values, dimension: str | None = None):
+    """Values of the named quantity along a dimension: usable as any number of a Contact or Indices.
+
+    name: a key of QUANTITIES; values: n numbers in SI units or texts with units; dimension: another name
+    for the dimension, needed where one quantity of two bodies is swept. Returns an xarray.DataArray of
+    shape (n,) that is its own coordinate. Raises InputError as `to_si` does, and for an unknown name.
+    """
+    import xarray
+
+    if name not in QUANTITIES:
+        raise InputError("axis", name, "the name of a quantity: " + ", ".join(QUANTITIES))
+    quantity = QUANTITIES[name]
+    numbers = np.atleast_1d(np.asarray(to_si(values, name)))
+    if numbers.ndim != 1:
+        raise InputError(name, f"array of shape {numbers.shape}", "one row of values")
+    dimension = dimension or name
+    attributes = {"units": quantity.unit or "1", "long_name": quantity.meaning}
+    coordinate = xarray.DataArray(numbers, dims=(dimension,), attrs=attributes)
+    return xarray.DataArray(numbers, dims=(dimension,), coords={dimension: coordinate}, name=name, attrs=attributes)
+
+
+def _from_text(text: str, quantity: Quantity) -> float:
+    match = _NUMBER_AND_UNIT.fullmatch(text) if len(text) <= _LONGEST_TEXT else None
+    if match is None:
+        raise InputError(quantity.name, text, quantity.wanted)
+    number, unit = match.groups()
+    rounded = float(number)
+    if not unit:
+        if quantity.unit:
+            raise InputError(quantity.name, text, "a number with its unit: " + quantity.wanted)
+        return rounded
+    factor = _factor(unit, quantity, text)
+    if rounded == 0 or not np.isfinite(rounded):
+        return rounded  # also keeps a number like 1e999999999 away from exact arithmetic
+    # Exact until this one rounding: "5 um" is 5e-06 to the last digit.
+    return _float(Fraction(number) * factor, quantity, text)
+
+
+def _factor(unit: str, quantity: Quantity, text) -> Fraction:
+    """How many SI units of the quantity one `unit` is."""
+    try:
+        if not _UNIT.fullmatch(unit):
+            raise ValueError("not a unit")
+        return _exact_factor(unit, quantity.unit)
+    except _unit_errors() as error:
+        import pint
+
+        problem = "another dimension" if isinstance(error, pint.DimensionalityError) else "no known unit"
+        raise InputError(quantity.name, text, f"{quantity.wanted} (what was given has {problem})") from None
+
+
+@cache
+def _exact_factor(unit: str, si_unit: str) -> Fraction:
+    registry = _registry()
+    parsed = registry.parse_units("1" + unit if unit.startswith("/") else unit)
+    return Fraction(registry.Quantity(Fraction(1), parsed).to(si_unit or "dimensionless").magnitude)
+
+
+@cache
+def _registry():
+    import pint
+
+    return pint.UnitRegistry(non_int_type=Fraction)
+
+
+@cache
+def _unit_errors() -> tuple[type[Exception], ...]:
+    """What pint raises for text that is no unit: its own errors, and those of the Python tools inside it."""
+    import tokenize
+
+    import pint
+
+    return (
+        pint.PintError,
+        ValueError,
+        TypeError,
+        AttributeError,
+        KeyError,
+        ArithmeticError,
+        SyntaxError,
+        AssertionError,
+        tokenize.TokenError,
+    )
+
+
+def _from_labelled(array, quantity: Quantity):
+    values = _from_numbers(array.values, quantity)
+    unit = str(array.attrs.get("units", quantity.unit))
+    if unit not in (quantity.unit, quantity.unit or "1"):  # xarray users write "1" where there is no unit
+        values = values * float(_factor(unit, quantity, unit))
+    result = array.copy(data=np.asarray(values))
+    result.attrs = {}  # they would travel into products with other quantities; the field says what it is
+    return result
+
+
+def _from_numbers(value, quantity: Quantity):
+    """A float for a single number, a float array for anything longer."""
+    if isinstance(value, list | tuple):
+        return np.array([_single(entry, quantity) for entry in value], dtype=float)
+    if isinstance(value, Real | Decimal) and not isinstance(value, bool):
+        return _float(value, quantity, value)
+    if isinstance(value, np.ndarray) and value.dtype.kind in "iuf":
+        return float(value) if value.ndim == 0 else value.astype(float)
+    raise InputError(quantity.name, value, quantity.wanted)
+
+
+def _single(entry, quantity: Quantity) -> float:
+    if isinstance(entry, str):
+        return _from_text(entry, quantity)
+    number = _from_numbers(entry, quantity)
+    if not isinstance(number, float):
+        raise InputError(quantity.name, entry, quantity.wanted)
+    return number
+
+
+def _float(number, quantity: Quantity, given) -> float:
+    try:
+        return float(number)
+    except (OverflowError, ValueError):
+        raise InputError(quantity.name, given, quantity.allowed) from None
+
+
+def _check(number, quantity: Quantity, given) -> None:
+    values = np.asarray(number)
+    if values.size == 0:
+        raise InputError(quantity.name, "no values", "at least one value")
+    above = values >= quantity.lower if quantity.lower_included else values > quantity.lower
+    below = values <= quantity.upper if quantity.upper_included else values < quantity.upper
+    good = np.isfinite(values) & above & below
+    if not good.all():
+        worst = values[~good][0]
+        allowed = quantity.allowed if np.isfinite(worst) else f"finite, {quantity.allowed}"
+        raise InputError(quantity.name, given if isinstance(given, str) else float(worst), allowed)

@@ -1,0 +1,134 @@
+"""What leaves the program: one JSON object, and a folder with a table, a netCDF file and a picture."""
+
+import csv
+import json
+import math
+import os
+import tempfile
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+    from stiction.contact.contact import Contact, Indices
+
+_DOTS_PER_INCH = 150
+
+
+def groups_of(subject: "Contact | Indices") -> dict[str, float]:
+    """The dimensionless groups of a contact without arrays: name -> number; with plasticity index and Tabor parameter
+    where the materials are known."""
+    from stiction.contact.contact import Contact
+
+    indices = (subject.indices() if isinstance(subject, Contact) else subject).resolved()
+    names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
+    groups = {name: getattr(indices, name) for name in names}
+    if isinstance(subject, Contact):
+        groups |= {"plasticity_index": subject.plasticity_index, "tabor_parameter": subject.tabor_parameter()}
+    return {name: float(value) for name, value in groups.items() if value is not None}
+
+
+def as_json(content: Any) -> str:
+    """Strict JSON: NaN and infinities, which it does not know, become null."""
+    return json.dumps(_plain(content), ensure_ascii=False, allow_nan=False, indent=2)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {str(key): _plain(entry) for key, entry in value.items()}
+    if isinstance(value, np.ndarray | np.generic):
+        return _plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [_plain(entry) for entry in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def unit_of(variable: "xarray.DataArray") -> str:
+    """The unit of a result, or what a normalised one is divided by; "" where it has neither."""
+    unit = variable.attrs.get("normalised_by") or variable.attrs.get("units", "")
+    return "" if unit == "1" else unit
+
+
+def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any]:
+    """A result as one JSON object: attrs, groups, and variables by name with unit, meaning, dimensions and values."""
+    variables = {}
+    for name in _names(data):
+        variable = data[name]
+        variables[name] = {
+            "name": name,
+            "unit": variable.attrs.get("units", "1"),
+            **{key: variable.attrs[key] for key in ("normalised_by", "symbol", "long_name") if key in variable.attrs},
+            "dims": list(variable.dims),
+            "values": variable.values,
+        }
+    return {"attrs": dict(data.attrs), "groups": dict(groups), "variables": variables}
+
+
+def _names(data: "xarray.Dataset") -> list[str]:
+    """Coordinates first, then results."""
+    return [str(name) for name in (*data.coords, *data.data_vars)]
+
+
+def write_csv(data: "xarray.Dataset", path: Path) -> None:
+    """Every variable as a column under "name [unit]", a row for each point; floats to their last digit."""
+    import xarray
+
+    names = _names(data)
+    heads = [f"{name} [{unit}]" if (unit := unit_of(data[name])) else name for name in names]
+    columns = xarray.broadcast(*(data[name] for name in names))
+    write_rows(path, heads, zip(*(column.values.ravel().tolist() for column in columns), strict=True))
+
+
+def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]]) -> None:
+    """A CSV file with one line of heads."""
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(heads)
+        writer.writerows(rows)
+
+
+def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
+    """netCDF4, to be opened again with xarray.open_dataset(path)."""
+    data.to_netcdf(path, engine="h5netcdf")
+
+
+def write_picture(figure: "Figure", path: Path) -> None:
+    """A PNG file."""
+    figure.savefig(path, dpi=_DOTS_PER_INCH)
+
+
+def check_folder(folder: Path) -> None:
+    """Raise InputError for a place where no folder can be, before anything is computed for it."""
+    if folder.exists() and not folder.is_dir():
+        raise InputError("--out", str(folder), "a folder, new or existing; this is a file")
+
+
+def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> None:
+    """Write files (name -> function that writes to a path) into a folder, made if it is missing.
+
+    All are finished in a folder beside it before the first is moved into place; other files in it stay.
+    Raises InputError where they cannot be written.
+    """
+    check_folder(folder)
+    folder = folder.resolve()
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as beside:
+            made = Path(beside) / "files"  # with the usual permissions, which a temporary folder has not
+            made.mkdir()
+            for name, write in files.items():
+                write(made / name)
+            if not folder.exists():
+                os.replace(made, folder)
+                return
+            for name in files:
+                os.replace(made / name, folder / name)
+    except OSError as error:
+        raise InputError("--out", str(folder), f"a folder that can be written ({error.strerror or error})") from None

@@ -1,0 +1,220 @@
+"""Pictures of what the method of finding asperities does: to sigma, R and N at every resolution, and to friction."""
+
+import textwrap
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, NullLocator
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
+from stiction.report.picture_style import look_of, plain, scale, unit_for
+from stiction.report.pictures import GREY, SKY, WIDE, finish, heading, label, say
+from stiction.studies.method_spread import METHOD
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["method_spread_figure", "resolution_figure"]
+
+# The panels of a resolution study: variable, quantity that names it, name for the axis.
+_RESOLUTION_PANELS = (
+    ("sigma", "asperity_height_deviation", "deviation of asperity heights"),
+    ("R", "asperity_radius", "asperity radius"),
+    ("N", "asperity_density", "asperities per area"),
+    ("mu", "friction_coefficient", "static friction coefficient"),
+)
+
+# How marks look where the heights of the asperities are taken to be so distributed.
+_DISTRIBUTIONS: dict[str, dict[str, Any]] = {
+    "gaussian": {},
+    "weibull": {"fillstyle": "left", "markerfacecoloralt": "white"},
+    "empirical": {"markerfacecolor": "white"},
+}
+_HEIGHTS = {"gaussian": "Gaussian heights", "weibull": "Weibull heights", "empirical": "heights as found"}
+
+
+_MOST_NOTES = 5  # of values that are missing, below a picture
+
+
+# ---- the resolution study
+
+
+def resolution_figure(resolution_study: "xarray.Dataset", title: str = "") -> Figure:
+    """A resolution study: sigma, R, N and, if it is there, mu against the shortest wavelength left, a line for each method.
+
+    resolution_study: over (asperity_method, cutoff). The unfiltered map, cutoff 0, stands left of the others as "none". Where a
+    method has no value its line has a gap, and a note below says where; so it does where friction is 0, which has no place on
+    the axis. The marks of friction say which distribution of heights it rests on: mu leaps where that changes.
+    """
+    panels = [panel for panel in _RESOLUTION_PANELS if panel[0] in resolution_study]
+    figure = Figure(figsize=(12, 8.6) if len(panels) > 3 else (14, 4.8), layout="constrained")
+    grid = list(np.atleast_1d(figure.subplots(*((2, 2) if len(panels) > 3 else (1, len(panels))))).flat)
+    for axes, panel in zip(grid, panels, strict=True):
+        _resolution_panel(axes, resolution_study, *panel)
+    if "mu" in resolution_study and "height_distribution" in resolution_study:
+        _mark_distributions(grid[-1], resolution_study.sortby("cutoff"))
+    # The title is that of the legend: matplotlib would lay one over the other.
+    title = title or ": ".join(
+        filter(None, [resolution_study.attrs.get("title", ""), resolution_study.attrs.get("surface", "")])
+    )
+    look: dict[str, Any] = {
+        "title": title,
+        "title_fontsize": 11,
+        "fontsize": 9,
+        "frameon": False,
+        "ncols": len(resolution_study[METHOD]),
+    }
+    figure.legend(*grid[0].get_legend_handles_labels(), loc="outside upper center", **look)
+    if notes := _without_value(resolution_study, [variable for variable, _, _ in panels]):
+        if len(notes) > _MOST_NOTES:
+            more = f"and for {len(notes) - _MOST_NOTES} more reasons: `failure` of the table has them all"
+            notes = [*notes[:_MOST_NOTES], more]
+        text = "\n".join(line for note in notes for line in textwrap.wrap(note, int(16 * figure.get_figwidth())))
+        figure.supxlabel(text, fontsize=8, color=GREY, x=0.01, ha="left")
+    return figure
+
+
+def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: str, quantity: str, name: str) -> None:
+    table = resolution_study[variable].transpose(METHOD, "cutoff").values
+    drawn = np.where(table > 0.0, table, np.nan)  # of not a number this is false too
+    factor, unit = unit_for(quantity, float(np.max(drawn, initial=0.0, where=drawn > 0.0)))
+    across, length = scale(float(resolution_study["cutoff"].max()))
+    cutoffs = resolution_study["cutoff"].values * across
+    places = _places(cutoffs)
+    order = np.argsort(places)
+    for at, (method, values) in enumerate(zip(resolution_study[METHOD].values, drawn * factor, strict=True)):
+        axes.plot(places[order], values[order], label=plain(str(method)), **look_of(str(method), at))
+    axes.set(xscale="log", xlabel=f"cutoff: shortest wavelength left [{length}]")
+    axes.set_ylabel(f"{name} ${QUANTITIES[quantity].latex}$" + (f" [{unit}]" if unit else ""))
+    if np.isfinite(drawn).any():
+        axes.set_yscale("log")
+    else:
+        say(axes, "no method has a value here")
+    finish(axes)
+    kept = _apart(places[order])
+    names = {place: f"{cutoff:.3g}" if cutoff > 0.0 else "none" for place, cutoff in zip(places, cutoffs, strict=True)}
+    axes.xaxis.set_major_locator(FixedLocator(kept))
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.set_xticklabels([names[place] for place in kept])
+
+
+def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
+    """Other marks on the lines where the heights of the asperities are not taken for Gaussian. Cutoffs ascend."""
+    taken = resolution_study["height_distribution"].transpose(METHOD, "cutoff").values
+    for line, names in zip(tuple(axes.lines), taken, strict=True):
+        x, y = (np.asarray(values, dtype=float) for values in line.get_data())
+        look: dict[str, Any] = {"color": line.get_color(), "marker": line.get_marker(), "markersize": line.get_markersize()}
+        for name, marks in _DISTRIBUTIONS.items():
+            axes.plot(np.where(names == name, x, np.nan), y, linestyle="", label=f"_{name}", **look, **marks)
+    handles = [
+        axes.plot([], [], "o", color=GREY, markersize=5, label=_HEIGHTS[name], **marks)[0]
+        for name, marks in _DISTRIBUTIONS.items()
+        if (taken == name).any()
+    ]
+    axes.legend(handles=handles, fontsize=8)
+
+
+def _places(cutoffs: np.ndarray) -> np.ndarray:
+    """Where the cutoffs are drawn on a logarithmic axis: 0 at half of the smallest other one."""
+    others = cutoffs[cutoffs > 0.0]
+    return np.where(cutoffs > 0.0, cutoffs, 0.5 * others.min() if others.size else 1.0)
+
+
+def _apart(places: np.ndarray, gap: float = 0.08) -> list[float]:
+    """Those of the ascending places that are apart by this part of the axis, so that their labels have room."""
+    at = np.log(places / places[0])
+    kept = [0]
+    for i in range(1, len(at)):
+        if at[i] - at[kept[-1]] > gap * at[-1]:
+            kept.append(i)
+    return [float(places[i]) for i in kept]
+
+
+def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> list[str]:
+    """A line for each reason why points are missing: which methods, at which cutoffs."""
+    where: dict[str, list[str]] = {}
+    for method in resolution_study[METHOD].values:
+        one = resolution_study.sel({METHOD: method})
+        reasons: dict[str, list[str]] = {}
+        for cutoff in one["cutoff"].values:
+            point = one.sel({"cutoff": cutoff})
+            reason = str(point["failure"].item()) if "failure" in one else ""
+            missing = [variable for variable in variables if not float(point[variable]) > 0.0]
+            if missing:
+                reason = reason or f"{', '.join(missing)}: 0 or none"
+                reasons.setdefault(reason, []).append(show(cutoff, "mean_separation", 3) if cutoff > 0.0 else "none")
+        for reason, cutoffs in reasons.items():
+            at = "every cutoff" if len(cutoffs) == resolution_study.sizes["cutoff"] else ", ".join(cutoffs)
+            where.setdefault(reason, []).append(f"{plain(str(method))} at {at}")
+    return [f"Not drawn: {'; '.join(points)} ({reason})" for reason, points in where.items()]
+
+
+# ---- friction
+
+
+def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
+    """Friction coefficient against load after all methods of finding asperities: the one taken bold, the others thin, and the
+    band between the lowest and the highest shaded.
+
+    data: of `with_band`, along one dimension or at one load; its first method is the one taken. InputError if it has no band.
+    """
+    if "friction_coefficient_by_method" not in data:
+        raise InputError("friction_coefficient_by_method", None, "a result for a contact whose roughness is measured in scans")
+    load = np.atleast_1d(data["load"].values)
+    drawn = load > 0.0
+    low, high, taken = (np.atleast_1d(data[f"friction_coefficient{end}"].values)[drawn] for end in ("_low", "_high", ""))
+    table = data["friction_coefficient_by_method"].transpose(METHOD, ...)
+    methods = [str(method) for method in table[METHOD].values]
+    each = table.values.reshape(len(methods), -1)[:, drawn]
+    figure = Figure(figsize=(9.6, 5.2), layout="constrained")
+    figure.suptitle(heading(data, title), fontsize=11)
+    axes = figure.subplots()
+    axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
+    if drawn.any():
+        floor = _friction_axis(axes, np.concatenate((each.ravel(), taken)))
+        _friction_lines(axes, load[drawn], np.maximum([low, high], floor), taken, each, methods)
+    else:
+        say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
+    finish(axes)
+    if axes.lines:
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=9, frameon=False)
+    return figure
+
+
+def _friction_axis(axes: Axes, values: np.ndarray) -> float:
+    """Scales of the axes for these values; returns the friction at which a logarithmic axis ends, 0 of a linear one."""
+    axes.set_xscale("log")
+    positive = values[values > 0.0]
+    if positive.size and positive.max() > WIDE * positive.min():
+        axes.set_yscale("log", nonpositive="mask")
+        axes.set_ylim(positive.min() / 2.0, positive.max() * 2.0)
+        return float(positive.min()) / 2.0
+    axes.set_ylim(0.0, 1.08 * positive.max() if positive.size else 1.0)
+    return 0.0
+
+
+def _friction_lines(
+    axes: Axes, load: np.ndarray, band: np.ndarray, taken: np.ndarray, each: np.ndarray, methods: list[str]
+) -> None:
+    spread: dict[str, Any] = {"color": SKY, "alpha": 0.25, "label": "spread over methods of\nfinding asperities"}
+    if len(load) == 1:
+        axes.set_xlim(load[0] / 3.0, load[0] * 3.0)
+        axes.vlines(load, *band, linewidth=14.0, **spread)
+    else:
+        axes.fill_between(load, *band, linewidth=0.0, **spread)
+    alone = "o" if len(load) == 1 else ""
+    axes.plot(load, taken, color="black", linewidth=2.4, marker=alone, label=f"taken: {plain(methods[0])}", zorder=3)
+    for at, (method, one) in enumerate(zip(methods[1:], each[1:], strict=True)):
+        text = plain(method) + _gaps(one, axes.get_yscale() == "log")
+        axes.plot(load, one, linewidth=1.1, label=text, **(look_of(method, at) | {"markersize": 3.5}))
+
+
+def _gaps(friction: np.ndarray, logarithmic: bool) -> str:
+    """What is to be said of a line that is not drawn at every load."""
+    if np.isnan(friction).any():
+        return "\n(carries no load here)" if np.isnan(friction).all() else "\n(does not carry every load)"
+    return "\n(0 where it is not drawn)" if logarithmic and (friction <= 0.0).any() else ""

@@ -1,0 +1,360 @@
+"""Pictures: a dataset in, a matplotlib Figure out. Nothing is computed here, and no global state is touched."""
+
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogFormatter, NullLocator
+
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
+from stiction.report.files import unit_of
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.paper_claims import ClaimMap
+    from stiction.studies.paper_figures import PanelCurves
+
+# Okabe and Ito's colours, told apart by colour-blind readers too.
+BLUE, ORANGE, GREEN, RED, SKY, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777"
+# Broad below, narrow and broken above: lines that lie on one another stay visible.
+_VARYING: tuple[dict[str, Any], ...] = (
+    {"color": SKY, "linewidth": 4.0},
+    {"color": RED, "linewidth": 2.2},
+    {"color": BLUE, "linewidth": 1.6, "linestyle": "--"},
+)
+
+# The lines of the panels of a curve: label and look. A part that a model does not have is left out. Parts that lie on one
+# another or on the total stay visible: the total is a broad band beneath, and the bodies have markers.
+_PARTS: dict[str, tuple[str, dict[str, Any]]] = {
+    "": ("total", {"color": "black", "linewidth": 5.0, "alpha": 0.3}),
+    "_elastic": ("elastic asperities", {"color": BLUE, "linestyle": "--"}),
+    "_elastic_plastic": ("elastic-plastic asperities", {"color": GREEN, "linestyle": "-."}),
+    "_plastic": ("plastic asperities", {"color": RED, "linestyle": "-"}),
+    "_slip_limited": ("slip before they yield", {"color": BLUE, "linestyle": "--"}),
+    "_yield_limited": ("yield before they slip", {"color": RED, "linestyle": "-"}),
+    "_film": ("film", {"color": ORANGE, "marker": "o", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
+    "_substrate": ("substrate", {"color": GREEN, "marker": "s", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
+}
+# The panels of a curve: a quantity, and that against which it is drawn.
+_PANELS = (
+    ("friction_coefficient", "load"), ("contact_area", "load"), ("load", "mean_separation"), ("friction_force", "load"),
+)  # fmt: skip
+_LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
+_MANY_DECADES = 1e3
+WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
+
+
+def label(variable: "xarray.DataArray", longest: int = 200) -> str:
+    """Meaning, symbol and unit for an axis: "net normal load $P$ [N]". What follows a comma in the meaning is left out.
+
+    longest: number of characters above which the unit goes to a second line.
+    """
+    name = str(variable.name)
+    meaning = variable.attrs.get("long_name", name).partition(",")[0]
+    symbol = f" ${QUANTITIES[name].latex}$" if name in QUANTITIES else ""
+    unit = _unit(variable)
+    space = "\n" if len(f"{meaning} {unit_of(variable)}") > longest else " "
+    return f"{meaning}{symbol}" + (f"{space}[{unit}]" if unit else "")
+
+
+def _unit(variable: "xarray.DataArray") -> str:
+    """Its unit with the exponents and letters set: "K R^(1/2) sigma^(3/2) per asperity" has a formula before " per "."""
+    unit = unit_of(variable).replace("m^2", "m²")
+    formula, per, rest = unit.partition(" per ")
+    if "sigma" not in formula:
+        return unit
+    formula = re.sub(r"\^\((.*?)\)", r"^{\1}", formula)
+    formula = re.sub(r"\b(sigma|pi)\b", r"\\\1", formula)
+    return f"${formula}${per}{rest}"
+
+
+def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
+    """One curve: friction coefficient, contact area and friction against load, and load against separation.
+
+    data: result of `solve` with one dimension. Friction, or the separation, is left out where the model has none.
+    """
+    drawn = [names for names in _PANELS if all(name in data for name in names)]
+    rows, columns = (2, 2) if len(drawn) == 4 else (1, len(drawn))
+    width, height = max(5.5 * columns, 8.0), 8.2 if rows == 2 else 4.6
+    # Fixed margins: matplotlib's automatic layouts draw everything twice, and this picture is made on every run.
+    figure = Figure(figsize=(width, height))
+    figure.suptitle(heading(data, title), fontsize=11)
+    edge, beside = (1.0 if rows == 2 else 0.6), width / 11.0  # the same text takes more of one row, or column
+    figure.subplots_adjust(0.085 / beside, 0.07 / edge, 1.0 - 0.015 / beside, 1.0 - 0.085 / edge, wspace=0.24, hspace=0.22)
+    for axes, (what, against) in zip(figure.subplots(rows, columns, squeeze=False).flat, drawn, strict=True):
+        if what == "friction_coefficient":
+            _friction_panel(axes, data)
+        else:
+            _parts_panel(axes, data, what, against)
+    return figure
+
+
+def heading(data: "xarray.Dataset", title: str) -> str:
+    used = data.attrs
+    words = [used["model"], *(f"{used[name]} {name}" for name in ("reading", "branch") if name in used)]
+    if used.get("film", "none") != "none":
+        words.append(f"film: {used['film']}")
+    return "\n".join(filter(None, [title, f"{', '.join(words)} (grade {used['grade']})"]))
+
+
+def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
+    load, mu = data["load"].values, data["friction_coefficient"].values
+    drawn = (load > 0.0) & (mu > 0.0)
+    axes.plot(load[drawn], mu[drawn], color="black")
+    seen = [mu[drawn], *_method_spread(axes, data, load)]
+    axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
+    if drawn.any():
+        axes.set_xscale("log")
+        if max(each.max() for each in seen) > WIDE * min(each.min() for each in seen):
+            axes.set_yscale("log")
+        else:
+            axes.set_ylim(0.0, 1.08 * max(each.max() for each in seen))  # room above a friction that does not vary
+    else:
+        say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
+    finish(axes)
+
+
+def _method_spread(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> list[np.ndarray]:
+    """The spread of friction over the methods of finding asperities in a measured surface; returns what is drawn, nothing where
+    there is no such spread."""
+    if "friction_coefficient_low" not in data:
+        return []
+    low, high = (data[f"friction_coefficient_{end}"].values for end in ("low", "high"))
+    there = (load > 0.0) & (high > 0.0)
+    low, high = low[there], high[there]
+    if not high.size:
+        return []
+    # Where a method gives no friction at all the band reaches down to the edge of a logarithmic axis.
+    floor = np.concatenate([low[low > 0.0], high]).min() / 2.0
+    axes.fill_between(load[there], np.maximum(low, floor), high, color=SKY, alpha=0.25, linewidth=0.0,
+                      label="spread over methods of\nfinding asperities")  # fmt: skip
+    axes.lines[0].set_label(f"taken: {data.attrs.get('roughness_method', 'first method')}")
+    axes.legend(fontsize=8, framealpha=0.9)
+    return [np.maximum(low, floor), high]
+
+
+def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
+    """A quantity and its parts against another one, on a logarithmic axis; dotted where it is negative."""
+    stem = "friction" if what == "friction_force" else what
+    names = [what] + [stem + part for part in _PARTS if part and stem + part in data]
+    x = data[against].values
+    floor = _LEAST * max(np.nanmax(np.abs(data[name].values), initial=0.0) for name in names)
+    tension, named, sizes = False, set(), []
+    for name in names:
+        text, look = _PARTS[name.removeprefix(what if name == what else stem)]
+        y = data[name].values
+        for sign, style in ((1.0, look), (-1.0, look | {"linestyle": ":", "linewidth": 1.8})):
+            drawn = (sign * y > floor) & ((x > 0.0) | (against != "load"))
+            if drawn.any():
+                tension |= sign < 0.0
+                axes.plot(x, np.where(drawn, sign * y, np.nan), label=None if name in named else text, **style)
+                named.add(name)
+                sizes += [np.min(sign * y[drawn]), np.max(sign * y[drawn])]
+    axes.set(xlabel=label(data[against]), ylabel=label(data[what], longest=42))
+    if axes.lines:
+        alike = max(sizes) < (1.0 + 1e-9) * min(sizes)  # but for rounding: matplotlib finds no limits, and says so
+        axes.set_autoscaley_on(not alike)
+        axes.set_yscale("log")
+        if alike:
+            axes.set_ylim(min(sizes) / 1.5, max(sizes) * 1.5)
+    if tension:
+        axes.plot([], [], ":", color=GREY, label="dotted: tension, its size")
+    if against == "load":
+        if np.any(x > 0.0):
+            axes.set_xscale("log")
+    else:
+        _prefixed(axes, data[against])
+        axes.invert_xaxis()  # pressing harder goes to the right, as in the other panels
+    finish(axes)
+    if axes.lines:
+        axes.legend(fontsize=8, framealpha=0.9)
+
+
+def finish(axes: Axes) -> None:
+    """Grid, and small ticks only where a logarithmic axis has few large ones."""
+    axes.grid(True, alpha=0.3)
+    for axis in (axes.xaxis, axes.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        if axis.get_scale() == "log" and high > _MANY_DECADES * low:
+            axis.set_minor_locator(NullLocator())
+        elif axis.get_scale() == "log":
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(_PlainMinor(minor_thresholds=(1.2, 0.5)))
+
+
+class _PlainMinor(LogFormatter):
+    """Labels of small ticks as 0.6 rather than 6e-01; none where matplotlib finds that there are enough."""
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        return f"{x:g}" if super().__call__(x, pos) else ""
+
+
+def _prefixed(axes: Axes, variable: "xarray.DataArray") -> None:
+    """Ticks of the x axis in a unit with a fitting prefix; the data stay in SI."""
+    size = float(np.max(np.abs(variable.values), initial=0.0))
+    if variable.attrs.get("units", "1") == "1" or size == 0.0:
+        return
+    text, _, unit = show(10.0 ** np.floor(np.log10(size)), str(variable.name)).partition(" ")
+    factor = float(text) / 10.0 ** np.floor(np.log10(size))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:g}"))
+    axes.set_xlabel(label(variable).replace(f"[{variable.attrs['units']}]", f"[{unit}]"))
+
+
+def say(axes: Axes, text: str) -> None:
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
+
+
+def panel_figure(curves: "PanelCurves") -> Figure:
+    """One of the paper's figures: friction coefficient against load for films, beside the uncoated surface."""
+    figure = Figure(figsize=(7, 5.4), layout="constrained")
+    axes = figure.subplots()
+    along = curves.panel.along
+    _friction_line(axes, curves.bare, label="uncoated", color="black", linewidth=2.0)
+    for value, look in zip(curves.panel.values, _VARYING, strict=False):
+        one = curves.coated.sel({along: value})
+        _friction_line(axes, one, label=f"${QUANTITIES[along].latex}$ = {value:g}", **look)
+    axes.set_title(_with_letters(curves.caption), fontsize=9.5)
+    mu = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
+    axes.set(xscale="log", yscale="log", xlabel=label(curves.bare["load"]), ylabel=mu)
+    finish(axes)
+    axes.legend()
+    return figure
+
+
+def _with_letters(text: str) -> str:
+    """The text with the symbols of the groups set as formulas."""
+    letters = {QUANTITIES[name].symbol: QUANTITIES[name].latex for name in ("theta", "lam", "n_E", "n_H", "tau")}
+    return re.sub(rf"\b({'|'.join(letters)})\b", lambda found: f"${letters[found[0]]}$", text)
+
+
+def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
+    load, mu = data["load"].values, data["friction_coefficient"].values
+    drawn = (load > 0.0) & (mu > 0.0)
+    axes.plot(np.where(drawn, load, np.nan), np.where(drawn, mu, np.nan), **look)
+
+
+def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
+    """The map of the claims: a column for each, a row for each reading; here: theta and lam that are marked."""
+    import matplotlib
+
+    from stiction.studies.paper_claims import CLAIMS, READINGS
+
+    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 6.6), layout="constrained")
+    grid = figure.subplots(len(READINGS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
+    colours = matplotlib.colormaps["viridis"]
+    norm = BoundaryNorm(np.linspace(0.0, 1.0, 11), colours.N)
+    for row, reading in enumerate(READINGS):
+        for column, claim in enumerate(CLAIMS):
+            axes = grid[row, column]
+            share = np.ma.masked_invalid(claims.share[column, row].T)
+            axes.pcolormesh(claims.theta, claims.lam, share, cmap=colours, norm=norm, shading="nearest")
+            axes.set(xscale="log", yscale="log")
+            for colour, style in (("white", "-"), ("black", "--")):  # seen on dark and on light colours
+                axes.axvline(10.0, color=colour, linewidth=0.9, linestyle=style)
+                axes.axhline(0.125, color=colour, linewidth=0.9, linestyle=style)
+            axes.plot(here["theta"], here["lam"], marker="*", color=RED, markeredgecolor="white", markersize=12)
+            if row == 0:
+                axes.set_title(f"({claim.key}) {_wrapped(claim.says)}", fontsize=9)
+            if column == 0:
+                axes.set_ylabel(f"{reading} reading\nplastic adhesion index $\\lambda$")
+            if row == len(READINGS) - 1:
+                axes.set_xlabel(r"elastic adhesion index $\theta$")
+    bar = figure.colorbar(ScalarMappable(norm, colours), ax=grid, shrink=0.8, pad=0.01)
+    bar.set_label("share of its cases for which it holds (white: not comparable)")
+    figure.suptitle(
+        "Where the claims of the 2015 paper hold; dashed: below $\\theta$ = 10 or $\\lambda$ = 0.125 adhesion matters; "
+        f"star: $\\theta$ = {here['theta']:g}, $\\lambda$ = {here['lam']:g}",
+        fontsize=10,
+    )
+    return figure
+
+
+def _wrapped(text: str, width: int = 36) -> str:
+    import textwrap
+
+    return "\n".join(textwrap.wrap(text, width))
+
+
+# Beyond this many lines colours repeat, with another dash.
+_DASHES = ("-", "--", ":", "-.")
+
+
+def comparison_figure(data: "xarray.Dataset", title: str = "") -> Figure:
+    """Friction coefficient against load of every model of a comparison: faint where it is outside its validity, with what it
+    says at the working load in the legend; the recommended one is black. A working load far beyond all the curves
+    is not marked."""
+    from matplotlib.colors import TABLEAU_COLORS
+
+    figure = Figure(figsize=(12, 7), layout="constrained")
+    axes = figure.subplots()
+    colours = list(TABLEAU_COLORS.values())
+    judged = "friction_coefficient_at_load" in data
+    at_load = data["friction_coefficient_at_load"].values if judged else np.full(data.sizes["model"], np.nan)
+    drawn = 0
+    for at in np.argsort(-np.nan_to_num(at_load)):
+        one = data.isel(model=int(at))
+        name = str(one["model"].item())
+        if not np.any(np.nan_to_num(one["friction_coefficient"].values) > 0.0):
+            continue
+        best, inside = name == data.attrs.get("recommended"), not one["outside_validity"].item()
+        look: dict[str, Any] = {"color": "black" if best else colours[drawn % 10], "linestyle": _DASHES[drawn // 10 % 4]}
+        look |= {"linewidth": 3.0 if best else 1.8, "alpha": 1.0 if inside or best else 0.45}
+        said = f": $\\mu$ = {at_load[at]:.3g}" if np.isfinite(at_load[at]) else ""
+        _friction_line(axes, one, label=f"{name}{said}" + ("" if inside else " (outside its validity)"), **look)
+        drawn += 1
+    axes.set(xscale="log", yscale="log", xlabel=label(data["load"]))
+    axes.set_ylabel(f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
+    axes.set_title(title or "Static friction after every applicable model", fontsize=11)
+    if drawn:
+        _in_sight(axes)
+        if "working_load" in data.attrs:
+            _mark_working_load(axes, data)
+        axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    else:
+        say(axes, "no model says anything of friction here:\ngive the contact an interfacial_shear_strength")
+    finish(axes)
+    return figure
+
+
+def _mark_working_load(axes: Axes, data: "xarray.Dataset") -> None:
+    """A line at the working load, with the error bar of the recommended model, unless it is far beyond what is in sight."""
+    load = data.attrs["working_load"]
+    low, high = axes.get_xlim()
+    if not low < load < high * _MANY_DECADES:
+        return
+    if high < 1.5 * load:
+        axes.set_xlim(low, 1.5 * load)
+    axes.axvline(load, color=GREY, linestyle="--", linewidth=1.0)
+    axes.annotate("working load", (load, 0.01), xycoords=("data", "axes fraction"), rotation=90,
+                  color=GREY, fontsize=8, ha="right", va="bottom")  # fmt: skip
+    _error_bar(axes, data)
+
+
+def _error_bar(axes: Axes, data: "xarray.Dataset") -> None:
+    """Spread of the recommended model over the methods of finding asperities, at the working load, if there is one."""
+    best = data.attrs["recommended"]
+    if "friction_coefficient_at_load_low" not in data or best not in data["model"]:
+        return
+    mu, low, high = (float(data[f"friction_coefficient_at_load{end}"].sel(model=best)) for end in ("", "_low", "_high"))
+    if np.isfinite([mu, low, high]).all():
+        reach = [[mu - low], [high - mu]]
+        label = f"over methods of finding asperities:\n{low:.3g} to {high:.3g}"
+        axes.errorbar([data.attrs["working_load"]], [mu], yerr=reach, fmt="ko", capsize=6, linewidth=2.0, label=label)
+        bottom, top = axes.get_ylim()
+        axes.set_ylim(min(bottom, max(low, bottom * 1e-3)), max(top, 1.5 * high))
+
+
+def _in_sight(axes: Axes) -> None:
+    """The axes of a bundle of lines: not more than eight decades of load and five of friction below the largest."""
+    x = np.concatenate([np.asarray(line.get_xdata(), dtype=float) for line in axes.lines])
+    y = np.concatenate([np.asarray(line.get_ydata(), dtype=float) for line in axes.lines])
+    for values, decades, limit in ((x, 8.0, axes.set_xlim), (y, 5.0, axes.set_ylim)):
+        good = values[np.isfinite(values) & (values > 0.0)]
+        limit(max(good.min() / 1.5, good.max() / 10.0**decades), good.max() * 1.5)

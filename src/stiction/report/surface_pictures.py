@@ -1,0 +1,264 @@
+"""Pictures of surfaces: a map, spectra or asperities in, a matplotlib Figure out; those of several methods come from beside.
+
+Nothing is computed here for later use. Every length has the unit that fits its size; the data that is drawn has it too.
+"""
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
+from matplotlib.ticker import FixedLocator, MaxNLocator, NullLocator
+
+from stiction.quantities.units import show
+from stiction.report.method_pictures import method_spread_figure, resolution_figure
+from stiction.report.picture_style import look_of, plain, scale, unit_for
+from stiction.report.pictures import BLUE, GREEN, GREY, SKY, finish, say
+from stiction.surfaces.asperity_set import Asperities
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.spectrum import BinnedSpectrum
+
+__all__ = ["asperity_figure", "map_figure", "method_spread_figure", "resolution_figure", "spectrum_figure"]
+
+_ABSENT: dict[str, Any] = {"facecolor": "#dddddd", "edgecolor": GREY, "hatch": "////"}  # the look of missing points
+_MOST = 1200  # points along a side of a picture, which has fewer pixels; more would only take time
+_OUTLYING = 0.1  # per cent of the heights at either end that do not stretch colours and axes; nor do those
+_FAR = 6.0  # times the deviation of the middle two thirds from the median: spikes of an instrument
+_BINS = 120
+_ENOUGH = 10**6
+
+
+# ---- heights
+
+
+def map_figure(surface: HeightMap, title: str = "") -> Figure:
+    """The heights in colours, or of a profile as a line, and their histogram beside it; missing points are grey and hatched.
+
+    Colours and histogram of a map leave out a thousandth of the heights at either end, and spikes. title: by default its name.
+    """
+    shape = (8.0, 3.2) if surface.is_profile else (4.4 * min(max(surface.size[1] / surface.size[0], 0.5), 2.2) + 1.6, 4.8)
+    figure = Figure(figsize=(shape[0] + 3.4, shape[1]), layout="compressed")
+    figure.suptitle(title or surface.name, fontsize=11)
+    picture, bars = figure.subplots(1, 2, width_ratios=(shape[0], 3.0))
+    valid = surface.heights[~np.isnan(surface.heights)]
+    if valid.size == 0:
+        say(picture, "all points are missing")
+        say(bars, "no heights")
+        return figure
+    ends = (float(valid.min()), float(valid.max())) if surface.is_profile else _limits(_some(valid))
+    factor, unit = scale(ends[1] - ends[0])
+    if surface.is_profile:
+        _draw_profile(picture, surface, factor, unit)
+    else:
+        image = _draw_map(picture, surface, ends, factor)
+        beyond = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}
+        outside = beyond[bool(valid.min() < ends[0]), bool(valid.max() > ends[1])]
+        figure.colorbar(image, ax=picture, extend=outside, label=f"height [{unit}]")
+    _histogram(bars, _some(valid) * factor, (ends[0] * factor, ends[1] * factor), unit)
+    if surface.missing:
+        share = 100.0 * surface.missing / surface.heights.size
+        picture.set_title(f"grey: {surface.missing} points missing ({share:.2g} %)", fontsize=9, color=GREY)
+    return figure
+
+
+def _some(heights: np.ndarray) -> np.ndarray:
+    """So many of the heights, evenly taken, that a histogram looks the same."""
+    return heights[:: -(-heights.size // _ENOUGH)]
+
+
+def _limits(heights: np.ndarray) -> tuple[float, float]:
+    """Between which heights nearly all are, whatever a few others do; their ends if the others are all alike."""
+    low, below, middle, above, high = np.percentile(heights, (_OUTLYING, 17.0, 50.0, 83.0, 100.0 - _OUTLYING))
+    reach = _FAR * 0.5 * (above - below)
+    if reach > 0.0:
+        low, high = max(low, middle - reach), min(high, middle + reach)
+    return (float(low), float(high)) if high > low else (float(heights.min()), float(heights.max()))
+
+
+def _draw_map(axes: Axes, surface: HeightMap, ends: tuple[float, float], factor: float) -> AxesImage:
+    step = [-(-count // _MOST) for count in surface.heights.shape]
+    shown = np.ma.masked_invalid(surface.heights[:: step[0], :: step[1]]) * factor
+    across, length = scale(max(surface.size))
+    # The last of every few points stands for more than is there: the picture ends where the map does.
+    top, right = (n * k * pitch * across for n, k, pitch in zip(shown.shape, step, surface.pitch, strict=True))
+    if surface.missing:
+        axes.patch.set(**_ABSENT)
+    look: dict[str, Any] = {"cmap": "viridis", "vmin": ends[0] * factor, "vmax": ends[1] * factor, "interpolation": "nearest"}
+    image = axes.imshow(shown, extent=(0.0, right, 0.0, top), origin="lower", **look)
+    axes.set_aspect("equal" if max(surface.size) < 4.0 * min(surface.size) else "auto")
+    axes.set(xlim=(0.0, surface.size[1] * across), ylim=(0.0, surface.size[0] * across))
+    axes.set(xlabel=f"x [{length}]", ylabel=f"y [{length}]")
+    return image
+
+
+def _draw_profile(axes: Axes, surface: HeightMap, factor: float, unit: str) -> None:
+    across, length = scale(surface.size[1])
+    pitch = surface.pitch[1] * across
+    for start, end in _runs(np.isnan(surface.heights[0])):
+        axes.axvspan((start - 0.5) * pitch, (end - 0.5) * pitch, linewidth=0.0, **_ABSENT)
+    axes.plot(np.arange(surface.heights.shape[1]) * pitch, surface.heights[0] * factor, color=BLUE, linewidth=0.9)
+    axes.set(xlabel=f"x [{length}]", ylabel=f"height [{unit}]", xlim=(0.0, surface.size[1] * across))
+    finish(axes)
+
+
+def _runs(marked: np.ndarray) -> np.ndarray:
+    """(first, last + 1) of every unbroken row of marked points, shape (n, 2)."""
+    steps = np.diff(np.concatenate(([0], marked.astype(np.int8), [0])))
+    return np.column_stack((np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)))
+
+
+def _histogram(axes: Axes, heights: np.ndarray, ends: tuple[float, float], unit: str) -> None:
+    """How often each height is there, on its side; and the Gaussian distribution of the same mean and deviation."""
+    edges, share = _shares(heights, ends, _BINS)
+    outside = 100.0 * float(np.mean((heights < ends[0]) | (heights > ends[1])))
+    text = "points" + (f" ({outside:.2g} % outside)" if outside else "")
+    axes.stairs(share, edges, orientation="horizontal", fill=True, color=SKY, label=text)
+    mean, deviation = float(heights.mean()), float(heights.std())
+    if deviation > 0.0:
+        z = np.linspace(edges[0], edges[-1], 300)
+        axes.plot(
+            _bell(z, mean, deviation), z, color="black", linestyle="--", linewidth=1.2, label="Gaussian of the\nsame deviation"
+        )
+    axes.set(xlabel=f"share of the points [1/{unit}]", ylabel=f"height [{unit}]")
+    axes.xaxis.set_major_locator(MaxNLocator(4))
+    axes.yaxis.set_label_position("right")
+    axes.yaxis.tick_right()
+    axes.legend(fontsize=8)
+    finish(axes)
+
+
+def _shares(heights: np.ndarray, ends: tuple[float, float], most: int) -> tuple[np.ndarray, np.ndarray]:
+    """(edges, share of all heights per length) of a histogram between two heights."""
+    number, edges = np.histogram(heights, bins=min(most, max(6, math.isqrt(heights.size))), range=ends)
+    return edges, number / (heights.size * np.diff(edges))
+
+
+def _bell(z: np.ndarray, mean: float, deviation: float) -> np.ndarray:
+    return np.exp(-0.5 * np.minimum(((z - mean) / deviation) ** 2, 1400.0)) / (math.sqrt(2.0 * math.pi) * deviation)
+
+
+# ---- spectra
+
+
+def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], title: str = "") -> Figure:
+    """Power spectra against the wavevector, wavelengths above: full marks in the reliable band, which is shaded, empty outside.
+
+    spectrum: one, or several by what is to be said of them; all of maps or all of profiles. The band shaded is the first one's.
+    """
+    named = {"": spectrum} if isinstance(spectrum, BinnedSpectrum) else dict(spectrum)
+    figure = Figure(figsize=(8.2, 5.6), layout="constrained")
+    axes = figure.subplots()
+    first = next(iter(named.values()))
+    if not any((one.density > 0.0).any() for one in named.values()):
+        say(axes, "no waves: all heights are alike")
+        return figure
+    factor, unit = scale(float(first.wavelength.max()))
+    power = 3 if first.is_profile else 4
+    for at, (name, one) in enumerate(named.items()):
+        _spectrum_line(axes, one, factor, power, name, look_of("", at))
+    if first.longest > first.shortest:
+        band = [2.0 * math.pi / (length * factor) for length in (first.longest, first.shortest)]
+        ends = " to ".join(show(length, "mean_separation", 3) for length in (first.longest, first.shortest))
+        axes.axvspan(*band, color=GREEN, alpha=0.1, linewidth=0.0, label=f"reliable band: wavelengths of {ends}")
+    axes.set(xscale="log", yscale="log", xlabel=rf"wavevector $q = 2\pi$ / wavelength [rad/{unit}]")
+    axes.set_ylabel(f"power spectral density $C$ [{unit}{'³' if first.is_profile else '⁴'}]")
+    figure.suptitle(title, fontsize=11)
+    finish(axes)
+    axes.legend(fontsize=9)
+    _wavelengths_above(axes, factor)
+    return figure
+
+
+def _spectrum_line(axes: Axes, one: BinnedSpectrum, factor: float, power: int, name: str, look: dict[str, Any]) -> None:
+    q, density = one.wavevector / factor, one.density * factor**power
+    drawn = density > 0.0
+    axes.plot(q[drawn], density[drawn], color=look["color"], linewidth=0.8, alpha=0.45)
+    for part, inside, text in ((drawn & ~one.reliable, "white", "not reliable"), (drawn & one.reliable, None, "reliable")):
+        text = f"{name}, {text}" if name else f"average of a bin, {text}"
+        axes.plot(q[part], density[part], linestyle="", mfc=inside, label=text if part.any() else None, **look)
+
+
+def _wavelengths_above(axes: Axes, factor: float) -> None:
+    low, high = (2.0 * math.pi / (q * factor) for q in reversed(axes.get_xlim()))
+    above = axes.twiny()
+    above.set(xscale="log", xlim=axes.get_xlim(), xlabel="wavelength")
+    marks = _round_lengths(low, high)
+    above.xaxis.set_major_locator(FixedLocator([2.0 * math.pi / (length * factor) for length in marks]))
+    above.xaxis.set_minor_locator(NullLocator())
+    above.set_xticklabels([show(length, "mean_separation") for length in marks])
+
+
+def _round_lengths(low: float, high: float) -> list[float]:
+    """Powers of ten between the two; where there are fewer than two of them, 1, 2 and 5 times these."""
+    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    tens, more = ([lead * 10.0**power for power in powers for lead in leads] for leads in ((1,), (1, 2, 5)))
+    tens, more = ([length for length in lengths if low <= length <= high] for lengths in (tens, more))
+    return tens if len(tens) > 1 else more
+
+
+# ---- asperities
+
+
+def asperity_figure(found: Iterable[Asperities], surface: HeightMap | None = None, title: str = "") -> Figure:
+    """What several methods take for the asperities of one surface: how their heights over the mean plane are distributed, with
+    sigma, R and N of each in the legend.
+
+    A method that has averages only is drawn as the Gaussian distribution it stands for, dashed. surface: the map in which they
+    were found; the heights of all its points are then grey beneath.
+    """
+    sets = list(found)
+    figure = Figure(figsize=(11, 5.2), layout="constrained")
+    figure.suptitle(title or (surface.name if surface else ""), fontsize=11)
+    axes = figure.subplots()
+    if not sets:
+        say(axes, "no asperities")
+        return figure
+    ends = _ends(sets)
+    factor, unit = scale(ends[1] - ends[0])
+    per_area = unit_for("asperity_density", max(one.density for one in sets))
+    if surface is not None and surface.missing < surface.heights.size:
+        heights = surface.heights[~np.isnan(surface.heights)]
+        edges, share = _shares((_some(heights) - heights.mean()) * factor, (ends[0] * factor, ends[1] * factor), _BINS)
+        axes.stairs(share, edges, fill=True, color="#dddddd", label=f"all {heights.size} points")
+    for at, one in enumerate(sets):
+        _height_line(axes, one, factor, look_of(one.method, at)["color"], _summed_up(one, *per_area))
+    axes.set(xlabel=f"height over the mean plane [{unit}]", ylabel=f"share of the asperities [1/{unit}]")
+    axes.set(xlim=(ends[0] * factor, ends[1] * factor))
+    axes.set_ylim(bottom=0.0)
+    finish(axes)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=9, labelspacing=0.9, frameon=False)
+    return figure
+
+
+def _ends(sets: list[Asperities]) -> tuple[float, float]:
+    """Heights [m] between which the picture is: those of the asperities that were found one by one, or else of the averages."""
+    each = [_limits(one.heights) for one in sets if one.count and one.deviation > 0.0]
+    each = each or [(one.mean_height - 4.0 * one.deviation, one.mean_height + 4.0 * one.deviation) for one in sets]
+    low, high = min(low for low, _ in each), max(high for _, high in each)
+    room = 0.1 * (high - low) or 1e-9
+    return low - room, high + room
+
+
+def _summed_up(one: Asperities, factor: float, unit: str) -> str:
+    """Lines of a legend: the method, how many it found, and its sigma, R and N."""
+    count = f": {one.count}" if one.count else ", averages only"
+    sigma, radius = show(one.deviation, "asperity_height_deviation", 3), show(one.radius, "asperity_radius", 3)
+    density = f"{one.density * factor:.3g}{unit.removeprefix('1')}"
+    return f"{plain(one.method)}{count}\n$\\sigma$ = {sigma}, $R$ = {radius},\n$N$ = {density}"
+
+
+def _height_line(axes: Axes, one: Asperities, factor: float, colour: str, text: str) -> None:
+    look: dict[str, Any] = {"color": colour, "label": text, "linewidth": 1.6}
+    mean, deviation = one.mean_height * factor, one.deviation * factor
+    if one.count and one.deviation > 0.0:
+        low, high = _limits(one.heights)
+        edges, share = _shares(one.heights * factor, (low * factor, high * factor), _BINS // 2)
+        axes.stairs(share, edges, **look)
+    elif one.deviation > 0.0:
+        z = np.linspace(mean - 4.0 * deviation, mean + 4.0 * deviation, 200)
+        axes.plot(z, _bell(z, mean, deviation), linestyle="--", **look)
+    else:
+        axes.axvline(mean, **look)

@@ -1,0 +1,140 @@
+"""What the command line prints of scans: rich tables and text."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from stiction.report.tables import facts, shown
+from stiction.studies.surface_analysis import Analysis
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.spikes import SUSPICIOUS
+from stiction.surfaces.statistics import ProfileMoments
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.measured import Measured
+
+
+def surface_summary(analysis: Analysis) -> Table:
+    """The scan, its statistics and its spectral moments."""
+    surface, found, spectrum = analysis.surface, analysis.statistics, analysis.spectrum
+    rows, columns = surface.heights.shape
+    y, x = (shown(length, "scan_size") for length in surface.size)
+    dy, dx = (shown(length, "scan_size") for length in surface.pitch)
+    along = surface.is_profile
+    lengths = {name: shown(getattr(found, name), "scan_size") for name in ("Sq", "Sa", "Sz")}
+    slopes = [f"{found.slope_x:.4g} along x"]
+    curvatures = [f"{found.curvature_x:.4g} 1/m along x"]
+    if not along:
+        slopes += [f"{found.slope_y:.4g} along y", f"{found.slope:.4g} of the gradient (Sdq)"]
+        curvatures += [f"{found.curvature_y:.4g} 1/m along y", f"{found.curvature:.4g} 1/m of half the Laplacian"]
+    ends = [shown(length, "scan_size") for length in (spectrum.shortest, spectrum.longest)]
+    there = spectrum.shortest < spectrum.longest
+    reliable = f"wavelengths {ends[0]} to {ends[1]}" if there else "no wavelength: too few points"
+    return facts(
+        [
+            ("scan", surface.name),
+            ("size", f"{x}, pitch {dx}" if along else f"{x} x {y} (x, y), pitch {dx} x {dy}"),
+            ("points", f"{columns} of a profile" if along else f"{columns} x {rows}"),
+            ("missing", _missing(surface)),
+            ("done", "\n".join(surface.history)),
+            ("heights", ", ".join(f"{name} = {length}" for name, length in lengths.items())),
+            ("", f"skewness Ssk = {found.Ssk:.4g}, kurtosis Sku = {found.Sku:.4g} (3 of a Gaussian)"),
+            ("rms slope", ", ".join(slopes)),
+            ("rms curvature", ", ".join(curvatures)),
+            ("reliable", reliable),
+            ("moments", _moments(analysis.by_differences)),
+            ("", _moments(analysis.by_spectrum)),
+        ]
+    )  # fmt: skip
+
+
+def _missing(surface: HeightMap) -> str:
+    return f"{surface.missing} points ({surface.missing / surface.heights.size:.2%})" if surface.missing else "none"
+
+
+def _moments(one: ProfileMoments) -> str:
+    found = one.equivalent or one.isotropic
+    return (
+        f"m0 = {found.m0:.4g} m², m2 = {found.m2:.4g}, m4 = {found.m4:.4g} 1/m², Nayak's alpha = {found.alpha:.4g} by "
+        f"{one.method}, cutoff {shown(one.cutoff, 'scan_size')}"
+    )
+
+
+def asperity_table(analysis: Analysis) -> Table:
+    """sigma, R, N by every method."""
+    table = _table("found", "heights", "skewness")
+    for method, one in analysis.asperities.items():
+        cells = _cells(one.deviation, one.radius, one.density)
+        count = str(one.count) if one.count else "-"
+        table.add_row(method, *cells, count, analysis.heights[method].name, _number(one.skewness))
+    return table
+
+
+def surface_notes(analysis: Analysis) -> list[Text]:
+    """What each method rests on, and why one found nothing."""
+    lines = []
+    if analysis.spikes:
+        lines.append(
+            f"doubtful: {analysis.spikes} points are more than {SUSPICIOUS:g} robust deviations from the median: spikes? "
+            f"They set Sq, Sz and the threshold of persistent summits; --spikes {SUSPICIOUS:g} masks them"
+        )
+    lines += [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
+    lines += [f"{method}: {one.note}; {analysis.heights[method].reason}" for method, one in analysis.asperities.items()]
+    lines += [f"{method} found nothing: {why}" for method, why in analysis.failures.items()]
+    return [Text(line, style="dim") for line in lines]
+
+
+def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) -> Table:
+    """sigma, R, N by every method, and mu at the ends of the compressive loads of a result with a spread over methods; the
+    method that stands for the surface is bold."""
+    friction = None if data is None else data.get("friction_coefficient_by_method")
+    loads = _ends(data) if friction is not None and data is not None else []
+    table = _table("heights", *(f"mu at\n{shown(load, 'load', 3)}" for _, load in loads))
+    for method, one in measured.by_method.items():
+        cells = _cells(one.asperity_height_deviation, one.asperity_radius, one.asperity_density)
+        mu = [] if friction is None else friction.sel(asperity_method=method).values.ravel()[[at for at, _ in loads]].tolist()
+        look = "bold" if method == measured.method else ""
+        table.add_row(method, *cells, one.height_distribution, *map(_number, mu), style=look)
+    return table
+
+
+def roughness_notes(measured: "Measured") -> list[Text]:
+    """What found nothing, what was done to the scans, and what the band is."""
+    count = measured.counts[measured.method]
+    found = f" ({count} asperities)" if count else ""
+    band = "; a band of mu is the spread over all methods" if len(measured.by_method) > 1 else ""
+    lines = [f"taken: {measured.method}{found}{band}"]
+    lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
+    lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
+    return [Text(line, style="dim") for line in lines]
+
+
+def _table(*more: str) -> Table:
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
+    table.add_column("method", no_wrap=True)
+    for head in ("sigma", "R", "N\n1/m²", "N R\nsigma", *more):
+        table.add_column(head, justify="right", no_wrap=True)
+    return table
+
+
+def _cells(deviation: float, radius: float, density: float) -> list[str]:
+    lengths = shown(deviation, "asperity_height_deviation", 3), shown(radius, "asperity_radius", 3)
+    return [*lengths, f"{density:.2e}", _number(deviation * radius * density)]
+
+
+def _ends(data: "xarray.Dataset") -> list[tuple[int, float]]:
+    """Place and load [N] of the least and the largest compressive load."""
+    loads = np.atleast_1d(data["load"].values).ravel()
+    pressed = np.flatnonzero(loads > 0.0)
+    if not pressed.size:
+        return []
+    order = pressed[np.argsort(loads[pressed])]
+    return [(int(at), float(loads[at])) for at in dict.fromkeys((order[0], order[-1]))]
+
+
+def _number(value: float) -> str:
+    return f"{value:.3g}" if np.isfinite(value) else "-"

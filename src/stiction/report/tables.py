@@ -1,0 +1,319 @@
+"""What the command line prints: rich tables and text, made from results and records."""
+
+import re
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from rich.box import SIMPLE_HEAD
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
+
+from stiction.laws.registry import GRADES, find
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
+from stiction.report.files import groups_of
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.case import Case
+
+_ROWS = 12
+_WIDE = 1e4  # a column that spans more than this has a prefix in each cell, not one in its head
+# Result -> head of its column.
+_COLUMNS = {
+    "mean_separation": "separation",
+    "load": "load",
+    "contact_area": "contact area",
+    "friction_force": "friction force",
+    "friction_coefficient": "mu",
+    "touching_asperities": "touching",
+}
+
+
+def curve_table(data: "xarray.Dataset") -> Table:
+    """About twelve points along a curve of one dimension, each column in units with a fitting prefix."""
+    count = data["load"].size
+    chosen = np.unique(np.linspace(0, count - 1, min(count, _ROWS)).round().astype(int))
+    names = [name for name in _COLUMNS if name in data]
+    columns = [_column(data[name], name, chosen) for name in names]
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    units = any(unit for unit, _ in columns)
+    for name, (unit, _) in zip(names, columns, strict=True):
+        head = f"{_COLUMNS[name]}\n" + (f"[{unit}]" if unit else "") if units else _COLUMNS[name]
+        table.add_column(Text(head), justify="right", no_wrap=True)
+    for cells in zip(*(cells for _, cells in columns), strict=True):
+        table.add_row(*cells)
+    return table
+
+
+def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
+    """Unit for the head, and the cells."""
+    values = np.broadcast_to(variable.values, max(variable.size, chosen.max() + 1))[chosen]
+    unit = variable.attrs.get("units", "1")
+    sizes = np.abs(values[np.isfinite(values) & (values != 0.0)])
+    if unit == "1" or not sizes.size:
+        return ("" if unit == "1" else _squared(unit)), [_short(value) for value in values]
+    if name != "mean_separation" and sizes.max() > _WIDE * sizes.min():
+        return "", [shown(value, name) for value in values]
+    power = 10.0 ** np.floor(np.log10(np.median(sizes)))
+    number, _, prefixed = show(power, name).partition(" ")
+    return _squared(prefixed), [_short(value * float(number) / power) for value in values]
+
+
+def _short(value: float) -> str:
+    return f"{float(f'{value:.4g}'):g}" if np.isfinite(value) else "-"
+
+
+def shown(value: float, name: str, digits: int = 4) -> str:
+    """A value of the named quantity, given in SI, with a fitting prefix, to a few digits; "-" if it is not a number."""
+    return _squared(show(value, name, digits)) if np.isfinite(value) else "-"
+
+
+def _squared(text: str) -> str:
+    return text.replace("m^2", "m²")
+
+
+def facts(pairs: Iterable[tuple[str, str]]) -> Table:
+    """Rows of a bold head and text; those without text are left out."""
+    table = Table.grid(padding=(0, 2, 0, 0))
+    table.add_column(style="bold", no_wrap=True)
+    table.add_column()
+    for head, text in pairs:
+        if text:
+            table.add_row(head, Text(text))
+    return table
+
+
+def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
+    """What was solved: contact, groups, model with its options and grade, and the pull-off force if the model knows it."""
+    used = data.attrs
+    laws = [f"{kind} law {used[kind]}" for kind in ("asperity", "tangential", "film") if used[kind] != "none"]
+    options = [f"{name} {used[name]}" for name in used["options"].split()]
+    return facts(
+        [
+            ("case", case.title),
+            *_contact(case.subject),
+            ("groups", _groups(groups_of(case.subject))),
+            ("model", ", ".join([used["model"], *laws, *options, f"{used['heights']} heights"])),
+            ("grade", f"{used['grade']}: {GRADES[used['grade']]}"),
+            ("pull-off force", _pull_off(data)),
+        ]
+    )
+
+
+def _contact(subject: Any) -> list[tuple[str, str]]:
+    """Rows that describe a contact of real materials; none for dimensionless groups."""
+    from stiction.contact.contact import Contact
+
+    if not isinstance(subject, Contact):
+        return []
+    rows = [("bodies", f"{_material(subject.first)} against {_material(subject.second)}")]
+    if subject.coating is not None:
+        coating = subject.coating
+        rows.append(("film", f"{_material(coating.material)}, {_numbers(coating)}, on {coating.bodies}"))
+    return [*rows, ("roughness", _numbers(subject.roughness)), ("contact", _numbers(subject))]
+
+
+def _material(material: Any) -> str:
+    return f"{material.name} ({_numbers(material)})"
+
+
+def _numbers(part: Any) -> str:
+    """The numbers of a part of a contact with their symbols and units: "E = 210 GPa, nu = 0.3"."""
+    given = ((QUANTITIES[name], getattr(part, name)) for name in type(part).model_fields if name in QUANTITIES)
+    return ", ".join(f"{row.symbol} = {_squared(show(value, row.name))}" for row, value in given if value is not None)
+
+
+def _groups(groups: Mapping[str, float]) -> str:
+    return ", ".join(f"{QUANTITIES[name].symbol} = {value:.4g}" for name, value in groups.items())
+
+
+def _pull_off(data: "xarray.Dataset") -> str:
+    if "pull_off_force" not in data:
+        return ""
+    force = data["pull_off_force"]
+    if not float(force) > 0.0:
+        return "none: there is no tension at any separation"
+    if force.attrs.get("units", "1") == "1":
+        return f"{float(force):.4g} at h = {float(data['pull_off_separation']):.4g}"
+    return shown(float(force), "pull_off_force")
+
+
+def run_notes(data: "xarray.Dataset") -> list[str]:
+    """What a user should know of this result, one line each: how it is normalised, what mu means, what the laws are like."""
+    used = data.attrs
+    notes = []
+    normalised = [name for name in ("load", "contact_area") if "normalised_by" in data[name].attrs]
+    if normalised:
+        parts = [f"{_COLUMNS[name]} over {data[name].attrs['normalised_by']}" for name in normalised]
+        notes.append(f"normalised: {', '.join(parts)}, separation over sigma, touching asperities as a share of all")
+    if "friction_coefficient" not in data:
+        notes.append(f"friction: {used['friction_law']}")
+    elif bool((data["load"] <= 0.0).any()):
+        notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
+    kinds = {"rough surface": "model", "asperity": "asperity", "tangential": "tangential", "film": "film"}
+    for kind, name in kinds.items():
+        if used[name] != "none" and (text := find(used[name], kind).notes):
+            notes.append(f"{used[name]} ({kind}): {text}" if name != "model" else f"{used[name]}: {text}")
+    return notes
+
+
+def outside_validity(data: "xarray.Dataset") -> Text | None:
+    """What is used beyond the claims of its authors, highlighted; None if nothing is."""
+    lines = [line for line in data.attrs["outside_validity"].split("; ") if line]
+    if not lines:
+        return None
+    return Text("\n".join(["outside the range of validity", *(f"  {line}" for line in lines)]), style="bold yellow")
+
+
+def comparison_table(data: "xarray.Dataset") -> Table:
+    """What each model says at the working load, or along its curve if there is none, from the least friction up; the
+    recommended one is green. Of a measured surface the spread of mu over the methods of finding asperities stands in place of
+    the contact area. Doubts are numbered as in `doubts`."""
+    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
+    table.add_column("model", overflow="fold")
+    with_range_over_methods = "friction_coefficient_at_load_low" in data
+    for head in ("grade", "mu", "over methods" if with_range_over_methods else "contact area", "doubts"):
+        table.add_column(head, justify="left" if head in ("grade", "doubts") else "right", no_wrap=True)
+    judged = "friction_coefficient_at_load" in data
+    known = doubts(data)
+    order = np.argsort(data["friction_coefficient_at_load"].values) if judged else range(data.sizes["model"])
+    for at in order:
+        one = data.isel(model=int(at))
+        mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
+        unit = one["contact_area"].attrs.get("units", "1")
+        size = _short(area) if unit == "1" else shown(area, "contact_area", digits=3)
+        numbers = ", ".join(str(1 + known.index(line)) for line in _doubts_of(one))
+        name = str(one["model"].item())
+        look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
+        fourth = over_methods(one) if with_range_over_methods else size
+        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), fourth, numbers or "-")), style=look)
+    return table
+
+
+def over_methods(one: "xarray.Dataset") -> str:
+    """Lowest and highest mu at the working load of one model over the methods of finding asperities; theories of the whole
+    surface look for none, and have no spread."""
+    low, high = (float(one[f"friction_coefficient_at_load_{end}"]) for end in ("low", "high"))
+    if low == high:
+        return "no spread"
+    return f"{low:.3g} to {high:.3g}" if low < high else "-"
+
+
+def _doubts_of(one: "xarray.Dataset") -> list[str]:
+    """Why one model says nothing of friction, and the ranges of validity that it leaves, without by how much."""
+    lines = [line for line in (one["why_not"].item(), *one["outside_validity"].item().split("; ")) if line]
+    return [re.sub(r" = [^,:]*, not ", " is not ", line) for line in lines]
+
+
+def doubts(data: "xarray.Dataset") -> list[str]:
+    """All doubts of a comparison, each once."""
+    every = (_doubts_of(data.isel(model=at)) for at in range(data.sizes["model"]))
+    return list(dict.fromkeys(line for lines in every for line in lines))
+
+
+def comparison_summary(data: "xarray.Dataset") -> list[Text]:
+    """The working load, the spread, the recommendation with its reason, and what is left out."""
+    used = data.attrs
+    lines = []
+    if "working_load" in used:
+        plain = data["load"].attrs.get("units", "1") == "1"
+        load = f"{used['working_load']:.4g}" if plain else shown(used["working_load"], "load")
+        lines.append(
+            Text(
+                f"working load {load}: mu {_range(used['spread'])} over all models, "
+                f"{_range(used['spread_within_validity'])} within their validity"
+            )
+        )
+        lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
+        if "friction_coefficient_at_load_low" in data and used["recommended"] in data["model"]:
+            best = data.sel(model=used["recommended"])
+            mu = _short(float(best["friction_coefficient_at_load"]))
+            text = f"of it, mu {mu}, {over_methods(best)} over the methods of finding asperities"
+            lines.append(Text(f"{text} (taken: {used['roughness_method']})", style="bold"))
+    else:
+        lines.append(Text("without a working load, which is above 0, the models are not judged"))
+    lines += [Text(line) for line in used["criteria"].splitlines()]
+    lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts(data), start=1)]
+    lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]
+    return lines
+
+
+def _range(ends: list[float]) -> str:
+    return f"{ends[0]:.3g} to {ends[1]:.3g}" if len(ends) else "of none"
+
+
+def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
+    """The registry, a table for each kind: key, grade, what it is, and for what it is valid."""
+    by_kind: dict[str, list[Mapping[str, Any]]] = {}
+    for row in rows:
+        by_kind.setdefault(row["kind"], []).append(row)
+    tables = []
+    for kind, some in by_kind.items():
+        table = Table(box=SIMPLE_HEAD, title=kind, title_style="bold", title_justify="left", pad_edge=False, expand=True)
+        table.add_column("key", no_wrap=True, width=31)
+        table.add_column("grade", no_wrap=True)
+        table.add_column("what is not known" if "unknown" in some[0] else "what it is, and for what it is valid", ratio=1)
+        for row in some:
+            said = row.get("unknown") or "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
+            table.add_row(Text(row["key"]), Text(row["grade"]), Text(said))
+        tables.append(table)
+    return Group(*tables)
+
+
+# What a record says in full, besides its options: the name of the entry and how it is called.
+_IN_FULL = {
+    "source": "source", "unknown": "not known", "nearest": "nearest to it", "verified": "checked against", "jumps": "jumps",
+    "traits": "marked", "validity": "valid for", "limits": "becomes", "needs": "depends on", "notes": "note",
+}  # fmt: skip
+
+
+def model_in_full(row: Mapping[str, Any]) -> Table:
+    """All that one record says."""
+    pairs = [(row["key"], f"{row['title']} ({row['kind']}, grade {row['grade']})")]
+    for name, head in _IN_FULL.items():
+        value = row.get(name) or []
+        lines = [value] if isinstance(value, str) else [", ".join(value)] if name in ("needs", "traits") else value
+        pairs += [(head if number == 0 else "", line) for number, line in enumerate(lines)]
+    pairs += [("only with", f"asperity laws marked {trait}: {why}") for trait, why in row.get("wants", {}).items()]
+    pairs += [("option", f"{name}: {', '.join(values)}") for name, values in row["options"].items()]
+    return facts(pairs)
+
+
+def grades() -> Table:
+    """What the grades mean."""
+    return facts((f"grade {grade}", meaning) for grade, meaning in GRADES.items())
+
+
+def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
+    """The claims map in words: for each claim and reading the share of the plane where it holds, and where. here: the indices
+    at which the last column tells the share of films for which it holds."""
+    table = Table(header_style="bold", box=SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
+    for head in ("claim", "reading"):
+        table.add_column(head, no_wrap=True)
+    table.add_column("holds for all films")
+    table.add_column("for some", justify="right")
+    table.add_column("for none")
+    table.add_column("not com-\nparable", justify="right")
+    table.add_column(here, justify="right")
+    for row in rows:
+        cells = (
+            f"({row['claim']})",
+            row["reading"],
+            f"{row['holds_for_all']:.0%}: {row['where_all']}",
+            f"{row['holds_for_some']:.0%}",
+            f"{row['holds_for_none']:.0%}: {row['where_none']}",
+            f"{row['not_comparable']:.0%}",
+            "-" if row["share_here"] is None else f"{row['share_here']:.0%}",
+        )
+        table.add_row(*map(Text, cells))
+    return table
+
+
+def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
+    """What each claim says and how it was made precise."""
+    unique = {row["claim"]: f"{row['says']}\nholds if {row['definition']}" for row in rows}
+    return facts((f"({key})", text) for key, text in unique.items())

@@ -1,0 +1,144 @@
+"""The fast form of the 2015 paper's model: NumPy arrays in, NumPy arrays out, no labels."""
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from stiction.contact.groups import Groups, stiffness_group
+from stiction.engine.heights import gaussian
+from stiction.engine.summation import FARTHEST, scattered, totals_on_grid
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.solving.choice import Choice
+from stiction.solving.problem import problem_of
+
+_CHUNK = 4096  # points, or laws on a grid, at a time: bounds the memory
+
+
+class Evaluation(NamedTuple):
+    """Per asperity: load and friction force over K R^(1/2) sigma^(3/2), contact area over pi R sigma."""
+
+    load: np.ndarray
+    contact_area: np.ndarray
+    friction_force: np.ndarray
+
+
+def evaluate(
+    h,
+    theta,
+    lam,
+    nu=0.3,
+    hardness_to_yield=2.8,
+    n_E=None,
+    n_H=None,
+    tau=None,
+    reading: str = "corrected",
+) -> Evaluation:
+    """Load, real contact area and friction force of the 2015 paper's model, for arrays that broadcast like a ufunc's.
+
+    h: mean separation over sigma. theta, lam > 0: adhesion indices. 0 <= nu < 0.5. hardness_to_yield >= 1. n_E, n_H > 0 and
+    tau >= 0, all or none: modulus and hardness of a film over the substrate's, and its thickness over sigma. reading:
+    "corrected", or "published" for the paper to the letter (its friction then has exp(-(h+x)^2/2) in place of phi; its
+    contact area, which is not printed, is the analogue of eq. 1).
+
+    Returns an Evaluation of float64 arrays in the broadcast shape, good to 1e-10 (the load relative to the integral of
+    the absolute value). Where h varies along axes of its own, all separations of a law are computed at once.
+    Raises InputError where a value is not finite or out of bounds. Source: docs/theory.md, sections 2 to 4.
+    """
+    given = {"theta": theta, "lam": lam, "nu": nu, "hardness_to_yield": hardness_to_yield}
+    film = {"n_E": n_E, "n_H": n_H, "tau": tau}
+    missing = [name for name, value in film.items() if value is None]
+    if missing and len(missing) < len(film):
+        raise InputError(missing[0], None, "n_E, n_H and tau together, or none of them")
+    if not missing:
+        given |= film
+    choice = Choice(options={"reading": reading})
+    columns = [_separations(h), *(_checked(name, value) for name, value in given.items())]
+    try:
+        shape = np.broadcast_shapes(*(column.shape for column in columns))
+    except ValueError:
+        shapes = ", ".join(str(column.shape) for column in columns)
+        raise InputError("h and groups", f"shapes {shapes}", "shapes that broadcast") from None
+    columns = [column.reshape((1,) * (len(shape) - column.ndim) + column.shape) for column in columns]
+    separation, laws = columns[0], dict(zip(given, columns[1:], strict=True))
+    law_shape = np.broadcast_shapes(*(column.shape for column in laws.values()))
+    own_axes = all(one == 1 or other == 1 for one, other in zip(separation.shape, law_shape, strict=True))
+    if own_axes and separation.size > 1:
+        return _on_grid(separation, laws, law_shape, shape, choice)
+    return _scattered(separation, laws, shape, choice)
+
+
+def _checked(name: str, value) -> np.ndarray:
+    """The value as an array of floats within the bounds of its quantity."""
+    quantity = QUANTITIES[name]
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(name, value, quantity.allowed) from None
+    if array.size == 0:
+        return array
+    low, high = float(array.min()), float(array.max())  # either is NaN if any element is
+    above = low >= quantity.lower if quantity.lower_included else low > quantity.lower
+    below = high <= quantity.upper if quantity.upper_included else high < quantity.upper
+    if not (above and below):
+        raise InputError(name, low if not above else high, quantity.allowed)
+    return array
+
+
+def _separations(h) -> np.ndarray:
+    allowed = f"finite, {-FARTHEST:g} to {FARTHEST:g}"
+    try:
+        array = np.asarray(h, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError("h", h, allowed) from None
+    wrong = ~(np.abs(array) <= FARTHEST)
+    if wrong.any():
+        raise InputError("h", float(array[wrong][0]), allowed)
+    return array
+
+
+def _groups(laws: dict[str, np.ndarray]) -> Groups:
+    """Groups of flat arrays; the film, if any, has the substrate's nu and work of adhesion and is a half-space."""
+    K_beta = stiffness_group(laws["nu"])
+    film = {}
+    if "tau" in laws:
+        ones = np.ones_like(K_beta)
+        film = {"n_g": ones, "film_aspect": np.inf * ones, "film_nu": laws["nu"], "film_K_beta": K_beta}
+    return Groups(**laws, **film, K_beta=K_beta)
+
+
+def _chunks(columns: list[np.ndarray]) -> Iterator[tuple[slice, list[np.ndarray]]]:
+    """Broadcast columns as flat pieces of C order, copied piece by piece."""
+    start = 0
+    pieces_of: Any = np.nditer(columns, flags=["external_loop", "buffered", "zerosize_ok"], order="C", buffersize=_CHUNK)
+    for piece in pieces_of:
+        pieces = [np.array(part) for part in (piece if isinstance(piece, tuple) else (piece,))]
+        stop = start + pieces[0].size
+        yield slice(start, stop), pieces
+        start = stop
+
+
+def _scattered(separation, laws, shape, choice) -> Evaluation:
+    out = Evaluation(*(np.empty(shape) for _ in Evaluation._fields))
+    flat = [array.reshape(-1) for array in out]
+    for where, (h, *pieces) in _chunks([separation, *laws.values()]):
+        regimes = problem_of(_groups(dict(zip(laws, pieces, strict=True))), choice).regimes
+        _, load, area, slip_limited, yield_limited = scattered(regimes, h, gaussian()).sum(axis=0).T
+        for column, total in zip(flat, (load, area, slip_limited + yield_limited), strict=True):
+            column[where] = total
+    return out
+
+
+def _on_grid(separation, laws, law_shape, shape, choice) -> Evaluation:
+    h = separation.reshape(-1)
+    table = np.empty((int(np.prod(law_shape)), len(Evaluation._fields), h.size))
+    for where, pieces in _chunks(list(laws.values())):
+        regimes = problem_of(_groups(dict(zip(laws, pieces, strict=True))), choice).regimes
+        totals_on_grid(regimes, h, gaussian(), out=table[where])
+    # The table has laws and separations flattened; every axis of the result belongs to one of the two.
+    of_laws = [axis for axis, length in enumerate(separation.shape) if length == 1]
+    order = of_laws + [axis for axis in range(len(shape)) if axis not in of_laws]
+    permuted = tuple(shape[axis] for axis in order)
+    back = np.argsort(order)
+    return Evaluation(*(np.reshape(table[:, column], permuted).transpose(back) for column in range(table.shape[1])))

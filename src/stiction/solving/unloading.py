@@ -1,0 +1,298 @@
+"""Pressed together and drawn apart again: what a rough surface carries on the way back.
+
+An asperity that has yielded does not return on the curve on which it was pressed, and one that adheres holds on until it tears
+off. Both depend on the nearest separation reached: an asperity of height z was pressed to z - h_0 there, and z - h is what is
+left of it at the separation h = h_0 + distance. So at every distance the asperities are another law, summed at h over heights.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.contact.contact import Contact, Indices
+from stiction.contact.groups import Groups
+from stiction.engine.heights import Heights
+from stiction.engine.summation import FARTHEST
+from stiction.laws.asperity.shared.letting_go import drawn_apart
+from stiction.laws.joining import coordinates, within
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import AsperityLaw, RoughSurface, TangentialLaw, find
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
+from stiction.solving.choice import Choice
+from stiction.solving.inversion import largest_tension
+from stiction.solving.problem import Problem, as_asked, make_problem, spread
+from stiction.solving.solve import all_dims, attributes_of, coords_of, inverted, labelled, points_asked, summary_of, units_of
+
+if TYPE_CHECKING:
+    import xarray
+
+_AT_ONCE = 100_000  # separations at once, each of which is a law of its own: bounds the memory
+# The way apart is searched in this many steps, finer where it begins, to where this share of the contact area is left.
+_STEPS, _LEFT = 81, 1e-10
+_ROUNDING = 1e-12  # of a separation that was found, and given back
+
+
+def unload(
+    contact: Contact | Indices,
+    *,
+    pressed_to: Any = None,
+    pressed_with: Any = None,
+    separation: Any = None,
+    distance: Any = None,
+    model: str = "greenwood_williamson_1966",
+    asperity: str | None = None,
+    tangential: str = "none",
+    heights: Heights | str | None = None,
+    **options: str | None,
+) -> "xarray.Dataset":
+    """Solve a contact that was pressed together and is being drawn apart.
+
+    contact: as in `solve`, without a film. pressed_to: the nearest mean separation that was reached; or pressed_with: the load
+    that was carried there. separation: mean separations on the way back, none nearer than that; or distance: how far the
+    surfaces have been drawn apart since. All in m or N for a Contact, normalised for Indices; numbers, sequences, or arrays
+    with named dimensions. model, asperity, heights, options: as in `solve`; the model must be a sum over an asperity law.
+    tangential: a law of the interface, for friction; what others need is not known of a flattened asperity.
+
+    Elastic asperities return as they came; those that adhere hold on to below zero displacement, if they had touched.
+    Those that have yielded unload as their law says (thornton_ning_1998), or, without adhesion, as elastic spheres that
+    are flatter, around an interference that stays. The parts of load and area by state are by what asperities were when
+    they were pressed hardest.
+
+    Returns an xarray.Dataset like that of `solve`, with pressed_to and pull_off_force, the largest tension on the way back;
+    with an asperity law that adheres also pull_off_separation and zero_load_separation, where the load has fallen to nothing.
+    Raises InputError for bad input, and for laws of which it is not known how they unload.
+    """
+    way = _make_way(contact, Choice(model, asperity, tangential, options=options), heights)
+    contact = way.pressed.subject
+    turn = _one_of(contact, pressed_to=pressed_to, pressed_with=pressed_with)
+    point = _one_of(contact, separation=separation, distance=distance)
+    units = units_of(contact)
+    turn_dims = all_dims(way.pressed, [turn, *units.values()])
+    dims = all_dims(way.pressed, [turn, *units.values(), point])
+    shape = tuple(dims.values())
+    nearest = _nearest(contact, way.pressed, turn, pressed_with is not None, turn_dims, units)
+    turned = np.broadcast_to(nearest.reshape(nearest.shape + (1,) * (len(shape) - nearest.ndim)), shape)
+    wanted = np.broadcast_to(spread(point, dims) / spread(units["m"], dims), shape)
+    apart = _apart(contact, turned, wanted, np.broadcast_to(spread(units["m"], dims), shape), distance is not None)
+    results = way.at(way.rows(shape), turned, apart)
+    if pressed_with is not None:
+        asked = np.broadcast_to(spread(turn, dims) / spread(units["N"], dims), shape)
+        results = as_asked(results, np.where(apart == 0.0, asked, results["load"]))
+    tables = {"mean_separation": turned + apart if separation is None else wanted} | results
+    data = labelled(contact, tables, units, dims, way.pressed.coords | coords_of([turn, point, *units.values()]))
+    data = data.merge(_ends(contact, way, nearest, units, turn_dims))
+    if "mean_separation" in getattr(point, "dims", ()):  # its values as they were given are the coordinate
+        attributes = data["mean_separation"].attrs
+        data = data.drop_vars("mean_separation").assign_coords(mean_separation=("mean_separation", point.values, attributes))
+    for name, like in _DESCRIBED.items():
+        if name in data.coords:
+            data[name].attrs = attributes_of(contact, like[0]) | {"long_name": like[1], "symbol": ""}
+    return data.assign_attrs(way.summary(contact, tables))
+
+
+# What is in no table of quantities: like which quantity each is measured, and what it is.
+_DESCRIBED = {
+    "pressed_to": ("mean_separation", "nearest mean separation reached"),
+    "pressed_with": ("load", "net normal load at the nearest mean separation reached"),
+    "distance": ("mean_separation", "distance by which the surfaces have been drawn apart"),
+    "pull_off_separation": ("mean_separation", "mean separation at the largest tension, undefined where there is none"),
+    "zero_load_separation": (
+        "mean_separation",
+        "mean separation at which the load has fallen to nothing, undefined where it never does",
+    ),
+}
+
+
+@dataclass(frozen=True)
+class _Way:
+    """The way apart of n contacts.
+
+    pressed: the problem of the loaded surfaces; options: those of the way back. released(groups, distance, **own options of
+    the asperity law) -> pieces. how: what is assumed of the asperities, in words.
+    """
+
+    pressed: Problem
+    options: Mapping[str, str]
+    released: Callable
+    how: str
+
+    def apart(self, rows: np.ndarray, distance: np.ndarray) -> Problem:
+        """The problem of the contacts of these numbers (m,), each drawn apart by its own distance (m,)."""
+
+        def pieces(groups, **options):
+            return self.released(groups, distance, **options)
+
+        asperity = replace(self.pressed.law.asperity, pieces=pieces)
+        return replace(self.pressed, groups=self.pressed.groups[rows], law=replace(self.pressed.law, asperity=asperity))
+
+    def rows(self, shape: tuple[int, ...]) -> np.ndarray:
+        """The number of the contact at each point of a result of this shape: dimensions of the contacts come first."""
+        laws = len(self.pressed.groups)
+        return np.repeat(np.arange(laws), math.prod(shape) // laws).reshape(shape)
+
+    def at(self, rows: np.ndarray, nearest: np.ndarray, distance: np.ndarray, only: str | None = None) -> dict[str, np.ndarray]:
+        """Normalised results, or one of them, of the contacts of these numbers; arrays of one shape."""
+        row, apart, h = (one.reshape(-1) for one in (rows, distance, nearest + distance))
+        parts = []
+        for start in range(0, h.size, _AT_ONCE):
+            some = slice(start, start + _AT_ONCE)
+            found = self.apart(row[some], apart[some]).at(h[some, None])
+            parts.append({name: table[:, 0] for name, table in found.items() if only in (None, name)})
+        return {name: np.concatenate([part[name] for part in parts]).reshape(rows.shape) for name in parts[0]}
+
+    def summary(self, contact, tables) -> dict[str, str]:
+        known = summary_of(contact, replace(self.pressed, options=self.options), tables)
+        title = f"Unloading of {known['asperity']} after {known['model']}"
+        return known | {"title": title, "grade": max(known["grade"], "B"), "unloading": self.how}
+
+
+def _one_of(contact: Contact | Indices, **either: Any) -> Any:
+    """The one of two arguments that is given, with a dimension of its name if it is a sequence."""
+    given = [name for name, value in either.items() if value is not None]
+    if len(given) != 1:
+        raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
+    name, quantity = given[0], "load" if given[0] == "pressed_with" else "mean_separation"
+    try:
+        value = points_asked(contact, quantity, either[name])
+    except InputError as error:
+        raise InputError(name, error.value, error.allowed) from None
+    renamed = quantity in getattr(value, "dims", ()) and name != "separation"
+    return value.rename({quantity: name}) if renamed else value
+
+
+def _make_way(contact: Contact | Indices, choice: Choice, heights) -> _Way:
+    """The way apart under these laws; InputError, with the reason, where it is not known."""
+    if choice.options.get("branch") is not None:
+        raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
+    if choice.tangential not in (None, "none"):
+        law = find(choice.tangential, "tangential")
+        if isinstance(law, TangentialLaw) and not law.interfacial:
+            reason = f"{choice.tangential} speaks of asperities as they are pressed"
+            raise InputError("tangential", choice.tangential, f"none, or a law of the interface: {reason}")
+    indices = contact.indices() if isinstance(contact, Contact) else contact
+    if getattr(indices, "has_film", False):
+        raise InputError("contact", "with a film", "a bare contact: no film law says how it unloads")
+    model = find(choice.model, "rough surface")
+    if isinstance(model, RoughSurface) and not model.asperity:
+        raise InputError("model", choice.model, "a sum over an asperity law: a theory in closed form has no history")
+    if isinstance(model, RoughSurface) and model.regimes is not None:
+        reason = f"of what {choice.model} adds to that, its source does not say how it unloads"
+        raise InputError("model", choice.model, f"a plain sum over an asperity law: {reason}")
+    problem = make_problem(contact, choice, heights)
+    released, how = _released(problem.law.asperity, problem)
+    options = dict(problem.options) | ({"branch": "unloading"} if "branch" in problem.options else {})
+    return _Way(problem, options, released, how)
+
+
+def _released(law: AsperityLaw, problem: Problem) -> tuple[Callable, str]:
+    """Pieces of asperities that were let go, by the law, and what that assumes."""
+    if law.released is not None:
+        return law.released, f"as {law.key} has it"
+    if all(piece.state == "elastic" for piece in problem.law.pieces(problem.groups)):
+        how = "elastic: back on the curve of loading"
+        if "branch" in law.own_options:
+            how += ", and beyond, until what had touched is torn off"
+        return (lambda groups, distance, **options: _held_on(law, groups, distance, options)), how
+    if "no adhesion" in law.traits:
+        how = "elastic spheres, flattened to what their load and area had been when they were pressed hardest"
+        return (lambda groups, distance, **options: drawn_apart(law.pieces(groups, **options), distance)), how
+    reason = f"the source of {law.key}, which yields and adheres, does not say how it unloads"
+    raise InputError("asperity", law.key, f"a law that is elastic, or does not adhere, or has a law of unloading: {reason}")
+
+
+def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, options: dict[str, str]) -> list[NormalPiece]:
+    """An elastic law in unloading, of asperities that had touched: those that never did hold nothing."""
+    options = options | ({"branch": "unloading"} if "branch" in options else {})
+    return [within(piece, coordinates(piece, -distance), np.inf) for piece in law.pieces(groups, **options)]
+
+
+def _nearest(contact, problem: Problem, turn, is_load: bool, dims: dict[str, int], units: dict[str, Any]) -> np.ndarray:
+    """The nearest separations, over sigma, of the shape of these dimensions."""
+    unit = spread(units["N" if is_load else "m"], dims)
+    wanted = np.broadcast_to(spread(turn, dims) / unit, tuple(dims.values()))
+    if is_load:
+        return inverted(contact, problem, wanted, unit).h.reshape(wanted.shape)
+    if not np.abs(wanted).max(initial=0.0) <= FARTHEST:
+        raise InputError("pressed_to", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
+    return wanted
+
+
+def _apart(contact, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, is_distance: bool) -> np.ndarray:
+    """Distances from the nearest separations, where these distances or separations are wanted; all of one shape."""
+    distance = wanted if is_distance else wanted - nearest
+    short = distance < (0.0 if is_distance else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
+    if not np.abs(distance).max(initial=0.0) <= FARTHEST:
+        name = "distance" if is_distance else "separation"
+        raise InputError(name, float(np.abs(distance).max()), f"{FARTHEST:g} times sigma at most")
+    if short.any():
+        at = tuple(np.argwhere(short)[0])
+        text = (lambda x: show(x, "mean_separation")) if isinstance(contact, Contact) else "{:.6g}".format
+        if is_distance:
+            raise InputError("distance", text(wanted[at] * unit[at]), "0 or more")
+        allowed = f"{text(nearest[at] * unit[at])} or more: the surfaces were pressed to there"
+        raise InputError("separation", text(wanted[at] * unit[at]), allowed)
+    return np.maximum(distance, 0.0)
+
+
+def _ends(contact, way: _Way, nearest: np.ndarray, units: dict[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
+    """The nearest separation, the largest tension on the way back and where it and the zero of the load are."""
+    tables = {"pull_off_force": np.zeros(nearest.shape)}
+    if way.pressed.adheres:
+        found = _tension(way, way.rows(nearest.shape).reshape(-1), nearest.reshape(-1))
+        names = "pull_off_force", "pull_off_separation", "zero_load_separation"
+        tables |= {name: table.reshape(nearest.shape) for name, table in zip(names, found, strict=True)}
+    own = {name: tables.pop(name) for name in _DESCRIBED if name in tables}
+    if "pressed_to" not in dims:  # there it is a coordinate
+        own["pressed_to"] = nearest
+    data = labelled(contact, tables, units, dims, {})
+    for name, table in own.items():
+        quantity, meaning = _DESCRIBED[name]
+        like = labelled(contact, {quantity: table}, units, dims, {})[quantity]
+        data[name] = like.assign_attrs(long_name=meaning, symbol=QUANTITIES[name].symbol if name in QUANTITIES else "")
+    return data
+
+
+def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of m pairs of a contact and a nearest separation: the largest tension, its separation, and that of no load."""
+    from scipy.optimize.elementwise import find_root
+
+    every = np.arange(rows.size)
+
+    def load(distance, pair):
+        pair = np.broadcast_to(pair.astype(int), distance.shape)
+        return way.at(rows[pair], nearest[pair], distance, "load")["load"]
+
+    distance = _reach(way, rows, nearest)[:, None] * np.linspace(0.0, 1.0, _STEPS) ** 3
+    loads = load(distance, every[:, None])
+    tension, where = largest_tension(load, distance, loads)
+    # Where the load first turns to tension, if it was compressive.
+    zero = np.full(rows.size, np.nan)
+    turns = (loads[:, 0] > 0.0) & (loads.min(axis=1) < 0.0)
+    if turns.any():
+        pair, at = every[turns], np.argmax(loads < 0.0, axis=1)[turns]
+        found = find_root(load, (distance[pair, at - 1], distance[pair, at]), args=(pair.astype(float),))
+        if not found.success.all():
+            raise ArithmeticError(f"{np.sum(~found.success)} of {pair.size} separations of no load did not converge")
+        zero[turns] = found.x
+    return tension, nearest + where, nearest + zero
+
+
+def _reach(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> np.ndarray:
+    """Distances (m,) at which next to nothing of the contact is left."""
+
+    def area(distance):
+        return way.at(rows, nearest, distance, "contact_area")["contact_area"]
+
+    reach, most = np.ones(rows.size), _LEFT * area(np.zeros(rows.size))
+    while (left := area(reach) > most).any():
+        if (reach > FARTHEST).any():
+            raise ArithmeticError("the surfaces do not come apart")
+        reach[left] *= 2.0
+    while (lost := area(reach / 2.0) <= most).any() and (reach > 1e-6).all():
+        reach[lost] /= 2.0
+    return reach

@@ -1,0 +1,288 @@
+"""Case files: one TOML file that says what is in contact and what is to be solved."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import inf, isfinite
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BeforeValidator, Field, model_validator
+
+from stiction.contact.contact import Contact, Indices
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import to_si
+from stiction.solving.choice import Choice
+from stiction.studies.measured import Measured, MeasuredRoughness, measure
+
+__all__ = ["Case", "json_schema", "parse_case", "read_case"]
+
+_LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
+_MOST_POINTS = 100_000
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a case file asks for.
+
+    subject: the Contact or the Indices. separation, load: points, one is an array (n,) and the other None;
+    metres and newtons for a Contact, h = d/sigma and load per K R^(1/2) sigma^(3/2) and asperity for
+    Indices. choice: the model, other laws than its own, and options, as the registry knows them. measured: what scans say of
+    the roughness, where the case names scans in place of numbers.
+    """
+
+    title: str
+    subject: Contact | Indices
+    separation: np.ndarray | None
+    load: np.ndarray | None
+    choice: Choice
+    measured: Measured | None = None
+
+    @property
+    def by_method(self) -> dict[str, Contact]:
+        """The contact with the roughness that each way of finding asperities gives, if it is measured; else nothing."""
+        if self.measured is None or not isinstance(self.subject, Contact):
+            return {}
+        return self.measured.contacts(self.subject)
+
+    def with_surface_moments(self, model: str) -> "Case":
+        """The case as the model of this key takes it: a theory of the whole surface has no methods of finding asperities."""
+        from stiction.solving.problem import takes_surface_moments, with_surface_moments
+
+        if not takes_surface_moments(model):
+            return self
+        return replace(
+            self,
+            subject=with_surface_moments(self.subject, model),
+            measured=self.measured and self.measured.with_surface_moments(),
+        )
+
+
+def _point(value):
+    if isinstance(value, bool) or not isinstance(value, float | int | str):
+        raise InputError("", value, "a number, or text with a number and its unit")
+    return value
+
+
+_Point = Annotated[Any, BeforeValidator(_point, json_schema_input_type=float | str)]
+
+
+class _Range(Input):
+    """Evenly spaced points, both ends included; evenly spaced logarithms with spacing = "log"."""
+
+    start: _Point = Field(description="the first point")
+    stop: _Point = Field(description="the last point")
+    count: int = Field(ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}")
+    spacing: Literal["linear", "log"] = "linear"
+
+
+def _points(value):
+    if isinstance(value, Mapping):
+        return _Range(**value)
+    if value == []:
+        raise InputError("", value, "at least one point")
+    return [_point(entry) for entry in (value if isinstance(value, list) else [value])]
+
+
+_Points = Annotated[Any, BeforeValidator(_points, json_schema_input_type=list[float | str] | _Range)]
+
+
+class _Solve(Input):
+    """The points of the curve, as mean separations or as loads, and how to compute it."""
+
+    separation: _Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
+    load: _Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
+    model: str = Field("soft_coating_2015", description="key of a model, see `stiction models`")
+    asperity: str | None = Field(None, description="key of an asperity law in place of the model's own, see `stiction models`")
+    tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
+    coating_law: str | None = Field(None, description="key of a film law, see `stiction models`")
+    presliding: str | None = Field(None, description="mindlin_1949: the tangential stiffness before sliding, too")
+    reading: str | None = Field(None, description="corrected or published, for a model with readings")
+    branch: str | None = Field(None, description="loading or unloading, for an asperity law with branches")
+    transition: str | None = Field(None, description="jump or gradual: how a bare asperity turns plastic")
+    options: dict[str, str] = Field(default_factory=dict, description="any other option of the model or of a law, by name")
+
+    @model_validator(mode="after")
+    def _one_kind_of_points(self):
+        if (self.separation is None) == (self.load is None):
+            both = "both" if self.load is not None else None
+            example = "separation = {start = 4, stop = -1, count = 51}"
+            raise InputError("separation or load", both, f"one of them, e.g. {example}")
+        return self
+
+
+class _CaseFile(Input):
+    """The tables of a case file: [contact] or [indices], and [solve]."""
+
+    title: str = ""
+    contact: Contact | None = None
+    indices: Indices | None = None
+    solve: _Solve = Field(description="a table with separation or load")
+
+    @model_validator(mode="after")
+    def _one_subject(self):
+        if (self.contact is None) == (self.indices is None):
+            both = "both" if self.contact is not None else None
+            raise InputError("contact or indices", both, "one of the tables [contact] and [indices]")
+        return self
+
+
+def read_case(path) -> Case:
+    """The case in a TOML file.
+
+    Raises InputError, one line, if the file cannot be read or is not TOML, for a key that is not known, and
+    for a number that is missing, has no unit where it needs one, or is out of bounds.
+    """
+    text = _text(Path(path))
+    try:
+        content = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise _not_a_case(path, f"this is not TOML: {error}") from None
+    except (ValueError, RecursionError):  # a number of thousands of digits, lists nested without end
+        raise _not_a_case(path, "this one is out of all proportion") from None
+    return parse_case(content, Path(path).parent)
+
+
+def parse_case(content: Mapping, folder: Path = Path()) -> Case:
+    """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans are named."""
+    _refuse_bare_numbers(content, "")
+    content, measured = _measured(content, folder)
+    file = _CaseFile(**content)
+    subject = file.contact or file.indices
+    assert subject is not None  # the validator of _CaseFile has seen to it
+    solve = file.solve
+    return Case(
+        title=file.title,
+        subject=subject,
+        separation=_resolve(solve.separation, _separation, subject, "solve.separation"),
+        load=_resolve(solve.load, _load, subject, "solve.load"),
+        choice=_choice(solve),
+        measured=measured,
+    )
+
+
+def _measured(content: Mapping, folder: Path) -> tuple[Mapping, Measured | None]:
+    """The tables with the roughness that scans show in place of the scans, and what was measured; the tables as they are if
+    they name no scan."""
+    contact = content.get("contact")
+    surface = contact.get("roughness") if isinstance(contact, Mapping) else None
+    if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}):
+        return content, None
+    try:
+        measured = measure(MeasuredRoughness(**surface), folder)
+    except InputError as error:
+        where = error.field if error.field.startswith("roughness") else f"roughness.{error.field}"
+        raise InputError(f"contact.{where}", error.value, error.allowed) from None
+    assert isinstance(contact, Mapping)
+    found = measured.by_method[measured.method]
+    return {**content, "contact": {**contact, "roughness": found}}, measured
+
+
+def _choice(solve: _Solve) -> Choice:
+    return Choice(solve.model, solve.asperity, solve.tangential, solve.coating_law, _options(solve), solve.presliding)
+
+
+def _options(solve: _Solve) -> dict[str, str | None]:
+    """Options that have keys of their own, where given, and all others."""
+    named = {name: getattr(solve, name) for name in ("reading", "branch", "transition")}
+    return {name: value for name, value in named.items() if value is not None} | solve.options
+
+
+def json_schema() -> dict:
+    """The JSON schema of a case file, with units and bounds in the descriptions, for editors."""
+    schema = _CaseFile.model_json_schema()
+    schema["title"] = "stiction case"
+    schema["oneOf"] = [{"required": ["contact"]}, {"required": ["indices"]}]
+    scans = MeasuredRoughness.model_json_schema(ref_template="#/$defs/{model}")
+    schema["$defs"] |= scans.pop("$defs") | {"MeasuredRoughness": scans}
+    roughness = schema["$defs"]["Contact"]["properties"]["roughness"]
+    schema["$defs"]["Contact"]["properties"]["roughness"] = {"anyOf": [roughness, {"$ref": "#/$defs/MeasuredRoughness"}]}
+    schema["$defs"]["_Solve"]["oneOf"] = [{"required": ["separation"]}, {"required": ["load"]}]
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+
+
+def _text(path: Path) -> str:
+    if path.is_dir():
+        raise _not_a_case(path, "this is a directory")
+    if not path.is_file():
+        raise _not_a_case(path, "this is not a regular file" if path.exists() else "there is no such file")
+    try:
+        if path.stat().st_size > _LARGEST_FILE:
+            raise _not_a_case(path, f"this one is larger than {_LARGEST_FILE} bytes")
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise _not_a_case(path, f"this one cannot be read ({error.strerror})") from None
+    except UnicodeDecodeError:
+        raise _not_a_case(path, "this is not text in UTF-8") from None
+
+
+def _not_a_case(path, why: str) -> InputError:
+    return InputError("case file", str(path), f"a TOML case file; {why}")
+
+
+def _refuse_bare_numbers(table: Mapping, path: str) -> None:
+    """Refuse numbers where a unit is needed: nobody who reads the file can tell what was meant."""
+    for key, value in table.items():
+        where = f"{path}.{key}" if path else key
+        if isinstance(value, Mapping):
+            _refuse_bare_numbers(value, where)
+        elif where != "solve.load" and not isinstance(value, str) and key in QUANTITIES and QUANTITIES[key].unit:
+            raise InputError(where, value, _as_text(key))
+
+
+def _as_text(key: str) -> str:
+    return f"text with a unit: {QUANTITIES[key].meaning}, {QUANTITIES[key].wanted}"
+
+
+def _resolve(points, convert, subject, where: str) -> np.ndarray | None:
+    """The points as numbers, in SI units for a Contact and dimensionless for Indices."""
+    if points is None:
+        return None
+    if not isinstance(points, _Range):
+        return np.array([convert(entry, subject, where) for entry in points])
+    start, stop = (convert(getattr(points, end), subject, f"{where}.{end}") for end in ("start", "stop"))
+    if points.spacing == "linear":
+        return np.linspace(start, stop, points.count)
+    for end, number in (("start", start), ("stop", stop)):
+        if number <= 0:
+            raise InputError(f"{where}.{end}", getattr(points, end), 'above 0 where spacing = "log"')
+    return np.geomspace(start, stop, points.count)
+
+
+def _separation(entry, subject, where: str) -> float:
+    """A length, or a plain number in units of sigma."""
+    if isinstance(subject, Indices):
+        return _plain(entry, where)
+    if isinstance(entry, str):
+        return _dimensional(entry, "mean_separation", where)
+    return _plain(entry, where) * subject.roughness.asperity_height_deviation
+
+
+def _load(entry, subject, where: str) -> float:
+    if isinstance(subject, Indices):
+        return _plain(entry, where)
+    if not isinstance(entry, str):
+        raise InputError(where, entry, _as_text("load"))
+    return _dimensional(entry, "load", where)
+
+
+def _plain(entry, where: str) -> float:
+    if isinstance(entry, str):
+        raise InputError(where, entry, "a plain number")
+    try:
+        number = float(entry)
+    except OverflowError:  # TOML has whole numbers without end
+        number = inf
+    if not isfinite(number):
+        raise InputError(where, entry, "a finite number")
+    return number
+
+
+def _dimensional(entry: str, name: str, where: str) -> float:
+    try:
+        return to_si(entry, name)
+    except InputError as error:
+        raise InputError(where, error.value, error.allowed) from None

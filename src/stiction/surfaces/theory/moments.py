@@ -1,0 +1,129 @@
+"""Spectral moments of an isotropic Gaussian surface, and the asperities that have the same summits.
+
+Three numbers of a surface's profile (the mean squares m0, m2, m4 of height, slope and second derivative along a line) and
+three of its summits (deviation of their heights sigma, mean tip radius R, number per area N) determine each other. Nayak
+(1971) has the statistics of the summits; McCool (1986) uses them as asperities. In the form with N R sigma, which other
+asperity models print, the same conversion is
+
+    sigma^2 = m0 - 3.717e-4 / (N R)^2,   mean height of the summits = 0.045944 / (N R),
+
+two formulas that hide the moments but say the same.
+
+Traps. m2 and m4 are those of a profile along a line: the mean square of the gradient is 2 m2, of the Laplacian 8 m4 / 3. The
+mean curvature of the summits holds m4 alone, (8/3) sqrt(m4 / pi); a form with m4 / m2 is wrong. Separations from the mean
+plane and from the mean of the summits differ by `summit_height`; this package counts from the mean of the summits.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+
+# The variance of the summits' heights is m0 (1 - SUMMIT_DEFICIT / alpha); printed 0.8968. In closed form from Nayak's density:
+# with kappa the mean curvature of a summit, E[kappa^2] = m4 (4/sqrt(3) + 2/9) and E[kappa] = (8/3) sqrt(m4/pi).
+SUMMIT_DEFICIT = 1.0 + 16.0 / math.pi - 3.0 * math.sqrt(3.0)
+
+# m0 m4 / m2^2 of an isotropic Gaussian surface is at least 3/2, where height and curvature are in proportion (Nayak 1971).
+LEAST_BANDWIDTH = 1.5
+
+# alpha = 768 pi (N R sigma)^2 + SUMMIT_DEFICIT, by putting `from_asperities` into m0 m4 / m2^2; 768 pi = 2412.74.
+_BANDWIDTH_FACTOR = 768.0 * math.pi
+
+# Below this N R sigma the summits' heights scatter less than those of any isotropic Gaussian surface.
+LEAST_DENSITY = math.sqrt((LEAST_BANDWIDTH - SUMMIT_DEFICIT) / _BANDWIDTH_FACTOR)
+
+
+@dataclass(frozen=True)
+class Moments:
+    """Spectral moments of a profile of an isotropic surface, in SI units or in those of any length; numbers or arrays.
+
+    m0: mean square height [m^2]; m2: mean square slope [1]; m4: mean square second derivative [1/m^2], all along a line.
+    """
+
+    m0: Any
+    m2: Any
+    m4: Any
+
+    @classmethod
+    def from_asperities(cls, deviation, radius, density) -> "Moments":
+        """The surface whose summits have this deviation of heights, mean tip radius and number per area.
+
+        Source: McCool 1986, solved for the moments; R and N are Nayak's (1971).
+        """
+        m4 = 9.0 * math.pi / (64.0 * radius * radius)
+        m2 = m4 / (6.0 * math.pi * math.sqrt(3.0) * density)
+        return cls(deviation * deviation + SUMMIT_DEFICIT * m2 * m2 / m4, m2, m4)
+
+    @classmethod
+    def from_groups(cls, density, sharpness) -> "Moments":
+        """The same in units of sigma, from N R sigma and sqrt(sigma/R)."""
+        radius = 1.0 / (sharpness * sharpness)
+        return cls.from_asperities(1.0, radius, density / radius)
+
+    @property
+    def alpha(self):
+        """Nayak's bandwidth m0 m4 / m2^2: 3/2 if all waves have one length, large if they have many."""
+        return self.m0 * self.m4 / (self.m2 * self.m2)
+
+    @property
+    def rms_slope(self):
+        """Root mean square of the gradient over the area, sqrt(2 m2)."""
+        return np.sqrt(2.0 * self.m2)
+
+    @property
+    def rms_curvature(self):
+        """Root mean square of half the Laplacian over the area, sqrt(2 m4 / 3)."""
+        return np.sqrt(2.0 / 3.0 * self.m4)
+
+    @property
+    def summit_height(self):
+        """Mean height of the summits over the mean plane, 4 sqrt(m0 / (pi alpha)). Source: Nayak 1971."""
+        return 4.0 * self.m2 / np.sqrt(math.pi * self.m4)
+
+    def asperities(self):
+        """(deviation of the summits' heights, mean tip radius, summits per area). Source: Nayak 1971, McCool 1986."""
+        deviation = np.sqrt(self.m0 - SUMMIT_DEFICIT * self.m2 * self.m2 / self.m4)
+        radius = 3.0 / 8.0 * np.sqrt(math.pi / self.m4)
+        return deviation, radius, self.m4 / self.m2 / (6.0 * math.pi * math.sqrt(3.0))
+
+
+def bandwidth(density):
+    """Nayak's alpha of the surface with this N R sigma."""
+    return _BANDWIDTH_FACTOR * density * density + SUMMIT_DEFICIT
+
+
+def density_of_bandwidth(alpha):
+    """N R sigma of a surface with this alpha, the inverse of `bandwidth`; alpha >= 3/2."""
+    return np.sqrt((alpha - SUMMIT_DEFICIT) / _BANDWIDTH_FACTOR)
+
+
+def summit_height(density):
+    """Mean height of the summits over the mean plane of the surface, over sigma: 1 / (sqrt(48) pi N R sigma)."""
+    return 1.0 / (math.sqrt(48.0) * math.pi * density)
+
+
+def slope_over_sharpness(density):
+    """Root mean square gradient over sqrt(sigma/R): (sqrt(3) / (64 N R sigma))^(1/2)."""
+    return np.sqrt(math.sqrt(3.0) / (64.0 * density))
+
+
+def reduced_pressure(load, density):
+    """p / (E* h') from a load per asperity over K R^(1/2) sigma^(3/2): (4/3) N R sigma sqrt(sigma/R) load over h'.
+
+    p: load per nominal area; h': root mean square gradient. sigma/R drops out. load, density: alike in shape.
+    """
+    return 4.0 / 3.0 * density * load / slope_over_sharpness(density)
+
+
+def require_gaussian(density: np.ndarray) -> None:
+    """Refuse asperities that no isotropic Gaussian surface has: InputError where N R sigma < LEAST_DENSITY."""
+    small = density < LEAST_DENSITY
+    if small.any():
+        raise InputError(
+            "density",
+            float(density[small][0]),
+            f">= {LEAST_DENSITY:.4g}: an isotropic Gaussian surface has no fewer asperities N R sigma (bandwidth 3/2 or more)",
+        )
