@@ -27,10 +27,10 @@ from scipy.integrate import quad  # noqa: E402
 from scipy.optimize import brentq  # noqa: E402
 
 import stiction as st  # noqa: E402
-from stiction.contact.groups import Groups  # noqa: E402
+from stiction.contact.indices import Groups  # noqa: E402
 from stiction.engine.heights import gaussian  # noqa: E402
 from stiction.engine.summation import totals_on_grid  # noqa: E402
-from stiction.laws.registry import find, incompatibility, of_kind  # noqa: E402
+from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, incompatibility, of_kind  # noqa: E402
 from stiction.solving.choice import Choice  # noqa: E402
 from stiction.solving.problem import problem_of  # noqa: E402
 
@@ -137,7 +137,7 @@ def speed_on_grid(**extra) -> float:
 
 def speed_of_model(choice: Choice, film: bool) -> float:
     """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
-    model = find(choice.model, "rough surface")
+    model = find(choice.model, RoughSurface)
     count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
     rng, ones = np.random.default_rng(4), np.ones(count)
     nu, k = 0.3 * ones, 2.8 * ones
@@ -152,7 +152,7 @@ def speed_of_model(choice: Choice, film: bool) -> float:
             "film_nu": nu,
             "film_K_beta": 6.4762 * ones,
         }
-    others = {"tabor_parameter": 10 ** rng.uniform(-1, 1, count), "sharpness": 0.03 * ones, "density": 0.05 * ones}
+    others = {"tabor_parameter": 10 ** rng.uniform(-1, 1, count), "sharpness": 0.03 * ones, "roughness_parameter": 0.05 * ones}
     others |= {"nominal_width": 2e4 * ones, "shear_strength": 0.1 * ones, "pressure_coefficient": 0.05 * ones}
     others |= {"hardening": 0.01 * ones}
     groups = Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
@@ -200,7 +200,7 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
     """Every model by itself, on each branch; with films; and every other law in the place of a plain model's: name, choice and
     whether there is a film."""
     plain, taken, rows = "greenwood_williamson_1966", set(), []
-    laws, shears, models = of_kind("asperity"), of_kind("tangential"), of_kind("rough surface")
+    laws, shears, models = of_kind(AsperityLaw), of_kind(TangentialLaw), of_kind(RoughSurface)
     for record in models.values():
         taken |= {record.asperity, record.tangential}
         for branch in laws[record.asperity].own_options.get("branch", ("",)) if record.asperity else ("",):
@@ -215,11 +215,11 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
             rows.append((f"tangential law {key} on {suited}", Choice(plain, suited, key), False))
     usual = models["soft_coating_2015"]
     interface = next(key for key, shear in shears.items() if shear.interfacial)
-    for key, film in of_kind("film").items():
+    for key, film in of_kind(FilmLaw).items():
         if not film.interchangeable:
             continue
         if key == usual.default_film or "2015" in film.wants:
-            rows.append((f"{usual.key}, {key} film", Choice(usual.key, coating_law=key), True))
+            rows.append((f"{usual.key}, {key} film", Choice(usual.key, film=key), True))
         else:
             suited = next(law.key for law in laws.values() if not incompatibility(film, law))
             rows.append((f"{key} film, asperity law {suited}, {interface}", Choice(plain, suited, interface, key), True))

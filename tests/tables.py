@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_less
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 
 REFERENCE = Path(__file__).parent / "reference"
 SHARED = Path(__file__).parents[2] / "shared" / "reference"
@@ -91,7 +91,7 @@ def random_others(rng: np.random.Generator, n: int) -> dict[str, np.ndarray]:
     return {
         "tabor_parameter": decades(-2, 2),
         "sharpness": decades(-3, -0.5),
-        "density": decades(-1.3, 0),
+        "roughness_parameter": decades(-1.3, 0),
         "nominal_width": decades(2, 6),
         "shear_strength": decades(-4, -0.5),
         "pressure_coefficient": decades(-3, -0.5),

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from stiction.contact.groups import hardness_group, stiffness_group
+from stiction.contact.indices import hardness_group, stiffness_group
 from stiction.laws.asperity import chang_etsion_bogy_1987 as ceb
 from stiction.laws.asperity import dmt, hertz, jkr
 from stiction.laws.asperity import roy_chowdhury_ghosh_1994 as plastic

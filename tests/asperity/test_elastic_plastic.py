@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.heights import gaussian
 from stiction.engine.summation import scattered
 from stiction.laws.asperity import brizmer_kligerman_etsion_2006 as bke

@@ -92,9 +92,9 @@ def test_points_of_indices_are_plain(read):
 
 
 def test_settings(read):
-    case = read(INDICES + 'separation = [1]\nreading = "published"\ncoating_law = "graded"\nbranch = "unloading"')
+    case = read(INDICES + 'separation = [1]\nreading = "published"\nfilm = "graded"\nbranch = "unloading"')
     options = {"reading": "published", "branch": "unloading"}
-    assert case.choice == Choice("soft_coating_2015", coating_law="graded", options=options)
+    assert case.choice == Choice("soft_coating_2015", film="graded", options=options)
     laws = 'model = "greenwood_williamson_1966"\nasperity = "jkr"\ntangential = "none"\ntransition = "jump"\n'
     case = read(INDICES + "separation = [1]\n" + laws + 'options = { some_option = "one" }')
     options = {"transition": "jump", "some_option": "one"}
@@ -155,7 +155,7 @@ def test_settings(read):
         (
             "separation = [1]",
             "separation = [1]\nreading = 1",
-            "solve.reading: 1; allowed: corrected or published, for a model with readings",
+            "solve.reading: 1; allowed: corrected, published",
         ),
     ],
 )

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 from stiction import cli
 from stiction.cli.run import case_numbers
-from stiction.laws.registry import find, incompatibility, of_kind
+from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, find, incompatibility, of_kind
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.solve import solve
 from stiction.studies.case import json_schema, read_case
@@ -161,11 +161,11 @@ def test_options_override_the_case_and_a_model_without_them_is_not_asked(tmp_pat
     assert other["attrs"]["model"] == "greenwood_williamson_1966"
     assert "friction_coefficient" not in other["variables"]
     assert "contact only" in command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966").stdout
-    asperity = find(find("soft_coating_2015", "rough surface").asperity, "asperity")
-    suitable = [law for law in of_kind("film").values() if law.interchangeable and "2015" in law.wants]
+    asperity = find(find("soft_coating_2015", RoughSurface).asperity, AsperityLaw)
+    suitable = [law for law in of_kind(FilmLaw).values() if law.interchangeable and "2015" in law.wants]
     assert suitable and not any(incompatibility(law, asperity) for law in suitable)
     for key in ["sequential", *(law.key for law in suitable)]:
-        read = strict(command("run", PAPER, "--coating-law", key, "--json").stdout)["attrs"]
+        read = strict(command("run", PAPER, "--film", key, "--json").stdout)["attrs"]
         assert (read["film"], read["model"]) == (key, "soft_coating_2015")
 
 

@@ -10,10 +10,10 @@ from typer.testing import CliRunner
 
 from cases import STEEL_ON_STEEL
 from stiction import cli
-from stiction.laws.registry import of_kind
+from stiction.laws.registry import RoughSurface, of_kind
 
 CASE = STEEL_ON_STEEL + "[solve]\nload = {}\n"
-MODELS = of_kind("rough surface")
+MODELS = of_kind(RoughSurface)
 NO_SEPARATION = [key for key, one in MODELS.items() if not one.asperity and one.curve is None]
 
 

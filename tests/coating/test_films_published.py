@@ -10,9 +10,8 @@ from stiction.engine.compiled import formula
 from stiction.laws import joining as law
 from stiction.laws.asperity import chang_etsion_bogy_1987, hertz
 from stiction.laws.film import chang_1997, finkin_1969, halling_1979, liu_neville_reuben_2002, ogilvy_1993
-from stiction.laws.film.halling_1979 import HARDNESSES, MODULI
 from stiction.laws.piece import TangentialResistance
-from stiction.laws.registry import TangentialLaw, records
+from stiction.laws.registry import TangentialLaw, composites_of, records
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
@@ -21,6 +20,8 @@ from tables import assert_near, column, groups, read
 GAUSSIAN = heights.gaussian()
 LOAD, AREA, SLIP, TEAR = 1, 2, 3, 4
 SHEAR = 0.1  # shear strength of the interface over the hardness of the substrate
+
+MODULI, HARDNESSES = composites_of("modulus"), composites_of("hardness")
 
 
 @formula
@@ -339,7 +340,7 @@ def test_ogilvys_film_is_not_felt_and_shears_over_the_bare_contact():
 def test_other_friction_than_that_of_the_interface_is_refused(film):
     given = groups(n_E=1.0, n_H=1.0, tau=1.0, film_aspect=1.0)
     with pytest.raises(InputError, match=f"{film.RECORD.key} goes with laws of the interface only"):
-        problem_of(given, Choice("chang_etsion_bogy_1988", coating_law=film.RECORD.key))
+        problem_of(given, Choice("chang_etsion_bogy_1988", film=film.RECORD.key))
 
 
 @pytest.mark.parametrize("author", ["dayson", "finkin", "halling", "kato", "ogilvy", "chang", "liu"])

@@ -50,8 +50,8 @@ def friction(thickness, choice, load):
     return tangential / normal
 
 
-IN_STICK = Choice("cohen_kligerman_etsion_2008", coating_law="sequential")
-AS_ONE_BODY = Choice("greenwood_williamson_1966", tangential="bowden_tabor_1943", coating_law="halling_1979")
+IN_STICK = Choice("cohen_kligerman_etsion_2008", film="sequential")
+AS_ONE_BODY = Choice("greenwood_williamson_1966", tangential="bowden_tabor_1943", film="halling_1979")
 
 
 @pytest.mark.parametrize("thickness", [1e-5, 1e-4, 1e-2, 1.0])

@@ -12,11 +12,12 @@ from typer.testing import CliRunner
 import stiction as st
 from cases import STEEL_ON_STEEL
 from stiction.cli import app
-from stiction.laws.registry import of_kind
+from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, of_kind
+from stiction.report.comparison_rows import at_load_rows, comparison
 from stiction.report.pictures import comparison_figure
 from stiction.studies.case import read_case
 from stiction.studies.case_results import compare_case
-from stiction.studies.comparison import at_load_rows, candidates, compare, comparison, working_load
+from stiction.studies.comparison import candidates, compare, working_load
 
 SURFACE = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
 STEEL = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2"}
@@ -37,8 +38,8 @@ def data():
 
 def test_every_rough_surface_and_every_asperity_law_is_asked(data):
     said = set(data["model"].values) | {line.split(": ")[0] for line in data.attrs["left_out"].splitlines()}
-    taken = {record.asperity for record in of_kind("rough surface").values()}
-    assert said == set(of_kind("rough surface")) | (set(of_kind("asperity")) - taken)
+    taken = {record.asperity for record in of_kind(RoughSurface).values()}
+    assert said == set(of_kind(RoughSurface)) | (set(of_kind(AsperityLaw)) - taken)
     assert data.sizes["point"] == 80 and data.sizes["model"] >= 17
 
 
@@ -109,7 +110,7 @@ def test_films():
     assert len(names) == len(set(names))
     data = compare(coated, load="1 N")
     assert {"soft_coating_2015 + sequential", "graded"} <= set(data["model"].values)
-    for film in of_kind("film").values():
+    for film in of_kind(FilmLaw).values():
         shown = sum(str(name).endswith(film.key) for name in data["model"].values)
         assert shown > 1 if film.key == "sequential" else shown == film.interchangeable
     assert "persson_2001: " in data.attrs["left_out"] and "this contact has a film" in data.attrs["left_out"]
@@ -124,7 +125,7 @@ def test_an_unreachable_load_is_said_not_computed():
 def test_indices_can_be_compared_too():
     data = compare(st.Indices(theta=100, lam=10), load=0.01)
     assert "soft_coating_2015" in data["model"].values
-    assert "persson_2001: density is not given" in data.attrs["left_out"]
+    assert "persson_2001: roughness_parameter is not given" in data.attrs["left_out"]
 
 
 def test_bad_input():

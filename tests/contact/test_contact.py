@@ -302,3 +302,32 @@ def test_records_cannot_be_changed():
         Indices(theta=1, lam=-1)
     with pytest.raises(Exception, match="frozen"):
         Indices(theta=1, lam=1).theta = 2
+
+
+def test_quantities_along_one_dimension_go_together():
+    """Point by point, each under its own name; of two bodies under the name of the field."""
+    from stiction import solve
+
+    pairs = Indices(theta=axis("theta", [10, 40, 90], "batch"), lam=axis("lam", [1, 2, 5], "batch"))
+    found = solve(pairs, separation=[1.0, 0.0])
+    assert found["load"].dims == ("batch", "mean_separation")
+    assert found["theta"].values.tolist() == [10, 40, 90] and found["lam"].values.tolist() == [1, 2, 5]
+    for i, (theta, lam) in enumerate([(10, 1), (40, 2), (90, 5)]):
+        alone = solve(Indices(theta=theta, lam=lam), separation=[1.0, 0.0])
+        np.testing.assert_allclose(found["load"][i], alone["load"], rtol=1e-13)
+    alone = solve(Indices(theta=axis("theta", [10, 40], "batch"), lam=1), separation=1.0)
+    assert alone["batch"].values.tolist() == [10, 40]  # a single one names the points of the dimension
+    two = contact(
+        material("iron", hardness=axis("hardness", [1e9, 2e9], "batch")),
+        material("iron", hardness=axis("hardness", [3e9, 5e9], "batch")),
+    )
+    found = solve(two, separation=["1 nm"])
+    assert found["first.hardness"].values.tolist() == [1e9, 2e9] and found["second.hardness"].values.tolist() == [3e9, 5e9]
+    assert found["load"].sizes == {"batch": 2, "mean_separation": 1}
+    with pytest.raises(InputError, match=r"^lam: \"dimension 'batch' of length 2\"; allowed: the values of theta"):
+        Indices(theta=axis("theta", [10, 40, 90], "batch"), lam=axis("lam", [1, 2], "batch"))
+
+
+def test_old_name_of_the_roughness_parameter():
+    with pytest.warns(FutureWarning, match="roughness_parameter"):
+        assert Indices(theta=1, lam=1, density=0.04).roughness_parameter == 0.04

@@ -2,22 +2,26 @@
 
 import itertools
 import re
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine import summation
 from stiction.engine.heights import gaussian, height_distribution
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
 from stiction.laws import registry
 from stiction.laws.joining import coordinates, normal_states
 from stiction.laws.registry import (
-    CHOICES,
     GRADES,
     KINDS,
     TRAITS,
+    AsperityLaw,
+    FilmLaw,
+    Presliding,
+    RoughSurface,
+    TangentialLaw,
     find,
     incompatibility,
     of_kind,
@@ -32,11 +36,12 @@ from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import FILM_GROUPS, assert_near, groups, load_size, random_groups, random_others
 
-ROUGH = [record for record in of_kind("rough surface").values() if record.asperity]
-CLOSED = [record for record in of_kind("rough surface").values() if not record.asperity]
-ASPERITIES, TANGENTIALS, FILMS = (list(of_kind(kind).values()) for kind in ("asperity", "tangential", "film"))
+ROUGH = [record for record in of_kind(RoughSurface).values() if record.asperity]
+CLOSED = [record for record in of_kind(RoughSurface).values() if not record.asperity]
+ASPERITIES, TANGENTIALS, FILMS = (list(of_kind(kind).values()) for kind in (AsperityLaw, TangentialLaw, FilmLaw))
 HOW_MANY = len(records())
-GROUP_NAMES = {field.name for field in fields(Groups)}
+GROUP_NAMES = set(Groups.model_fields)
+CHOSEN = (RoughSurface, AsperityLaw, TangentialLaw, FilmLaw)
 LIMITED = {"touching_asperities", "load", "contact_area", "friction_force"}
 PLAIN = "greenwood_williamson_1966"
 OF_THE_INTERFACE = next(one.key for one in TANGENTIALS if one.interfacial)
@@ -45,7 +50,7 @@ each_record = pytest.mark.parametrize("record", records(), ids=lambda record: f"
 
 def with_options(choice, *laws):
     """The choice with every combination of the laws' own options."""
-    known = {name: values for law in laws for name, values in law.own_options.items()}
+    known = {name: values for law in laws for name, values in law.options.items()}
     for values in itertools.product(*known.values()):
         yield replace(choice, options=dict(zip(known, values, strict=True)))
 
@@ -53,18 +58,18 @@ def with_options(choice, *laws):
 def film_choice(film):
     """A film under a model that it suits."""
     if film.tangential == "interface":
-        return Choice(PLAIN, tangential=OF_THE_INTERFACE, coating_law=film.key)
+        return Choice(PLAIN, tangential=OF_THE_INTERFACE, film=film.key)
     model = next(
-        one for one in ROUGH[::-1] if one.tangential != "none" and not incompatibility(film, find(one.asperity, "asperity"))
+        one for one in ROUGH[::-1] if one.tangential != "none" and not incompatibility(film, find(one.asperity, AsperityLaw))
     )
-    return Choice(model.key, coating_law=film.key)
+    return Choice(model.key, film=film.key)
 
 
 def subjects():
     """Every law in a model that has it, with every choice of its options: (choice, coated)."""
     taken = {record.asperity for record in ROUGH}
     for record in ROUGH:
-        for choice in with_options(Choice(record.key), record, find(record.asperity, "asperity")):
+        for choice in with_options(Choice(record.key), record, find(record.asperity, AsperityLaw)):
             yield choice, False
     for law in ASPERITIES:
         if law.key not in taken:
@@ -81,7 +86,7 @@ def subjects():
 
 
 def name_of(choice, coated):
-    parts = choice.model, choice.asperity, choice.tangential, choice.coating_law, *choice.options.values()
+    parts = choice.model, choice.asperity, choice.tangential, choice.film, *choice.options.values()
     return "-".join([*(part for part in parts if part), "coated" if coated else "bare"])
 
 
@@ -108,7 +113,7 @@ def accuracy(found):
 
 def size_of_load(load, area, given):
     """At least the integral of |load| (see tables.load_size), for the pull of the film too."""
-    if not given.coated:
+    if not given.has_film:
         return load_size(load, area, given.theta)
     return load_size(load, area, given.theta, given.film().theta / given.n_g**3, np.maximum(given.n_E, 1.0))
 
@@ -223,10 +228,10 @@ def limits():
 
 def choice_of(record, kind, options=None):
     """A model in which a record of this kind is."""
-    if kind == "film":
+    if kind is FilmLaw:
         return replace(film_choice(record), options=options or {})
-    key = {"model": record.key} if kind == "rough surface" else {"model": PLAIN, CHOICES[kind]: record.key}
-    if kind == "tangential":
+    key = {"model": PLAIN} | {kind.keyword: record.key}
+    if kind is TangentialLaw:
         key["asperity"] = next(one.key for one in ASPERITIES if not incompatibility(record, one))
     return Choice(**key, options=options or {})
 
@@ -235,11 +240,11 @@ def choice_of(record, kind, options=None):
 def test_declared_limits(record, limit):
     """The law with the groups of the limit is its parent, at every separation and whatever the other groups."""
     given = draw(20, record.kind == "film", 61, **({"film_aspect": np.inf} if record.kind == "film" else {}))
-    given = replace(given, **{name: np.full(len(given), value) for name, value in limit.groups.items()})
-    parent_kind = "rough surface" if record.kind == "film" else record.kind
+    given = given.with_changes(**{name: np.full(len(given), value) for name, value in limit.groups.items()})
+    parent_kind = RoughSurface if record.kind == "film" else type(record)
     parent = find(limit.parent, parent_kind)
-    child = problem_of(given, choice_of(record, record.kind, dict(limit.options)))
-    known = resolve_options([parent, *([find(parent.asperity, "asperity")] if getattr(parent, "asperity", "") else [])], {})
+    child = problem_of(given, choice_of(record, type(record), dict(limit.options)))
+    known = resolve_options([parent, *([find(parent.asperity, AsperityLaw)] if getattr(parent, "asperity", "") else [])], {})
     inherited = {name: value for name, value in limit.options.items() if name in known}
     expected_of = problem_of(given.substrate(), choice_of(parent, parent_kind, inherited))
     if getattr(record, "area_at_load", None):
@@ -264,7 +269,7 @@ def test_pieces_join_where_no_jump_is_reported(law):
     given = draw(60, False, 83)
     for number in range(1, len(law.pieces(given, **resolve_options([law], {})))):
         jump = reported.get(number)
-        chosen = replace(given, **{name: np.full(60, value) for name, value in (jump.groups if jump else {}).items()})
+        chosen = given.with_changes(**{name: np.full(60, value) for name, value in (jump.groups if jump else {}).items()})
         before, after = law.pieces(chosen, **resolve_options([law], {}))[number - 1 : number + 1]
         there = (before.edges[:, -1] > before.edges[:, 0]) & (after.edges[:, -1] > after.edges[:, 0])
         end, start = normal_states(before, before.edges[:, -1])[there], normal_states(after, after.edges[:, 0])[there]
@@ -347,7 +352,7 @@ def test_any_film_with_any_asperity_law(film, asperity):
     assert_near(total[:, 3:].sum(axis=1), expected, 1e-9, expected + 1e-12)
 
 
-PAPER = find("roy_chowdhury_ghosh_1994", "asperity")
+PAPER = find("roy_chowdhury_ghosh_1994", AsperityLaw)
 LIKE_A_BODY = [film for film in FILMS if film.tangential != "interface" and not incompatibility(film, PAPER)]
 
 
@@ -359,7 +364,7 @@ def test_a_thick_film_hides_its_substrate(film):
         pytest.skip("belongs to one reading: adds film loads without n_E and keeps the substrate's plastic term (D4, D5)")
     # A graded film tends to this as w/t and a/t: 1e14 makes that rounding.
     given = draw(200, True, 67, tau=1e14, film_aspect=1e14)
-    own_groups = replace(given, theta=given.film().theta, lam=given.film().lam, n_E=np.ones(200), n_H=np.ones(200))
+    own_groups = given.with_changes(theta=given.film().theta, lam=given.film().lam, n_E=np.ones(200), n_H=np.ones(200))
     h = np.linspace(-3.0, 4.0, 15)
     found, expected = (problem_of(one, film_choice(film)).on_grid(h) for one in (given, own_groups))
     n_E = given.n_E[:, None]
@@ -373,8 +378,8 @@ def test_a_thick_film_hides_its_substrate(film):
 def test_theories_in_closed_form(record):
     """Load (where the record says so) and area that grow together, from nothing; a shear strength of the interface times the
     area is their friction."""
-    low, high = next(((one.low, one.high) for one in record.validity if one.quantity == "density"), (0.0, np.inf))
-    given = draw(30, False, 101, theta=1e6, density=np.geomspace(max(0.02, 1.01 * low), min(0.3, high), 30))
+    low, high = next(((one.low, one.high) for one in record.validity if one.quantity == "roughness_parameter"), (0.0, np.inf))
+    given = draw(30, False, 101, theta=1e6, roughness_parameter=np.geomspace(max(0.02, 1.01 * low), min(0.3, high), 30))
     choice = Choice(record.key, tangential=OF_THE_INTERFACE)
     problem = problem_of(given, choice)
     if record.curve is None:
@@ -398,9 +403,9 @@ def test_theories_in_closed_form(record):
 
 @each_record
 def test_record_is_complete(record):
-    assert KINDS[record.kind] is type(record)
+    assert type(record) in KINDS
     assert re.fullmatch(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", record.key)
-    for what in ("pieces", "grip", "curve", "area_at_load", "value"):
+    for what in ("pieces", "tangential_resistance", "curve", "area_at_load", "value"):
         if (one := getattr(record, what, None)) is not None:
             module = getattr(one, "py_func", one).__module__
             assert module.rsplit(".", 1)[-1] == record.key, "one file per model, of the model's name"
@@ -420,14 +425,14 @@ def test_record_refers_to_what_exists(record):
     for validity in record.validity:
         assert validity.quantity in QUANTITIES and validity.low < validity.high and len(validity.why) > 10
     for limit in record.limits:
-        assert find(limit.parent, "rough surface" if record.kind == "film" else record.kind).key != record.key
+        assert find(limit.parent, RoughSurface if record.kind == "film" else type(record)).key != record.key
         assert set(limit.groups) <= GROUP_NAMES and set(limit.quantities) <= LIMITED
         assert 0.0 < limit.within <= 0.05
     assert set(getattr(record, "traits", ())) | set(getattr(record, "wants", ())) <= TRAITS.keys()
     if record.kind == "rough surface" and record.asperity:
-        asperity = find(record.asperity, "asperity")
-        assert record.tangential == "none" or not incompatibility(find(record.tangential, "tangential"), asperity)
-        assert not record.default_film or find(record.default_film, "film")
+        asperity = find(record.asperity, AsperityLaw)
+        assert record.tangential == "none" or not incompatibility(find(record.tangential, TangentialLaw), asperity)
+        assert not record.default_film or find(record.default_film, FilmLaw)
 
 
 @each_record
@@ -449,19 +454,19 @@ def test_options_of_one_name_mean_the_same():
     """Laws that are combined may share an option, never a name for two things."""
     values = {}
     for record in records():
-        for name, allowed in record.own_options.items():
+        for name, allowed in record.options.items():
             assert values.setdefault(name, allowed) == allowed, name
 
 
-DECIDED = [(record, kind) for kind in ("rough surface", "asperity", "tangential", "film") for record in of_kind(kind).values()]
+DECIDED = [(record, kind) for kind in CHOSEN for record in of_kind(kind).values()]
 
 
-@pytest.mark.parametrize(("record", "kind"), [pytest.param(*one, id=f"{one[1]}-{one[0].key}") for one in DECIDED])
+@pytest.mark.parametrize(("record", "kind"), [pytest.param(*one, id=f"{one[1].kind}-{one[0].key}") for one in DECIDED])
 def test_a_law_depends_on_what_it_says(record, kind):
     """Groups that `needs` of the laws at work do not name change nothing; each that the record names changes something."""
-    given = draw(50, kind == "film", 71)
+    given = draw(50, kind is FilmLaw, 71)
     choice = choice_of(record, kind)
-    if kind == "film" and not record.interchangeable:
+    if kind is FilmLaw and not record.interchangeable:
         choice = Choice(options={"reading": "published"})
     found = problem_of(given, choice)
 
@@ -469,36 +474,36 @@ def test_a_law_depends_on_what_it_says(record, kind):
         made = replace(found, groups=one)
         if getattr(record, "area_at_load", None):
             return list(made.at_load(np.full((50, 2), 0.5)).values())
-        if kind == "rough surface" and not record.asperity:
+        if kind is RoughSurface and not record.asperity:
             return list(made.on_grid(np.array([0.5, 1.5])).values())
         return list(made.on_grid(np.linspace(-1.0, 2.0, 4)).values())
 
     plain = answer(given)
     needed = {name for one in found.records() for name in one.needs}
-    for name in ("theta", "lam", "nu", "hardness_to_yield", "tabor_parameter", "sharpness", "density", "nominal_width",
-                 "shear_strength", "pressure_coefficient", "n_E", "n_H", "tau"):  # fmt: skip
+    for name in ("theta", "lam", "nu", "hardness_to_yield", "tabor_parameter", "sharpness", "roughness_parameter",
+                 "nominal_width", "shear_strength", "pressure_coefficient", "n_E", "n_H", "tau"):  # fmt: skip
         if getattr(given, name) is None:
             continue
-        other = answer(replace(given, **{name: getattr(given, name) * 0.9}))
+        other = answer(given.with_changes(**{name: getattr(given, name) * 0.9}))
         same = all(np.array_equal(one, two, equal_nan=True) for one, two in zip(plain, other, strict=True))
         if name in record.needs:
             assert not same, f"{name} changes nothing"
         if not same:
-            assert name in needed or (kind == "film" and name in FILM_GROUPS), f"{name} is not said to be needed"
+            assert name in needed or (kind is FilmLaw and name in FILM_GROUPS), f"{name} is not said to be needed"
 
 
 def test_order_and_lookup():
     kinds = [record.kind for record in records()]
-    assert kinds == sorted(kinds, key=list(KINDS).index)
+    assert kinds == sorted(kinds, key=[kind.kind for kind in KINDS].index)
     for kind in KINDS:
-        keys = [record.key for record in records() if record.kind == kind]
+        keys = [record.key for record in records() if record.kind == kind.kind]
         assert keys == sorted(keys) and len(set(keys)) == len(keys) > 0
-    for kind, field in CHOICES.items():
+    for kind in (*CHOSEN, Presliding):
         with pytest.raises(InputError) as caught:
             find("no_such_model", kind)
-        assert caught.value.field == field and "\n" not in str(caught.value)
+        assert caught.value.field == kind.keyword and "\n" not in str(caught.value)
     with pytest.raises(InputError):
-        find(FILMS[0].key, "rough surface")
+        find(FILMS[0].key, RoughSurface)
 
 
 class Outside:
@@ -511,7 +516,7 @@ class Outside:
         return self.record
 
 
-@pytest.fixture(params=["rough surface", "asperity", "tangential", "film"])
+@pytest.fixture(params=CHOSEN, ids=lambda kind: kind.kind)
 def outside(request, monkeypatch):
     """A law of each kind registered from outside the package, through an entry point of the group "stiction"."""
     record = replace(next(iter(of_kind(request.param).values())), key="somebody_2031", title="A model of somebody else's")
@@ -522,13 +527,13 @@ def outside(request, monkeypatch):
         return [Outside(record)]
 
     monkeypatch.setattr(registry, "entry_points", entry_points)
-    records.cache_clear()
+    registry._outside.cache_clear()
     yield record
     assert asked == ["stiction"]
     monkeypatch.undo()
-    records.cache_clear()
+    registry._outside.cache_clear()
 
 
 def test_a_model_from_outside_appears(outside):
-    assert find("somebody_2031", outside.kind) is outside
+    assert find("somebody_2031", type(outside)) is outside
     assert len(records()) == HOW_MANY + 1

@@ -120,7 +120,7 @@ def test_no_tension_of_a_film_is_missed_either():
     samples = np.append(np.random.default_rng(0).standard_normal(500), 30.0)
     heights = height_distribution("empirical", samples=samples)
     contact = st.Indices(theta=3e3, lam=10.0, n_E=0.5, n_H=0.5, tau=2.0, film_aspect=0.5, tabor_parameter=1.0, hardening=0.01)
-    laws = {"model": "greenwood_williamson_1966", "coating_law": "liu_neville_reuben_2002", "heights": heights}
+    laws = {"model": "greenwood_williamson_1966", "film": "liu_neville_reuben_2002", "heights": heights}
     dense = np.concatenate([(heights.tops[:, None] + np.linspace(-0.2, 0.02, 2000)).ravel(), np.linspace(12.0, -6.0, 1000)])
     loads = st.solve(contact, separation=dense, **laws)["load"].values
     assert loads.min() < 0.0

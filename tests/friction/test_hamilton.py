@@ -18,7 +18,7 @@ from stiction.engine.heights import gaussian
 from stiction.engine.summation import QUANTITIES, scattered
 from stiction.laws.asperity import chang_etsion_bogy_1987, hertz
 from stiction.laws.joining import Law
-from stiction.laws.registry import of_kind
+from stiction.laws.registry import TangentialLaw, of_kind
 from stiction.laws.tangential import hamilton_1983 as law
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
 from stiction.laws.tangential.shared.hamilton_field import dragged, first_yield, pressed, stress, von_mises
@@ -255,7 +255,7 @@ def test_load_is_untouched_by_the_kinks():
 
 def test_record():
     """Found by its key; of many laws each has its own Poisson's ratio; a plastic asperity bears nothing."""
-    assert of_kind("tangential")["hamilton_1983"] is law.RECORD
+    assert of_kind(TangentialLaw)["hamilton_1983"] is law.RECORD
     rough = groups(theta=100.0, lam=40.0, nu=[0.3, 0.1, 0.3])
     elastic, plastic = chang_etsion_bogy_1987.pieces(rough)
     assert law.tangential_resistance(plastic, rough) is None

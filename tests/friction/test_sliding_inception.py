@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
 import stiction as st
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz, jkr
 from stiction.laws.piece import NormalPiece
@@ -48,7 +48,7 @@ MORE = ("peeling", "shear_strength", "pressure_coefficient")
 def groups_in(rows) -> Groups:
     """Groups of a reference table, K beta as given there."""
     more = {name: column(rows, name) for name in MORE if name in rows[0]}
-    return replace(groups_of([row | {"n_E": ""} for row in rows]), K_beta=column(rows, "K_beta"), **more)
+    return groups_of([row | {"n_E": ""} for row in rows]).with_changes(K_beta=column(rows, "K_beta"), **more)
 
 
 def hertz_piece(n: int) -> NormalPiece:
@@ -103,14 +103,16 @@ def test_peeling_can_be_weakened_but_not_left_out():
     w, P, x = np.ones(2), np.array([3.0, 0.2]), np.ones(2)
     piece = jkr_piece(given)
     whole = resist(savkoor_briggs_1977.tangential_resistance(piece, given), w, P, x)
-    weak = resist(savkoor_briggs_1977.tangential_resistance(piece, replace(given, peeling=np.array([1.0, 1 / 16]))), w, P, x)
+    weak = resist(
+        savkoor_briggs_1977.tangential_resistance(piece, given.with_changes(peeling=np.array([1.0, 1 / 16]))), w, P, x
+    )
     assert_allclose(weak, whole * [[1.0], [4.0]], rtol=1e-14)
     with pytest.raises(InputError) as caught:
-        savkoor_briggs_1977.tangential_resistance(piece, replace(given, peeling=np.array([1.0, 0.0])))
+        savkoor_briggs_1977.tangential_resistance(piece, given.with_changes(peeling=np.array([1.0, 0.0])))
     assert caught.value.field == "peeling" and caught.value.value == 0.0
     # Thornton's force knows no such share.
     assert_allclose(
-        resist(thornton_1991.tangential_resistance(piece, replace(given, peeling=np.zeros(2))), w, P, x), whole, rtol=1e-13
+        resist(thornton_1991.tangential_resistance(piece, given.with_changes(peeling=np.zeros(2))), w, P, x), whole, rtol=1e-13
     )
 
 
@@ -245,7 +247,7 @@ def test_rough_surfaces(psi, h, load, full_stick, kogut, chang):
 def test_interfacial_strength():
     """Where the mean pressure is the hardness, mu = tau_0/H (+ alpha); adhesion makes friction without load; film and bare."""
     given = groups(theta=5.0, lam=3.0)
-    more = replace(given, shear_strength=np.array([0.12]), pressure_coefficient=np.array([0.3]))
+    more = given.with_changes(shear_strength=np.array([0.12]), pressure_coefficient=np.array([0.3]))
     x = np.array([0.7])
     P = given.eta * x
     for law, mu in ((bowden_tabor_1943, 0.12), (briscoe_tabor_1978, 0.42)):
@@ -297,7 +299,7 @@ def test_never_negative_never_nan(law):
     n = 400
     given = groups(**random_groups(rng, n, False))
     alpha, share = 10.0 ** rng.uniform(-4, 0, n), 10.0 ** rng.uniform(-6, 0, n)
-    given = replace(given, shear_strength=alpha, pressure_coefficient=rng.uniform(0, 1, n), peeling=share)
+    given = given.with_changes(shear_strength=alpha, pressure_coefficient=rng.uniform(0, 1, n), peeling=share)
     pieces = [] if "JKR" in law.RECORD.wants else [hertz_piece(n)]
     pieces += [] if "no adhesion" in law.RECORD.wants else [jkr_piece(given), jkr_piece(given, "unloading")]
     for piece in pieces:

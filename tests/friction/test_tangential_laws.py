@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 
-from stiction.contact.groups import hardness_group, stiffness_group
+from stiction.contact.indices import hardness_group, stiffness_group
 from stiction.laws.asperity import jkr, roy_chowdhury_ghosh_1994
 from stiction.laws.film import printed as to_the_letter
 from stiction.laws.joining import Law, states

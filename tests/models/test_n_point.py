@@ -205,8 +205,8 @@ def test_correlation_of_a_surface():
 
 def test_refused_surfaces():
     for density in (0.039, 1.1):
-        with pytest.raises(InputError, match="density"):
-            model.curve(np.zeros(1), groups(density=[0.05, density]))
+        with pytest.raises(InputError, match="roughness_parameter"):
+            model.curve(np.zeros(1), groups(roughness_parameter=[0.05, density]))
 
 
 # ---- the model
@@ -217,16 +217,16 @@ def test_load_and_area():
     for quantity, place in (("load", 0), ("area", 1)):
         rows = simulated(quantity)
         h = np.unique(column(rows, "level"))
-        found = model.curve(h, groups(density=column(rows, "density")[:: len(h)]))[place]
+        found = model.curve(h, groups(roughness_parameter=column(rows, "density")[:: len(h)]))[place]
         assert_within_errors(found.ravel(), rows)
 
 
 def test_rows_and_columns():
     """Every contact by itself, whatever the other groups."""
     density, h = np.array([0.04, 0.05, 0.3]), np.array([-1.0, 0.0, 3.0])
-    together = model.curve(h, groups(density=density, sharpness=[0.01, 0.1, 0.3], theta=[1.0, 10.0, 100.0]))
+    together = model.curve(h, groups(roughness_parameter=density, sharpness=[0.01, 0.1, 0.3], theta=[1.0, 10.0, 100.0]))
     for row, one in enumerate(density):
-        for whole, single in zip(together, model.curve(h[::-1], groups(density=one)), strict=True):
+        for whole, single in zip(together, model.curve(h[::-1], groups(roughness_parameter=one)), strict=True):
             assert_allclose(whole[row], single[0, ::-1], rtol=1e-13)
 
 
@@ -234,7 +234,7 @@ def test_load_and_area_grow_on_approach():
     """The area always; the load down to the mean plane at least, and then it has a maximum, 0.3 to 0.7 deviations below."""
     density = np.array([0.04, 0.05, 0.1, 0.3, 0.9])
     h = np.linspace(6.0, -10.0, 1601)
-    load, area = model.curve(h, groups(density=density))
+    load, area = model.curve(h, groups(roughness_parameter=density))
     assert np.isfinite(load).all() and (load > 0.0).all()
     growth = np.diff(area, axis=1) / area[:, 1:]
     assert (growth[:, h[1:] > -6.0] > 0.0).all() and growth.min() > -1e-15
@@ -247,6 +247,6 @@ def test_load_and_area_grow_on_approach():
 def test_between_the_theories():
     """At N R sigma of measured surfaces the area that goes with a load is of the size of the others': 2.5 to 6 p/(E* h')."""
     density = np.array([0.04, 0.05, 0.07])
-    load, area = model.curve(np.array([0.0, 1.0]), groups(density=density))
+    load, area = model.curve(np.array([0.0, 1.0]), groups(roughness_parameter=density))
     kappa = math.pi * density[:, None] * area / reduced_pressure(load, density[:, None])
     assert ((kappa > 2.5) & (kappa < 6.0)).all()

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import erfc
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.laws.criterion import pastewka_robbins_2014
 from stiction.laws.rough_surface import (
     bush_gibson_thomas_1975,
@@ -86,8 +86,8 @@ def test_no_such_surface():
     """alpha < 3/2: height and curvature would be correlated by more than 1."""
     assert_near(moments.bandwidth(moments.LEAST_DENSITY), 1.5, 1e-14)
     for module in ELLIPTIC:
-        with pytest.raises(InputError, match="density"):
-            module.curve(np.zeros(1), given(density=[0.04, 0.0158]))
+        with pytest.raises(InputError, match="roughness_parameter"):
+            module.curve(np.zeros(1), given(roughness_parameter=[0.04, 0.0158]))
 
 
 # ---- F_n
@@ -117,7 +117,7 @@ def test_truncated_mean_far_out():
 def test_sums_over_summits(module):
     rows = read(f"{module.RECORD.key}.csv")
     h = np.unique(column(rows, "h"))
-    load, area = module.curve(h, given(density=column(rows, "density")[:: len(h)]))
+    load, area = module.curve(h, given(roughness_parameter=column(rows, "density")[:: len(h)]))
     assert_allclose(load.ravel(), column(rows, "load"), rtol=1e-8)
     assert_allclose(area.ravel(), column(rows, "area"), rtol=1e-8)
 
@@ -128,7 +128,7 @@ def test_light_load(module, alpha):
     """Bush, Gibson & Thomas: A/A0 -> sqrt(2 pi) p/(E* h'), from below; the departure falls as the separation squared."""
     density = float(moments.density_of_bandwidth(alpha)) * (1 + 1e-14)
     far = np.array([12.0, 24.0]) * math.sqrt(1 - moments.SUMMIT_DEFICIT / alpha) ** -1  # from the mean plane, over sigma
-    load, area = module.curve(far - moments.summit_height(density), given(density=density))
+    load, area = module.curve(far - moments.summit_height(density), given(roughness_parameter=density))
     near, farther = math.sqrt(2 * math.pi) - kappa(load[0], area[0], density)
     assert 0 < farther < near < 0.02 * alpha
     assert farther == pytest.approx(near / 4, rel=0.12)
@@ -138,7 +138,8 @@ def test_bandwidth_of_one_wavelength():
     """alpha = 3/2 is a limit like any other, not a singularity of the sum."""
     h = np.linspace(-6.0, 6.0, 25)
     for module in ELLIPTIC:
-        load, area = module.curve(h, given(density=moments.LEAST_DENSITY * np.array([1 + 1e-14, 1 + 1e-8, 1 + 1e-6])))
+        near = moments.LEAST_DENSITY * np.array([1 + 1e-14, 1 + 1e-8, 1 + 1e-6])
+        load, area = module.curve(h, given(roughness_parameter=near))
         for one in (load, area):
             assert_allclose(one[1:], one[:-1], rtol=1e-4)
             assert_allclose(one[1], one[0], rtol=1e-6)
@@ -146,7 +147,7 @@ def test_bandwidth_of_one_wavelength():
 
 def test_ellipse_or_sphere():
     """Greenwood: the geometric mean curvature stands in for the ellipse; within 3 %."""
-    h, groups = np.linspace(-4.0, 5.0, 10), given(density=[0.017, 0.04, 0.3])
+    h, groups = np.linspace(-4.0, 5.0, 10), given(roughness_parameter=[0.017, 0.04, 0.3])
     for exact, simple in zip(bush_gibson_thomas_1975.curve(h, groups), greenwood_2006.curve(h, groups), strict=True):
         assert np.abs(simple / exact - 1).max() < 0.03
 
@@ -176,14 +177,14 @@ def test_persson():
     pressure = column(rows, "pressure")
     for density in (0.001, 0.04, 0.5):
         load = pressure / moments.reduced_pressure(1.0, density)
-        area = persson_2001.area_at_load(load[None], given(density=density))[0]
+        area = persson_2001.area_at_load(load[None], given(roughness_parameter=density))[0]
         assert_allclose(math.pi * density * area, column(rows, "area"), rtol=0, atol=3e-7)
         five_digits = (0.01596, 0.07966, 0.15852, 0.31084, 0.68269, 0.95450)
         assert_allclose(math.pi * density * area, five_digits, rtol=0, atol=5.1e-6)
         light = np.array([[1e-9]])
-        found = kappa(light, persson_2001.area_at_load(light, given(density=density)), density)
+        found = kappa(light, persson_2001.area_at_load(light, given(roughness_parameter=density)), density)
         assert_near(found, math.sqrt(8 / math.pi), 1e-14)
-    assert persson_2001.area_at_load(np.array([[-1.0, 0.0]]), given(density=0.04)).tolist() == [[0.0, 0.0]]
+    assert persson_2001.area_at_load(np.array([[-1.0, 0.0]]), given(roughness_parameter=0.04)).tolist() == [[0.0, 0.0]]
 
 
 def test_elastoplastic_by_finite_differences():
@@ -216,8 +217,8 @@ def test_elastoplastic_limits():
     assert_near(plastic[2], 1e-3, 1e-14)
     assert [one.tolist() for one in shares(np.array([1.0, 7.0]), np.array([0.3, 30.0]))] == [[0.0, 0.0], [1.0, 1.0]]
     load = np.geomspace(1e-8, 1e3, 12)[None]
-    soft = persson_2001_elastoplastic.area_at_load(load, given(theta=1.0, lam=1e24, density=0.04))
-    assert_allclose(soft, persson_2001.area_at_load(load, given(density=0.04)), rtol=1e-12)
+    soft = persson_2001_elastoplastic.area_at_load(load, given(theta=1.0, lam=1e24, roughness_parameter=0.04))
+    assert_allclose(soft, persson_2001.area_at_load(load, given(roughness_parameter=0.04)), rtol=1e-12)
 
 
 def test_elastoplastic_hardness():
@@ -232,7 +233,7 @@ def test_elastoplastic_hardness():
     slope = float(Moments.from_asperities(sigma, R, N).rms_slope)
     assert_near(persson_2001_elastoplastic.hardness_over_slope(groups), H / (E * slope), 1e-14)
     H /= 1000
-    soft = given(theta=groups.theta, lam=groups.lam / 1e12, density=groups.density)
+    soft = given(theta=groups.theta, lam=groups.lam / 1e12, roughness_parameter=groups.roughness_parameter)
     P = 1e-4
     area = persson_2001_elastoplastic.area_at_load(np.array([[P]]), soft)[0, 0] * math.pi * R * sigma
     assert_near(area, P * K * math.sqrt(R) * sigma**1.5 / H, 1e-14)
@@ -254,15 +255,16 @@ def test_interaction():
 def test_interaction_only_shifts():
     """Each pair of load and area is one of Greenwood & Williamson's, however strong the interaction; none for a small area."""
     h = np.linspace(-10.0, 10.0, 41)
-    groups = given(density=0.04, sharpness=0.03, nominal_width=[1e-12, 1e2, 1e5, 1e12])
+    model = ciavarella_greenwood_paggi_2008
+    groups = given(roughness_parameter=0.04, sharpness=0.03, nominal_width=[1e-12, 1e2, 1e5, 1e12])
     load, area = ciavarella_greenwood_paggi_2008.curve(h, groups)
     lone = np.linspace(-10.0, 20.0, 3001)
     area_of = np.interp(np.log(load[:, ::-1]), np.log(truncated_mean(1.5, lone[::-1])), np.log(truncated_mean(1.0, lone[::-1])))
     assert_allclose(np.log(area[:, ::-1]), area_of, atol=1e-4)
     assert_allclose(load[0], truncated_mean(1.5, h), rtol=1e-9)
     assert np.all(np.diff(load, axis=1) < 0) and np.all(np.diff(load, axis=0) <= 0)
-    shift = ciavarella_greenwood_paggi_2008.SINKING * 4 / 3 * groups.density[:, None] * 0.03 * groups.nominal_width[:, None]
-    x = ciavarella_greenwood_paggi_2008.shifted_separation(np.broadcast_to(h, load.shape), np.broadcast_to(shift, load.shape))
+    shift = model.SINKING * 4 / 3 * groups.roughness_parameter[:, None] * 0.03 * groups.nominal_width[:, None]
+    x = model.shifted_separation(np.broadcast_to(h, load.shape), np.broadcast_to(shift, load.shape))
     assert_allclose(x - shift * load, np.broadcast_to(h, load.shape), rtol=1e-9, atol=1e-9)
 
 
@@ -282,7 +284,7 @@ def test_order_at_light_load():
     """At light load Persson's kappa is 1.596, simulations have about 2, Bush, Gibson & Thomas 2.507 at most."""
     density = float(moments.density_of_bandwidth(3.0))
     h = np.array([6.0])
-    groups = given(density=density)
+    groups = given(roughness_parameter=density)
     load, area = bush_gibson_thomas_1975.curve(h, groups)
     theirs = kappa(load, area, density)[0, 0]
     persson = kappa(load, persson_2001.area_at_load(load, groups), density)[0, 0]

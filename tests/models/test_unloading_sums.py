@@ -12,7 +12,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import stiction as st
-from stiction.laws.registry import of_kind
+from stiction.laws.registry import AsperityLaw, of_kind
 from stiction.quantities.errors import InputError
 
 THETA, LAM, NU, HARDNESS_TO_YIELD = 40.0, 3.0, 0.3, 2.8
@@ -318,7 +318,7 @@ REFUSED = {
     "own regimes": ({"model": "soft_coating_2015"}, "a plain sum over an asperity law"),
     "closed form": ({"model": "bush_gibson_thomas_1975"}, "has no history"),
     "branch": ({"asperity": "jkr", "branch": "loading"}, "what was pressed unloads"),
-    "film law": ({"coating_law": "soft_coating_2015"}, "no such option"),
+    "film law": ({"film": "soft_coating_2015"}, "no such option"),
     "nearer": ({"separation": [0.5, 0.2], "distance": None}, "0.3 or more: the surfaces were pressed to there"),
     "negative": ({"distance": -0.1}, "0 or more"),
     "no distance": ({"distance": None}, "exactly one of the two"),
@@ -347,7 +347,7 @@ def test_refused_with_a_film():
 
 def test_every_asperity_law_is_known_or_refused():
     groups = INDICES.resolved()
-    for key, record in of_kind("asperity").items():
+    for key, record in of_kind(AsperityLaw).items():
         if any(getattr(groups, name, None) is None for name in record.needs):
             assert key not in KNOWN
             continue

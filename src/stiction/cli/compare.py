@@ -30,9 +30,10 @@ def compare(
     if out is not None:
         check_folder(out)
     with busy("Reading the case"):
+        from stiction.report.comparison_rows import comparison
         from stiction.studies.case import read_case
         from stiction.studies.case_results import compare_case
-        from stiction.studies.comparison import comparison, working_load
+        from stiction.studies.comparison import working_load
 
         chosen = read_case(case)
         at = working_load(chosen, load)
@@ -61,9 +62,9 @@ def compare(
 def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> list[str]:
     """Write tables and the picture; returns their names."""
     with busy("Drawing"):
+        from stiction.report.comparison_rows import at_load_rows, comparison_rows
         from stiction.report.files import write_folder, write_netcdf, write_picture, write_rows
         from stiction.report.pictures import comparison_figure
-        from stiction.studies.comparison import at_load_rows, comparison_rows
 
         files = {
             "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),

@@ -1,13 +1,14 @@
 """The program that the commands belong to, and what they share: options, exit codes, waiting lines and bars."""
 
 import sys
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 
 from stiction import __version__
 from stiction.quantities.errors import InputError
@@ -38,9 +39,11 @@ class _Commands(TyperGroup):
 
 @contextmanager
 def _one_line() -> Iterator[None]:
-    """What the user can cause is said in one line, and ends the program with its exit code."""
+    """What the user can cause is said in one line, and ends the program with its exit code; so is that a name is old."""
     try:
-        yield
+        with warnings.catch_warnings():
+            warnings.showwarning = _say_what_is_old
+            yield
     except InputError as error:
         print(f"stiction: {error}", file=sys.stderr)
         raise typer.Exit(_BAD_INPUT) from None
@@ -50,6 +53,11 @@ def _one_line() -> Iterator[None]:
     except KeyboardInterrupt:
         print("stiction: interrupted", file=sys.stderr)
         raise typer.Exit(_INTERRUPTED) from None
+
+
+def _say_what_is_old(message, category, *where: Any) -> None:
+    if issubclass(category, FutureWarning):
+        print(f"stiction: {message}", file=sys.stderr)
 
 
 def _as_input(error: Any) -> InputError:
@@ -95,6 +103,43 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+
+
+class TakesOptionsOfRecords(TyperCommand):
+    """A command that also takes the options of models and laws, as their records name them: --reading published."""
+
+    def parse_args(self, ctx, args):
+        own = {name for parameter in self.params for name in (*parameter.opts, *parameter.secondary_opts)} | {"-h", "--help"}
+        if any(word.startswith("--") and word.partition("=")[0] not in own for word in args):
+            ctx.meta[_OPTIONS], args = _take(args, own)
+        return super().parse_args(ctx, args)
+
+
+_OPTIONS = "stiction.options"
+
+
+def options_of_records(context: typer.Context) -> dict[str, str]:
+    """The options of models and laws that were given to a command."""
+    return context.meta.get(_OPTIONS, {})
+
+
+def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
+    """The options of records among the words of a command line, by name, and the other words; own: the command's options."""
+    from stiction.laws.registry import all_options
+
+    known = {f"--{name.replace('_', '-')}": (name, values) for name, values in all_options().items()}
+    found, rest, left = {}, [], iter(words)
+    for word in left:
+        flag, _, value = word.partition("=")
+        if flag in own or flag not in known:
+            rest.append(word)
+            continue
+        name, values = known[flag]
+        given = value or next(left, None)
+        if given not in values:
+            raise InputError(flag, given, ", ".join(values))
+        found[name] = given
+    return found, rest
 
 
 def folder(text: str | Path) -> Path:

@@ -1,12 +1,14 @@
 """`stiction run`: one case, solved."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stiction.cli.program import Json, Out, Reading, app, busy, console, solving, written
+from stiction.cli.program import Json, Out, TakesOptionsOfRecords, app, busy, console, options_of_records, solving, written
 from stiction.quantities.table import QUANTITIES
+from stiction.solving.choice import without_old_names
 
 if TYPE_CHECKING:
     import xarray
@@ -24,23 +26,24 @@ def case_numbers() -> str:
     return "\n\n".join(["Numbers of a case file, text with its unit where it has one:", *lines])
 
 
-@app.command(epilog=case_numbers())
+@app.command(cls=TakesOptionsOfRecords, epilog=case_numbers())
 def run(
+    context: typer.Context,
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact and what to solve.")],
     out: Out = None,
     model: Annotated[str | None, typer.Option(help="Key of a rough-surface model, see: stiction models.")] = None,
     asperity: Annotated[str | None, typer.Option(help="Asperity law in place of its own.")] = None,
     tangential: Annotated[str | None, typer.Option(help="Tangential law in place of its own; none: contact only.")] = None,
-    coating_law: Annotated[str | None, typer.Option(help="Film law in place of its own.")] = None,
-    reading: Reading = None,
-    branch: Annotated[str | None, typer.Option(help="loading (default) or unloading.")] = None,
-    transition: Annotated[str | None, typer.Option(help="How a bare asperity turns plastic: jump (default), gradual.")] = None,
+    film: Annotated[str | None, typer.Option(help="Film law in place of its own.")] = None,
+    coating_law: Annotated[str | None, typer.Option(hidden=True)] = None,
+    presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
     json: Json = False,
 ) -> None:
     """Solve a case: friction coefficient, contact area and load along a curve.
 
-    With --out: curve.csv, curve.nc (netCDF4) and curve.png. Options given here override those of the case file. Where the case
-    names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
+    With --out: curve.csv, curve.nc (netCDF4) and curve.png. What is given here overrides the case file; the options of a model
+    or a law may be given too, such as --reading published: stiction models KEY names them. Where the case names scans, the
+    spread of mu over the methods of finding asperities is its error band, drawn in band.png.
     """
     from stiction.report.files import check_folder
 
@@ -50,8 +53,9 @@ def run(
         from stiction.studies.case import read_case
 
         chosen = read_case(case)
-    laws = {"model": model, "asperity": asperity, "tangential": tangential, "coating_law": coating_law}
-    data = _solve(chosen, laws, {"reading": reading, "branch": branch, "transition": transition})
+    given = {"film": film, "coating_law": coating_law, "presliding": presliding}
+    laws = {"model": model, "asperity": asperity, "tangential": tangential} | without_old_names(given)
+    data = _solve(chosen, laws, options_of_records(context))
     chosen = chosen.with_surface_moments(data.attrs["model"])
     names = _write_run(out, chosen, data) if out is not None else []
     if json:
@@ -62,7 +66,7 @@ def run(
         written(out, names)
 
 
-def _solve(case: "Case", laws: dict[str, str | None], options: dict[str, str | None]) -> "xarray.Dataset":
+def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str]) -> "xarray.Dataset":
     with busy(solving()):
         from stiction.studies.case_results import solve_case
 
@@ -90,10 +94,10 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
 
 
 def _print_json(case: "Case", data: "xarray.Dataset") -> None:
-    from stiction.report.files import as_json, groups_of, record
+    from stiction.report.files import as_json, record
 
     measured = {} if case.measured is None else {"measured": case.measured.record()}
-    print(as_json(record(data, groups_of(case.subject)) | measured))
+    print(as_json(record(data, case.subject.groups()) | measured))
 
 
 def _print_run(case: "Case", data: "xarray.Dataset") -> None:

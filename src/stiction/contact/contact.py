@@ -7,15 +7,15 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
+from stiction.contact.indices import HARDNESS_TO_YIELD, Indices, plain_number
 from stiction.contact.materials import Material, as_material
+from stiction.contact.subject import Scales, Subject
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber
-from stiction.quantities.units import to_si
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show, to_si
 
-__all__ = ["Body", "Coating", "Contact", "Indices", "Roughness", "Scales", "work_of_adhesion"]
-
-# H/Y where no material says otherwise: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
-HARDNESS_TO_YIELD = 2.8
+__all__ = ["Body", "Coating", "Contact", "Indices", "Roughness", "work_of_adhesion"]
 
 # Equilibrium distance of two surfaces for the Tabor parameter. Of the order of an atomic spacing; 0.3 nm is
 # a customary round value, written down from memory and not taken from one source.
@@ -74,110 +74,7 @@ class Roughness(Input):
         return self
 
 
-@dataclass(frozen=True)
-class Scales:
-    """What the dimensionless results of a contact are multiplied by to be in SI units.
-
-    load [N] and contact_area [m^2] per asperity, separation [m], asperities: their number on the nominal
-    area. The load of the whole contact is its dimensionless value times load times asperities.
-    """
-
-    load: Any
-    contact_area: Any
-    separation: Any
-    asperities: Any
-
-
-class Indices(Input):
-    """The dimensionless groups of theory 1 and 4: all that a model needs to know of a contact.
-
-    Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
-    alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
-    out is nu, film_K_beta left out follows from film_nu, or is K_beta. The last eight are needed by some laws only.
-    Raises InputError.
-    """
-
-    theta: Number
-    lam: Number
-    nu: Number = 0.3
-    hardness_to_yield: Number = HARDNESS_TO_YIELD
-    n_E: OptionalNumber = None
-    n_H: OptionalNumber = None
-    tau: OptionalNumber = None
-    n_g: Number = 1.0
-    film_aspect: OptionalNumber = None
-    K_beta: OptionalNumber = None
-    film_nu: OptionalNumber = None
-    film_K_beta: OptionalNumber = None
-    tabor_parameter: OptionalNumber = None
-    sharpness: OptionalNumber = None
-    density: OptionalNumber = None
-    nominal_width: OptionalNumber = None
-    shear_strength: OptionalNumber = None
-    pressure_coefficient: OptionalNumber = None
-    peeling: OptionalNumber = None
-    hardening: OptionalNumber = None
-
-    @model_validator(mode="after")
-    def _film_is_whole(self):
-        needed = ("n_E", "n_H", "tau")
-        missing = [name for name in needed if getattr(self, name) is None]
-        beside = [name for name in ("film_aspect", "film_nu", "film_K_beta") if getattr(self, name) is not None]
-        if np.any(self.n_g != 1):
-            beside.append("n_g")
-        if missing and (len(missing) < len(needed) or beside):
-            given = next((name for name in needed if name not in missing), None) or beside[0]
-            raise InputError(missing[0], None, f"a film needs n_E, n_H and tau together ({given} is given)")
-        self.check_dimensions()
-        return self
-
-    @property
-    def has_film(self) -> bool:
-        """Whether there is a film."""
-        return self.tau is not None
-
-    def resolved(self) -> "Indices":
-        """The same groups with K_beta, and with a film film_nu and film_K_beta, filled in."""
-        K_beta = _K_beta_alike(self.nu) if self.K_beta is None else self.K_beta
-        if not self.has_film:
-            return self._with(K_beta=K_beta)
-        film_nu = self.nu if self.film_nu is None else self.film_nu
-        film_K_beta = self.film_K_beta
-        if film_K_beta is None:
-            film_K_beta = K_beta if self.film_nu is None else _K_beta_alike(film_nu)
-        return self._with(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta)
-
-    def film(self) -> "Indices":
-        """The groups of the film as a half-space (theory 4).
-
-        theta_c = theta n_E / n_g, lambda_c = lambda n_H^4 / (n_E n_g)^2, with nu and K beta of the film.
-        Raises InputError without a film.
-        """
-        if not self.has_film:
-            raise InputError("tau", None, "n_E, n_H and tau: there is no film")
-        whole = self.resolved()
-        strength, tabor = whole.shear_strength, whole.tabor_parameter
-        return whole.substrate()._with(
-            theta=whole.theta * whole.n_E / whole.n_g,
-            lam=whole.lam * whole.n_H**4 / (whole.n_E * whole.n_g) ** 2,
-            nu=whole.film_nu,
-            K_beta=whole.film_K_beta,
-            shear_strength=None if strength is None else strength / whole.n_H,
-            tabor_parameter=None if tabor is None else tabor * (whole.n_g / whole.n_E) ** (2 / 3),
-        )
-
-    def substrate(self) -> "Indices":
-        """The groups of the same contact without its film."""
-        return self._with(n_g=1.0, **dict.fromkeys(_FILM))
-
-    def _with(self, **changes) -> "Indices":
-        return Indices(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
-
-
-_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta")
-
-
-class Contact(Input):
+class Contact(Subject):
     """Two bodies with rough surfaces, perhaps a film between them.
 
     first, second: Material, name of a preset, or dict of numbers. work_of_adhesion: of the bodies'
@@ -228,7 +125,7 @@ class Contact(Input):
             "K_beta": bare.K * bare.beta,
             "tabor_parameter": self.tabor_parameter(),
             "sharpness": (sigma / radius) ** 0.5,
-            "density": self.roughness.asperity_density * radius * sigma,
+            "roughness_parameter": self.roughness.asperity_density * radius * sigma,
             "nominal_width": self.nominal_area**0.5 / sigma,
             "pressure_coefficient": self.pressure_coefficient,
             "peeling": self.peeling,
@@ -251,10 +148,46 @@ class Contact(Input):
             }
         return groups
 
+    @property
+    def has_film(self) -> bool:
+        return self.coating is not None
+
+    @property
+    def heights(self) -> tuple[str, dict[str, Any]]:
+        return self.roughness.height_distribution, self.roughness.height_parameters
+
     def with_surface_moments(self) -> "Contact":
-        """The contact as theories of the whole surface take it: with the asperities that have its spectral moments."""
         surface = self.roughness.surface
         return self if surface is None else self.model_copy(update={"roughness": surface})
+
+    def groups(self) -> dict[str, float]:
+        """Also the plasticity index, which needs the materials."""
+        return super().groups() | {"plasticity_index": float(self.plasticity_index)}
+
+    def given_as(self, group: str) -> str:
+        return {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}.get(group, group)
+
+    def read(self, value: Any, name: str) -> Any:
+        return to_si(value, name)
+
+    def read_point(self, entry: Any, name: str, where: str) -> float:
+        """Text with a unit; a mean separation may also be a plain number, over sigma."""
+        if not isinstance(entry, str):
+            if name == "mean_separation":
+                return plain_number(entry, where) * self.roughness.asperity_height_deviation
+            wanted = f"{QUANTITIES[name].meaning}, {QUANTITIES[name].wanted}"
+            raise InputError(where, entry, f"text with a unit: {wanted}")
+        try:
+            return to_si(entry, name)
+        except InputError as error:
+            raise InputError(where, error.value, error.allowed) from None
+
+    def show(self, value: float, name: str, digits: int = 6) -> str:
+        return show(value, name, digits)
+
+    def attributes(self, name: str) -> dict[str, str]:
+        quantity = QUANTITIES[name]
+        return {"long_name": quantity.meaning, "symbol": quantity.symbol, "units": quantity.unit or "1"}
 
     def scales(self) -> Scales:
         """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""
@@ -361,8 +294,3 @@ def _choose(condition, one, other):
 
         return xarray.where(condition, one, other)
     return one if condition else other
-
-
-def _K_beta_alike(nu):
-    """K beta of two bodies alike, or of one against a rigid body (theory 1): 6.4762 at nu = 0.3."""
-    return 8 / 3 * (2 - nu) / (1 - nu)

@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import bind, formula, kernel
 from stiction.engine.regime import Regime
 from stiction.laws.piece import NormalPiece, TangentialResistance

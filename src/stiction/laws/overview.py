@@ -37,7 +37,7 @@ def _row(record: Record) -> dict[str, Any]:
         "source": [str(source) for source in record.sources],
         "validity": [f"{rule.quantity} {rule.range}: {rule.why}" for rule in record.validity],
         "needs": list(record.needs),
-        "options": {name: list(values) for name, values in record.own_options.items()},
+        "options": {name: list(values) for name, values in record.options.items()},
         "accuracy": record.accuracy,
         "verified": record.verified,
         "limits": [_limit(limit) for limit in record.limits],

@@ -1,8 +1,8 @@
 """What the program knows of its models: one record each, found in their folders and in entry points.
 
-A model is a module with a RECORD. Adding one is one file in its folder (or, outside the package, an entry point in the group
-"stiction"), one file of reference numbers in the tests and one bibliography entry; tables, command line, citations and
-contract tests are made from the record.
+A model is a module with a RECORD, in the folder named for its kind. Adding one is one file in its folder (or, outside the
+package, an entry point in the group "stiction"), one file of reference numbers in the tests and one bibliography entry; tables,
+command line, citations and contract tests are made from the record.
 """
 
 import importlib
@@ -13,14 +13,10 @@ from dataclasses import dataclass, field
 from functools import cache
 from importlib.metadata import entry_points
 from math import inf
-from typing import ClassVar
+from typing import ClassVar, TypeVar
 
 from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
-
-_FOLDERS = ("rough_surface", "asperity", "tangential", "film", "composite", "presliding", "criterion", "not_available")
-PLACES = tuple(f"stiction.laws.{folder}" for folder in _FOLDERS)
-_HOMES = {folder.replace("_", " "): place for folder, place in zip(_FOLDERS, PLACES, strict=True)}
 
 GRADES = {
     "A": "reproduces numbers that its source prints",
@@ -92,7 +88,8 @@ class Jump:
 class Record:
     """All that is said of one model; each kind adds what it computes.
 
-    key: author_year, or a name. grade: see GRADES. verified: what the numbers were checked against. needs: names of the groups
+    kind: what it is, in words; its folder has this name. keyword: by which a user chooses one, "" if nobody does. key:
+    author_year, or a name. grade: see GRADES. verified: what the numbers were checked against. needs: names of the groups
     it depends on. own_options: option name -> allowed values, the first is the default. load_falls: the source's load falls
     with growing separation wherever it is compressive. accuracy: sums are good to this, relative to each law's own; larger
     where kinks of a law are found by scanning. notes: what a user should know. entries: bibliography entries that the
@@ -100,6 +97,7 @@ class Record:
     """
 
     kind: ClassVar[str]
+    keyword: ClassVar[str] = ""
     key: str
     title: str
     grade: str
@@ -114,6 +112,15 @@ class Record:
     notes: str = ""
     entries: Mapping[str, str] = field(default_factory=dict)
 
+    @property
+    def options(self) -> Mapping[str, tuple[str, ...]]:
+        """Every option of it: name -> allowed values, the first is the default."""
+        return self.own_options
+
+    def parts(self, options: Mapping[str, str]) -> list["Record"]:
+        """Other records that these options bring into it: they answer too, and are to be cited."""
+        return []
+
 
 @dataclass(frozen=True, kw_only=True)
 class AsperityLaw(Record):
@@ -125,7 +132,7 @@ class AsperityLaw(Record):
     the distance (n,) over sigma; None where the law, if it yields and adheres, says nothing of that.
     """
 
-    kind = "asperity"
+    kind = keyword = "asperity"
     pieces: Callable
     released: Callable | None = None
     traits: frozenset[str] = frozenset()
@@ -141,7 +148,7 @@ class TangentialLaw(Record):
     and the outer contact area count, whichever body answers.
     """
 
-    kind = "tangential"
+    kind = keyword = "tangential"
     tangential_resistance: Callable
     wants: Mapping[str, str] = field(default_factory=dict)
     interfacial: bool = False
@@ -156,15 +163,25 @@ class FilmLaw(Record):
     `law` is not used. tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with
     laws of the interface, or the key of the one that is built into it. asperity: key of the asperity law that its source
     takes; any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
+    composites: properties of film and substrate together which options of these names choose among the composites: property ->
+    key of the default.
     """
 
-    kind = "film"
+    kind = keyword = "film"
     regimes: Callable
     wants: Mapping[str, str] = field(default_factory=dict)
     own_asperity: bool = False
     tangential: str = ""
     asperity: str = ""
     interchangeable: bool = True
+    composites: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def options(self) -> Mapping[str, tuple[str, ...]]:
+        return {name: _first(key, composites_of(name)) for name, key in self.composites.items()} | dict(self.own_options)
+
+    def parts(self, options: Mapping[str, str]) -> list[Record]:
+        return [composites_of(name)[options[name]] for name in self.composites]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -180,7 +197,7 @@ class RoughSurface(Record):
     that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
     """
 
-    kind = "rough surface"
+    kind, keyword = "rough surface", "model"
     asperity: str = ""
     tangential: str = "none"
     default_film: str = ""
@@ -195,12 +212,17 @@ class RoughSurface(Record):
 class Composite(Record):
     """A property of film and substrate together, against the depth: for films that are one body of changing properties.
 
-    value: a formula of scalars; `property` is "modulus" or "hardness".
+    property, and value, a formula of scalars: "modulus", over that of the substrate, by value(film's over substrate's,
+    thickness over contact radius, nu of film and substrate); "hardness", likewise, by value(film's over substrate's, depth
+    over thickness, constant, exponent), with constants(n_E, n_H, n_Y) -> (n,), n_Y the ratio of the yield stresses, and
+    landmarks(constant, exponent) -> (n, m), depths over thickness between which it is smooth.
     """
 
     kind = "composite"
     property: str
     value: Callable
+    constants: Callable | None = None
+    landmarks: Callable | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -208,7 +230,7 @@ class Presliding(TangentialLaw):
     """How a contact yields elastically to a tangential force before it slides: a tangential law whose resistance is the
     tangential stiffness of one asperity at no force, times sigma and in the unit of the load."""
 
-    kind = "presliding"
+    kind = keyword = "presliding"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -238,52 +260,83 @@ class Unavailable(Record):
     nearest: str
 
 
-KINDS = {
-    one.kind: one for one in (RoughSurface, AsperityLaw, TangentialLaw, FilmLaw, Composite, Presliding, Criterion, Unavailable)
-}
-# What the user calls the choice of a record of each kind.
-CHOICES = {
-    "rough surface": "model",
-    "asperity": "asperity",
-    "tangential": "tangential",
-    "film": "coating_law",
-    "presliding": "presliding",
-}
+KINDS: tuple[type[Record], ...] = (
+    RoughSurface,
+    AsperityLaw,
+    TangentialLaw,
+    FilmLaw,
+    Composite,
+    Presliding,
+    Criterion,
+    Unavailable,
+)
+_R = TypeVar("_R", bound=Record)
+
+
+def _package(kind: type[Record]) -> str:
+    """The folder of the records of a kind."""
+    return f"stiction.laws.{kind.kind.replace(' ', '_')}"
 
 
 @cache
+def _outside() -> tuple[Record, ...]:
+    """Records of other distributions."""
+    return tuple(entry.load() for entry in entry_points(group="stiction"))
+
+
+@cache
+def _inside(folder: str) -> tuple[Record, ...]:
+    """The records of one folder of this package."""
+    package = importlib.import_module(folder)
+    modules = [importlib.import_module(one.name) for one in pkgutil.iter_modules(package.__path__, f"{folder}.")]
+    return tuple(module.RECORD for module in modules if hasattr(module, "RECORD"))
+
+
+def of_kind(kind: type[_R]) -> dict[str, _R]:
+    """The records of one kind, in alphabetical order: key -> record. Those of other kinds are not loaded."""
+    found = [one for one in (*_inside(_package(kind)), *_outside()) if isinstance(one, kind) and one.kind == kind.kind]
+    return {one.key: one for one in sorted(found, key=lambda one: one.key)}
+
+
 def records() -> tuple[Record, ...]:
     """Every record, in the order of KINDS, each kind in alphabetical order."""
-    found = []
-    for place in PLACES:
-        package = importlib.import_module(place)
-        for module in pkgutil.iter_modules(package.__path__, f"{place}."):
-            found.append(getattr(importlib.import_module(module.name), "RECORD", None))
-    found += [entry.load() for entry in entry_points(group="stiction")]
-    order = list(KINDS)
-    return tuple(sorted((one for one in found if one), key=lambda one: (order.index(one.kind), one.key)))
+    return tuple(record for kind in KINDS for record in of_kind(kind).values())
 
 
-def of_kind(kind: str) -> dict[str, Record]:
-    """The records of one kind: key -> Record."""
-    return {one.key: one for one in records() if one.kind == kind}
-
-
-def find(key: str, kind: str) -> Record:
+def find(key: str, kind: type[_R]) -> _R:
     """The record of this key and kind; InputError otherwise. One of the package is in the file of its name: the others are then
     not loaded."""
-    place = _HOMES.get(kind)
-    if place is not None and key.isidentifier() and importlib.util.find_spec(f"{place}.{key}") is not None:
-        record = getattr(importlib.import_module(f"{place}.{key}"), "RECORD", None)
-        if isinstance(record, KINDS[kind]) and record.kind == kind:
+    module = f"{_package(kind)}.{key}"
+    if key.isidentifier() and importlib.util.find_spec(module) is not None:
+        record = getattr(importlib.import_module(module), "RECORD", None)
+        if isinstance(record, kind):
             return record
     known = of_kind(kind)
     if key not in known:
-        raise InputError(CHOICES.get(kind, kind), key, ", ".join(known))
+        raise InputError(kind.keyword or kind.kind, key, ", ".join(known))
     return known[key]
 
 
-def incompatibility(law: "TangentialLaw | FilmLaw", asperity: AsperityLaw) -> str:
+def all_options() -> dict[str, tuple[str, ...]]:
+    """Every option of every record: name -> all values that any of them allows."""
+    known: dict[str, dict[str, None]] = {}
+    for record in records():
+        for name, values in record.options.items():
+            known.setdefault(name, {}).update(dict.fromkeys(values))
+    return {name: tuple(values) for name, values in known.items()}
+
+
+def composites_of(property: str) -> dict[str, Composite]:
+    """The composites that give a property: key -> record."""
+    return {key: one for key, one in of_kind(Composite).items() if one.property == property}
+
+
+def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
+    """The known keys, this one first."""
+    return key, *(one for one in known if one != key)
+
+
+def incompatibility(law: TangentialLaw | FilmLaw, asperity: AsperityLaw) -> str:
     """Why a tangential law or a film cannot go with an asperity law; "" if it can."""
     missing = [f"{why} ({trait}: {TRAITS[trait]})" for trait, why in law.wants.items() if trait not in asperity.traits]
     return f"{law.key} does not suit the asperity law {asperity.key}: {'; '.join(missing)}" if missing else ""
@@ -300,14 +353,13 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
 
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:
     """Those of the options that are the record's own."""
-    return {name: options[name] for name in record.own_options}
+    return {name: options[name] for name in record.options}
 
 
 def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:
-    """Every own option of these records, with its default where None or nothing is given; InputError for what they do not
-    have."""
+    """Every option of these records, with its default where None or nothing is given; InputError for what they do not have."""
     known = tuple(known)
-    allowed = {name: values for record in known for name, values in record.own_options.items()}
+    allowed = {name: values for record in known for name, values in record.options.items()}
     for name, value in options.items():
         if value is not None and value not in allowed.get(name, ()):
             nothing = f"nothing: {' and '.join(record.key for record in known)} have no such option"

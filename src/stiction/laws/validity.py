@@ -1,51 +1,125 @@
-"""Where a result goes beyond what the authors of its laws claim."""
+"""Where a result goes beyond what the authors of its laws claim, as data: doubts."""
 
+import json
+import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.contact.contact import Contact, Indices
-from stiction.laws.registry import Record, Validity
+from stiction.contact.subject import Subject
+from stiction.laws.registry import Record
 from stiction.quantities.table import QUANTITIES
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @dataclass(frozen=True)
-class Breach:
-    """A range of validity that is left: by which values, at how many points of how many."""
+class Doubt:
+    """Why a result may not hold.
 
-    rule: Validity
-    ends: tuple[str, ...]
-    outside: int
-    points: int
+    why: in words. quantity: a name of the table of quantities, "" for a doubt that is of none; then all else is left out.
+    least, most: of its values that are outside, at `outside` of `points` points; low, high: the range that is claimed,
+    infinite where it is open.
+    """
+
+    why: str
+    quantity: str = ""
+    least: float = math.nan
+    most: float = math.nan
+    low: float = -math.inf
+    high: float = math.inf
+    outside: int = 0
+    points: int = 0
+
+    @property
+    def beyond(self) -> float:
+        """How far outside at the worst: over the bound that is left, or as it is where that bound is zero."""
+        ends = [(self.low, self.low - self.least), (self.high, self.most - self.high)]
+        return max(distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound))
+
+    def as_data(self) -> dict[str, Any]:
+        """The fields with `beyond`, for programs; a doubt that is of no quantity has its words only."""
+        return asdict(self) | {"beyond": self.beyond} if self.quantity else {"why": self.why}
+
+    @property
+    def _values(self) -> str:
+        return " to ".join(dict.fromkeys((f"{self.least:.3g}", f"{self.most:.3g}")))
+
+    @property
+    def _range(self) -> str:
+        return range_in_words(self.low, self.high)
 
     def __str__(self) -> str:
+        if not self.quantity:
+            return self.why
         where = f"in {self.outside} of {self.points} points" if self.points > 1 else "here"
-        meaning = QUANTITIES[self.rule.quantity].meaning
-        return f"{meaning} is {' to '.join(self.ends)} {where}, claimed is {self.rule.range}: {self.rule.why}"
+        return f"{QUANTITIES[self.quantity].meaning} is {self._values} {where}, claimed is {self._range}: {self.why}"
+
+    @property
+    def rule(self) -> str:
+        """Which range is left, without by how much."""
+        return f"{QUANTITIES[self.quantity].symbol} is not {self._range}: {self.why}" if self.quantity else self.why
 
     @property
     def short(self) -> str:
         """The same with the quantity's symbol."""
-        return f"{QUANTITIES[self.rule.quantity].symbol} = {' to '.join(self.ends)}, not {self.rule.range}: {self.rule.why}"
+        if not self.quantity:
+            return self.why
+        return f"{QUANTITIES[self.quantity].symbol} = {self._values}, not {self._range}: {self.why}"
 
 
-def breaches(contact: Contact | Indices, records: Iterable[Record], results: Mapping[str, np.ndarray]) -> list[Breach]:
+def range_in_words(low: float, high: float) -> str:
+    """ "0 to 0.5", "5 or more"."""
+    if high == math.inf:
+        return f"{low:g} or more"
+    return f"{high:g} or less" if low == -math.inf else f"{low:g} to {high:g}"
+
+
+def doubts_about(subject: Subject, records: Iterable[Record], results: Mapping[str, np.ndarray]) -> list[Doubt]:
     """The ranges of validity that are left. results: normalised, by name; the mean separation over sigma."""
     found = []
     for rule in dict.fromkeys(rule for record in records for rule in record.validity):
-        values = _known(contact, results, rule.quantity)
-        if values is None or not np.any(outside := (values < rule.low) | (values > rule.high)):
+        value = results[rule.quantity] if rule.quantity in results else subject.known(rule.quantity)
+        if value is None:
             continue
-        ends = dict.fromkeys((f"{values[outside].min():.3g}", f"{values[outside].max():.3g}"))
-        found.append(Breach(rule, tuple(ends), int(outside.sum()), outside.size))
+        values = np.atleast_1d(np.asarray(value, dtype=float))
+        outside = (values < rule.low) | (values > rule.high)
+        if outside.any():
+            ends = float(values[outside].min()), float(values[outside].max())
+            found.append(Doubt(rule.why, rule.quantity, *ends, rule.low, rule.high, int(outside.sum()), outside.size))
     return found
 
 
-def _known(contact: Contact | Indices, results: Mapping[str, np.ndarray], name: str) -> np.ndarray | None:
-    """Values of a quantity that a range of validity speaks of, as far as this contact decides it."""
-    if name in results:
-        return np.atleast_1d(results[name])
-    known = contact if hasattr(contact, name) or isinstance(contact, Indices) else contact.indices()
-    value = getattr(known, name, None)
-    return None if value is None else np.atleast_1d(np.asarray(value() if callable(value) else value, dtype=float))
+def with_doubts(data: "xarray.Dataset", more: Iterable[Doubt]) -> "xarray.Dataset":
+    """A result with these doubts beside those that it has: as text under `outside_validity`, as JSON under `doubts`."""
+    return data.assign_attrs(as_attributes([*doubts_of(data), *more]))
+
+
+def as_attributes(doubts: Iterable[Doubt]) -> dict[str, str]:
+    """Attributes of a result that say its doubts; a netCDF file keeps them."""
+    doubts = tuple(doubts)
+    data = [{name: _plain(value) for name, value in doubt.as_data().items()} for doubt in doubts]
+    return {"outside_validity": "; ".join(map(str, doubts)), "doubts": json.dumps(data, ensure_ascii=False)}
+
+
+def doubts_of(data: "xarray.Dataset") -> list[Doubt]:
+    """The doubts that a result carries."""
+    return read_doubts(data.attrs.get("doubts", "[]"))
+
+
+def read_doubts(text: str) -> list[Doubt]:
+    """The doubts that `as_attributes` wrote as JSON."""
+    return [_read(row) for row in json.loads(text)]
+
+
+def _plain(value: Any) -> Any:
+    """JSON knows no infinity: an open end is null."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _read(row: Mapping[str, Any]) -> Doubt:
+    ends: dict[str, Any] = {"low": -math.inf, "high": math.inf}
+    return Doubt(**{name: ends[name] if row[name] is None else row[name] for name in row if name != "beyond"})

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, ValidationError, ValidationInfo
 
+from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES, Quantity
 from stiction.quantities.units import to_si
@@ -94,21 +95,8 @@ class Input(BaseModel):
                 yield name, value
 
     def check_dimensions(self) -> None:
-        """Raise InputError where two arrays disagree about a dimension of the same name.
-
-        xarray would quietly keep only the values that both have, or refuse with a message about indexes.
-        """
-        seen: dict[Any, tuple[str, np.ndarray]] = {}
-        for name, array in self.arrays():
-            for dimension in array.dims:
-                along = np.asarray(array[dimension])
-                first, known = seen.setdefault(dimension, (name, along))
-                if not np.array_equal(along, known):
-                    raise InputError(
-                        name,
-                        f"dimension {dimension!r} of length {along.size}",
-                        f"the values of {first} along {dimension!r}, or another dimension",
-                    )
+        """Raise InputError where two arrays disagree about a dimension of the same name."""
+        coordinates(self.arrays())
 
 
 def number_schema(quantity: Quantity) -> dict:

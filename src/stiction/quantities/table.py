@@ -48,6 +48,11 @@ class Quantity:
         return f'{self.allowed}, e.g. "{self.example}"' if self.unit and self.example else self.allowed
 
     @property
+    def scale(self) -> str:
+        """What results of a whole contact are scaled by (contact.subject.Scales): the SI unit, or "count" of asperities."""
+        return "count" if self.normalised_by == _COUNT else self.unit
+
+    @property
     def label(self) -> str:
         """The meaning with its unit, as on an axis: "asperity tip radius [m]"."""
         return f"{self.meaning} [{self.unit}]" if self.unit else self.meaning
@@ -115,7 +120,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("tabor_parameter", "mu_T", r"\mu_\mathrm{T}", "", _POSITIVE, "2",
      "Tabor parameter (R gamma^2 / (E*^2 epsilon^3))^(1/3)"),
     ("sharpness", "sqrt(sigma/R)", r"\sqrt{\sigma/R}", "", _POSITIVE, "0.03", "sqrt(sigma/R)"),
-    ("density", "N R sigma", r"NR\sigma", "", _POSITIVE, "0.04", "asperity density times R sigma"),
+    ("roughness_parameter", "N R sigma", r"NR\sigma", "", _POSITIVE, "0.04",
+     "roughness parameter, asperity density times R sigma"),
     ("nominal_width", "sqrt(A_n)/sigma", r"\sqrt{A_\mathrm{n}}/\sigma", "", _POSITIVE, "20000",
      "square root of the nominal area over sigma"),
     ("shear_strength", "tau_0/H", r"\tau_0/H", "", _NOT_NEGATIVE, "0.1",

@@ -11,6 +11,7 @@ from numbers import Real
 
 import numpy as np
 
+from stiction.quantities.dimensions import without_indexes
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES, Quantity
 
@@ -150,7 +151,7 @@ def _from_labelled(array, quantity: Quantity):
     unit = str(array.attrs.get("units", quantity.unit))
     if unit not in (quantity.unit, quantity.unit or "1"):  # xarray users write "1" where there is no unit
         values = values * float(_factor(unit, quantity, unit))
-    result = array.copy(data=np.asarray(values))
+    result = without_indexes(array).copy(data=np.asarray(values))
     result.attrs = {}  # they would travel into products with other quantities; the field says what it is
     return result
 

@@ -11,28 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.laws.validity import doubts_of
 from stiction.quantities.errors import InputError
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-    from stiction.contact.contact import Contact, Indices
-
 _DOTS_PER_INCH = 150
-
-
-def groups_of(subject: "Contact | Indices") -> dict[str, float]:
-    """The dimensionless groups of a contact without arrays: name -> number; with plasticity index and Tabor parameter
-    where the materials are known."""
-    from stiction.contact.contact import Contact
-
-    indices = (subject.indices() if isinstance(subject, Contact) else subject).resolved()
-    names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
-    groups = {name: getattr(indices, name) for name in names}
-    if isinstance(subject, Contact):
-        groups |= {"plasticity_index": subject.plasticity_index, "tabor_parameter": subject.tabor_parameter()}
-    return {name: float(value) for name, value in groups.items() if value is not None}
 
 
 def as_json(content: Any) -> str:
@@ -68,7 +54,8 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
             "dims": list(variable.dims),
             "values": variable.values,
         }
-    return {"attrs": dict(data.attrs), "groups": dict(groups), "variables": variables}
+    doubts = [doubt.as_data() for doubt in doubts_of(data)]
+    return {"attrs": {**data.attrs, "doubts": doubts}, "groups": dict(groups), "variables": variables}
 
 
 def _names(data: "xarray.Dataset") -> list[str]:

@@ -1,6 +1,5 @@
 """What the command line prints: rich tables and text, made from results and records."""
 
-import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -10,16 +9,18 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from stiction.laws.registry import GRADES, find
+from stiction.contact.contact import Contact
+from stiction.laws.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
+from stiction.laws.validity import doubts_of, read_doubts
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.files import groups_of
 
 if TYPE_CHECKING:
     import xarray
 
     from stiction.studies.case import Case
 
+_NOTED: tuple[type[Record], ...] = (RoughSurface, AsperityLaw, TangentialLaw, FilmLaw)
 _ROWS = 12
 _WIDE = 1e4  # a column that spans more than this has a prefix in each cell, not one in its head
 # Result -> head of its column.
@@ -96,7 +97,7 @@ def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
         [
             ("case", case.title),
             *_contact(case.subject),
-            ("groups", _groups(groups_of(case.subject))),
+            ("groups", _groups(case.subject.groups())),
             ("model", ", ".join([used["model"], *laws, *options, f"{used['heights']} heights"])),
             ("grade", f"{used['grade']}: {GRADES[used['grade']]}"),
             ("pull-off force", _pull_off(data)),
@@ -106,8 +107,6 @@ def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
 
 def _contact(subject: Any) -> list[tuple[str, str]]:
     """Rows that describe a contact of real materials; none for dimensionless groups."""
-    from stiction.contact.contact import Contact
-
     if not isinstance(subject, Contact):
         return []
     rows = [("bodies", f"{_material(subject.first)} against {_material(subject.second)}")]
@@ -154,16 +153,16 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
         notes.append(f"friction: {used['friction_law']}")
     elif bool((data["load"] <= 0.0).any()):
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
-    kinds = {"rough surface": "model", "asperity": "asperity", "tangential": "tangential", "film": "film"}
-    for kind, name in kinds.items():
-        if used[name] != "none" and (text := find(used[name], kind).notes):
-            notes.append(f"{used[name]} ({kind}): {text}" if name != "model" else f"{used[name]}: {text}")
+    for kind in _NOTED:
+        key = used[kind.keyword]
+        if key != "none" and (text := find(key, kind).notes):
+            notes.append(f"{key}: {text}" if kind is RoughSurface else f"{key} ({kind.kind}): {text}")
     return notes
 
 
 def outside_validity(data: "xarray.Dataset") -> Text | None:
     """What is used beyond the claims of its authors, highlighted; None if nothing is."""
-    lines = [line for line in data.attrs["outside_validity"].split("; ") if line]
+    lines = [str(doubt) for doubt in doubts_of(data)]
     if not lines:
         return None
     return Text("\n".join(["outside the range of validity", *(f"  {line}" for line in lines)]), style="bold yellow")
@@ -205,8 +204,7 @@ def over_methods(one: "xarray.Dataset") -> str:
 
 def _doubts_of(one: "xarray.Dataset") -> list[str]:
     """Why one model says nothing of friction, and the ranges of validity that it leaves, without by how much."""
-    lines = [line for line in (one["why_not"].item(), *one["outside_validity"].item().split("; ")) if line]
-    return [re.sub(r" = [^,:]*, not ", " is not ", line) for line in lines]
+    return [*filter(None, [one["why_not"].item()]), *(doubt.rule for doubt in read_doubts(one["doubts"].item()))]
 
 
 def doubts(data: "xarray.Dataset") -> list[str]:

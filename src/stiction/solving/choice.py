@@ -1,20 +1,23 @@
 """What is to answer: the names under which the registry knows a model and its laws. Quick to import: nothing is looked up."""
 
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
+
+LAWS = ("model", "asperity", "tangential", "film", "presliding")  # keywords of the kinds of records that a user chooses
 
 
 @dataclass(frozen=True)
 class Choice:
     """What is to answer: a model, and in place of what it takes by itself another asperity law, tangential law ("none" for
     contact only) or film law; and how the contact yields before it slides, if that is wanted; keys of the registry. options:
-    own options of any of these; None for a default."""
+    options of any of these, by name; None for a default."""
 
     model: str = "soft_coating_2015"
     asperity: str | None = None
     tangential: str | None = None
-    coating_law: str | None = None
+    film: str | None = None
     options: Mapping[str, str | None] = field(default_factory=dict)
     presliding: str | None = None
 
@@ -25,5 +28,14 @@ class Choice:
 
     def arguments(self) -> dict[str, Any]:
         """The keywords of `solve`."""
-        laws = {name: getattr(self, name) for name in ("model", "asperity", "tangential", "coating_law", "presliding")}
-        return laws | dict(self.options)
+        return {name: getattr(self, name) for name in LAWS} | dict(self.options)
+
+
+def without_old_names(given: Mapping[str, Any]) -> dict[str, Any]:
+    """The same keywords with `film` for `coating_law`, its name until version 0.2, with a warning."""
+    renamed = dict(given)
+    if renamed.get("coating_law") is not None:
+        warnings.warn("coating_law is now called film", FutureWarning, stacklevel=3)
+        renamed["film"] = renamed["coating_law"]
+    renamed.pop("coating_law", None)
+    return renamed

@@ -5,13 +5,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from stiction.contact.groups import Groups, stiffness_group
+from stiction.contact.indices import Groups
 from stiction.engine.heights import gaussian
+from stiction.engine.regime import Regime
 from stiction.engine.summation import FARTHEST, scattered, totals_on_grid
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
-from stiction.solving.problem import problem_of
+from stiction.solving.problem import Sum, problem_of
 
 _CHUNK = 4096  # points, or laws on a grid, at a time: bounds the memory
 
@@ -98,14 +99,13 @@ def _separations(h) -> np.ndarray:
     return array
 
 
-def _groups(laws: dict[str, np.ndarray]) -> Groups:
-    """Groups of flat arrays; the film, if any, has the substrate's nu and work of adhesion and is a half-space."""
-    K_beta = stiffness_group(laws["nu"])
-    film = {}
-    if "tau" in laws:
-        ones = np.ones_like(K_beta)
-        film = {"n_g": ones, "film_aspect": np.inf * ones, "film_nu": laws["nu"], "film_K_beta": K_beta}
-    return Groups(**laws, **film, K_beta=K_beta)
+def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
+    """Regimes of laws of flat groups; the film, if any, has the substrate's nu and work of adhesion and is a half-space."""
+    ones = np.ones_like(laws["nu"])
+    film = {"n_g": ones, "film_aspect": np.inf * ones} if "tau" in laws else {}
+    problem = problem_of(Groups(**laws, **film).resolved(), choice)
+    assert isinstance(problem, Sum)  # the paper's model is one
+    return problem.regimes
 
 
 def _chunks(columns: list[np.ndarray]) -> Iterator[tuple[slice, list[np.ndarray]]]:
@@ -123,7 +123,7 @@ def _scattered(separation, laws, shape, choice) -> Evaluation:
     out = Evaluation(*(np.empty(shape) for _ in Evaluation._fields))
     flat = [array.reshape(-1) for array in out]
     for where, (h, *pieces) in _chunks([separation, *laws.values()]):
-        regimes = problem_of(_groups(dict(zip(laws, pieces, strict=True))), choice).regimes
+        regimes = _regimes(dict(zip(laws, pieces, strict=True)), choice)
         _, load, area, slip_limited, yield_limited = scattered(regimes, h, gaussian()).sum(axis=0).T
         for column, total in zip(flat, (load, area, slip_limited + yield_limited), strict=True):
             column[where] = total
@@ -134,7 +134,7 @@ def _on_grid(separation, laws, law_shape, shape, choice) -> Evaluation:
     h = separation.reshape(-1)
     table = np.empty((int(np.prod(law_shape)), len(Evaluation._fields), h.size))
     for where, pieces in _chunks(list(laws.values())):
-        regimes = problem_of(_groups(dict(zip(laws, pieces, strict=True))), choice).regimes
+        regimes = _regimes(dict(zip(laws, pieces, strict=True)), choice)
         totals_on_grid(regimes, h, gaussian(), out=table[where])
     # The table has laws and separations flattened; every axis of the result belongs to one of the two.
     of_laws = [axis for axis, length in enumerate(separation.shape) if length == 1]

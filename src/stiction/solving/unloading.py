@@ -12,21 +12,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.contact.contact import Contact, Indices
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
+from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
 from stiction.laws.asperity.shared.letting_go import drawn_apart
 from stiction.laws.joining import coordinates, within
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import AsperityLaw, RoughSurface, TangentialLaw, find
+from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.solving.choice import Choice
 from stiction.solving.inversion import largest_tension
-from stiction.solving.problem import Problem, as_asked, make_problem, spread
-from stiction.solving.solve import all_dims, attributes_of, coords_of, inverted, labelled, points_asked, summary_of, units_of
+from stiction.solving.problem import Sum, as_asked, make_problem
+from stiction.solving.results import labelled, summary_of
+from stiction.solving.solve import all_dims, inverted, point_coordinates, points_asked
 
 if TYPE_CHECKING:
     import xarray
@@ -38,7 +39,7 @@ _ROUNDING = 1e-12  # of a separation that was found, and given back
 
 
 def unload(
-    contact: Contact | Indices,
+    contact: Subject,
     *,
     pressed_to: Any = None,
     pressed_with: Any = None,
@@ -68,31 +69,31 @@ def unload(
     Raises InputError for bad input, and for laws of which it is not known how they unload.
     """
     way = _make_way(contact, Choice(model, asperity, tangential, options=options), heights)
-    contact = way.pressed.subject
-    turn = _one_of(contact, pressed_to=pressed_to, pressed_with=pressed_with)
-    point = _one_of(contact, separation=separation, distance=distance)
-    units = units_of(contact)
-    turn_dims = all_dims(way.pressed, [turn, *units.values()])
-    dims = all_dims(way.pressed, [turn, *units.values(), point])
+    subject = way.pressed.subject
+    turn = _one_of(subject, pressed_to=pressed_to, pressed_with=pressed_with)
+    point = _one_of(subject, separation=separation, distance=distance)
+    factors = subject.scales().factors()
+    turn_dims = all_dims(way.pressed, [turn, *factors.values()])
+    dims = all_dims(way.pressed, [turn, *factors.values(), point])
     shape = tuple(dims.values())
-    nearest = _nearest(contact, way.pressed, turn, pressed_with is not None, turn_dims, units)
+    nearest = _nearest(way.pressed, turn, pressed_with is not None, turn_dims, factors)
     turned = np.broadcast_to(nearest.reshape(nearest.shape + (1,) * (len(shape) - nearest.ndim)), shape)
-    wanted = np.broadcast_to(spread(point, dims) / spread(units["m"], dims), shape)
-    apart = _apart(contact, turned, wanted, np.broadcast_to(spread(units["m"], dims), shape), distance is not None)
+    wanted = np.broadcast_to(aligned(point, dims) / aligned(factors["m"], dims), shape)
+    apart = _apart(subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), distance is not None)
     results = way.at(way.rows(shape), turned, apart)
     if pressed_with is not None:
-        asked = np.broadcast_to(spread(turn, dims) / spread(units["N"], dims), shape)
+        asked = np.broadcast_to(aligned(turn, dims) / aligned(factors["N"], dims), shape)
         results = as_asked(results, np.where(apart == 0.0, asked, results["load"]))
     tables = {"mean_separation": turned + apart if separation is None else wanted} | results
-    data = labelled(contact, tables, units, dims, way.pressed.coords | coords_of([turn, point, *units.values()]))
-    data = data.merge(_ends(contact, way, nearest, units, turn_dims))
+    data = labelled(subject, tables, factors, dims, way.pressed.coords | point_coordinates(turn, point))
+    data = data.merge(_ends(way, nearest, factors, turn_dims))
     if "mean_separation" in getattr(point, "dims", ()):  # its values as they were given are the coordinate
         attributes = data["mean_separation"].attrs
         data = data.drop_vars("mean_separation").assign_coords(mean_separation=("mean_separation", point.values, attributes))
     for name, like in _DESCRIBED.items():
         if name in data.coords:
-            data[name].attrs = attributes_of(contact, like[0]) | {"long_name": like[1], "symbol": ""}
-    return data.assign_attrs(way.summary(contact, tables))
+            data[name].attrs = subject.attributes(like[0]) | {"long_name": like[1], "symbol": ""}
+    return data.assign_attrs(way.summary(tables))
 
 
 # What is in no table of quantities: like which quantity each is measured, and what it is.
@@ -116,19 +117,19 @@ class _Way:
     the asperity law) -> pieces. how: what is assumed of the asperities, in words.
     """
 
-    pressed: Problem
+    pressed: Sum
     options: Mapping[str, str]
     released: Callable
     how: str
 
-    def apart(self, rows: np.ndarray, distance: np.ndarray) -> Problem:
+    def apart(self, rows: np.ndarray, distance: np.ndarray) -> Sum:
         """The problem of the contacts of these numbers (m,), each drawn apart by its own distance (m,)."""
 
         def pieces(groups, **options):
             return self.released(groups, distance, **options)
 
         asperity = replace(self.pressed.law.asperity, pieces=pieces)
-        return replace(self.pressed, groups=self.pressed.groups[rows], law=replace(self.pressed.law, asperity=asperity))
+        return replace(self.pressed, groups=self.pressed.groups[rows], chosen=replace(self.pressed.chosen, asperity=asperity))
 
     def rows(self, shape: tuple[int, ...]) -> np.ndarray:
         """The number of the contact at each point of a result of this shape: dimensions of the contacts come first."""
@@ -145,51 +146,51 @@ class _Way:
             parts.append({name: table[:, 0] for name, table in found.items() if only in (None, name)})
         return {name: np.concatenate([part[name] for part in parts]).reshape(rows.shape) for name in parts[0]}
 
-    def summary(self, contact, tables) -> dict[str, str]:
-        known = summary_of(contact, replace(self.pressed, options=self.options), tables)
+    def summary(self, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
+        way_back = replace(self.pressed, chosen=replace(self.pressed.chosen, options=self.options))
+        known = summary_of(way_back.subject, way_back, tables)
         title = f"Unloading of {known['asperity']} after {known['model']}"
         return known | {"title": title, "grade": max(known["grade"], "B"), "unloading": self.how}
 
 
-def _one_of(contact: Contact | Indices, **either: Any) -> Any:
+def _one_of(subject: Subject, **either: Any) -> Any:
     """The one of two arguments that is given, with a dimension of its name if it is a sequence."""
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
         raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
     name, quantity = given[0], "load" if given[0] == "pressed_with" else "mean_separation"
     try:
-        value = points_asked(contact, quantity, either[name])
+        value = points_asked(subject, quantity, either[name])
     except InputError as error:
         raise InputError(name, error.value, error.allowed) from None
     renamed = quantity in getattr(value, "dims", ()) and name != "separation"
     return value.rename({quantity: name}) if renamed else value
 
 
-def _make_way(contact: Contact | Indices, choice: Choice, heights) -> _Way:
+def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     """The way apart under these laws; InputError, with the reason, where it is not known."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
     if choice.tangential not in (None, "none"):
-        law = find(choice.tangential, "tangential")
-        if isinstance(law, TangentialLaw) and not law.interfacial:
+        if not find(choice.tangential, TangentialLaw).interfacial:
             reason = f"{choice.tangential} speaks of asperities as they are pressed"
             raise InputError("tangential", choice.tangential, f"none, or a law of the interface: {reason}")
-    indices = contact.indices() if isinstance(contact, Contact) else contact
-    if getattr(indices, "has_film", False):
+    if as_subject(contact).has_film:
         raise InputError("contact", "with a film", "a bare contact: no film law says how it unloads")
-    model = find(choice.model, "rough surface")
-    if isinstance(model, RoughSurface) and not model.asperity:
+    model = find(choice.model, RoughSurface)
+    if not model.asperity:
         raise InputError("model", choice.model, "a sum over an asperity law: a theory in closed form has no history")
-    if isinstance(model, RoughSurface) and model.regimes is not None:
+    if model.regimes is not None:
         reason = f"of what {choice.model} adds to that, its source does not say how it unloads"
         raise InputError("model", choice.model, f"a plain sum over an asperity law: {reason}")
     problem = make_problem(contact, choice, heights)
+    assert isinstance(problem, Sum)  # of a model with an asperity law
     released, how = _released(problem.law.asperity, problem)
     options = dict(problem.options) | ({"branch": "unloading"} if "branch" in problem.options else {})
     return _Way(problem, options, released, how)
 
 
-def _released(law: AsperityLaw, problem: Problem) -> tuple[Callable, str]:
+def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
     """Pieces of asperities that were let go, by the law, and what that assumes."""
     if law.released is not None:
         return law.released, f"as {law.key} has it"
@@ -211,18 +212,18 @@ def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, options: di
     return [within(piece, coordinates(piece, -distance), np.inf) for piece in law.pieces(groups, **options)]
 
 
-def _nearest(contact, problem: Problem, turn, is_load: bool, dims: dict[str, int], units: dict[str, Any]) -> np.ndarray:
+def _nearest(problem: Sum, turn, is_load: bool, dims: dict[str, int], factors: Mapping[str, Any]) -> np.ndarray:
     """The nearest separations, over sigma, of the shape of these dimensions."""
-    unit = spread(units["N" if is_load else "m"], dims)
-    wanted = np.broadcast_to(spread(turn, dims) / unit, tuple(dims.values()))
+    unit = aligned(factors["N" if is_load else "m"], dims)
+    wanted = np.broadcast_to(aligned(turn, dims) / unit, tuple(dims.values()))
     if is_load:
-        return inverted(contact, problem, wanted, unit).h.reshape(wanted.shape)
+        return inverted(problem, wanted, unit).h.reshape(wanted.shape)
     if not np.abs(wanted).max(initial=0.0) <= FARTHEST:
         raise InputError("pressed_to", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
     return wanted
 
 
-def _apart(contact, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, is_distance: bool) -> np.ndarray:
+def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, is_distance: bool) -> np.ndarray:
     """Distances from the nearest separations, where these distances or separations are wanted; all of one shape."""
     distance = wanted if is_distance else wanted - nearest
     short = distance < (0.0 if is_distance else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
@@ -231,15 +232,14 @@ def _apart(contact, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, i
         raise InputError(name, float(np.abs(distance).max()), f"{FARTHEST:g} times sigma at most")
     if short.any():
         at = tuple(np.argwhere(short)[0])
-        text = (lambda x: show(x, "mean_separation")) if isinstance(contact, Contact) else "{:.6g}".format
+        given, pressed = (subject.show(one[at] * unit[at], "mean_separation") for one in (wanted, nearest))
         if is_distance:
-            raise InputError("distance", text(wanted[at] * unit[at]), "0 or more")
-        allowed = f"{text(nearest[at] * unit[at])} or more: the surfaces were pressed to there"
-        raise InputError("separation", text(wanted[at] * unit[at]), allowed)
+            raise InputError("distance", given, "0 or more")
+        raise InputError("separation", given, f"{pressed} or more: the surfaces were pressed to there")
     return np.maximum(distance, 0.0)
 
 
-def _ends(contact, way: _Way, nearest: np.ndarray, units: dict[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
+def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
     """The nearest separation, the largest tension on the way back and where it and the zero of the load are."""
     tables = {"pull_off_force": np.zeros(nearest.shape)}
     if way.pressed.adheres:
@@ -249,10 +249,11 @@ def _ends(contact, way: _Way, nearest: np.ndarray, units: dict[str, Any], dims: 
     own = {name: tables.pop(name) for name in _DESCRIBED if name in tables}
     if "pressed_to" not in dims:  # there it is a coordinate
         own["pressed_to"] = nearest
-    data = labelled(contact, tables, units, dims, {})
+    subject = way.pressed.subject
+    data = labelled(subject, tables, factors, dims, {})
     for name, table in own.items():
         quantity, meaning = _DESCRIBED[name]
-        like = labelled(contact, {quantity: table}, units, dims, {})[quantity]
+        like = labelled(subject, {quantity: table}, factors, dims, {})[quantity]
         data[name] = like.assign_attrs(long_name=meaning, symbol=QUANTITIES[name].symbol if name in QUANTITIES else "")
     return data
 

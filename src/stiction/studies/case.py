@@ -3,7 +3,6 @@
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import inf, isfinite
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -11,11 +10,12 @@ import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
 from stiction.contact.contact import Contact, Indices
+from stiction.contact.subject import Subject
+from stiction.laws.registry import all_options
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import to_si
-from stiction.solving.choice import Choice
+from stiction.solving.choice import LAWS, Choice, without_old_names
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
 
 __all__ = ["Case", "json_schema", "parse_case", "read_case"]
@@ -35,7 +35,7 @@ class Case:
     """
 
     title: str
-    subject: Contact | Indices
+    subject: Subject
     separation: np.ndarray | None
     load: np.ndarray | None
     choice: Choice
@@ -98,12 +98,27 @@ class _Solve(Input):
     model: str = Field("soft_coating_2015", description="key of a model, see `stiction models`")
     asperity: str | None = Field(None, description="key of an asperity law in place of the model's own, see `stiction models`")
     tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
-    coating_law: str | None = Field(None, description="key of a film law, see `stiction models`")
+    film: str | None = Field(None, description="key of a film law, see `stiction models`")
     presliding: str | None = Field(None, description="mindlin_1949: the tangential stiffness before sliding, too")
-    reading: str | None = Field(None, description="corrected or published, for a model with readings")
-    branch: str | None = Field(None, description="loading or unloading, for an asperity law with branches")
-    transition: str | None = Field(None, description="jump or gradual: how a bare asperity turns plastic")
-    options: dict[str, str] = Field(default_factory=dict, description="any other option of the model or of a law, by name")
+    options: dict[str, str] = Field(
+        default_factory=dict, description="options of the model or of a law, which may also stand here"
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _options_by_name(cls, given):
+        """Options may stand among the keys of the table, as they are called in the records."""
+        if not isinstance(given, Mapping):
+            return given
+        given = without_old_names(given)
+        if not given.keys() - cls.model_fields.keys():
+            return given
+        known = all_options()
+        named = {name: given.pop(name) for name in known if name in given}
+        for name, value in named.items():
+            if value not in known[name]:
+                raise InputError(name, value, ", ".join(known[name]))
+        return given | {"options": {**named, **given.get("options", {})}}
 
     @model_validator(mode="after")
     def _one_kind_of_points(self):
@@ -157,9 +172,9 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     return Case(
         title=file.title,
         subject=subject,
-        separation=_resolve(solve.separation, _separation, subject, "solve.separation"),
-        load=_resolve(solve.load, _load, subject, "solve.load"),
-        choice=_choice(solve),
+        separation=_resolve(solve.separation, "mean_separation", subject, "solve.separation"),
+        load=_resolve(solve.load, "load", subject, "solve.load"),
+        choice=Choice(options=dict(solve.options), **{name: getattr(solve, name) for name in LAWS}),
         measured=measured,
     )
 
@@ -181,16 +196,6 @@ def _measured(content: Mapping, folder: Path) -> tuple[Mapping, Measured | None]
     return {**content, "contact": {**contact, "roughness": found}}, measured
 
 
-def _choice(solve: _Solve) -> Choice:
-    return Choice(solve.model, solve.asperity, solve.tangential, solve.coating_law, _options(solve), solve.presliding)
-
-
-def _options(solve: _Solve) -> dict[str, str | None]:
-    """Options that have keys of their own, where given, and all others."""
-    named = {name: getattr(solve, name) for name in ("reading", "branch", "transition")}
-    return {name: value for name, value in named.items() if value is not None} | solve.options
-
-
 def json_schema() -> dict:
     """The JSON schema of a case file, with units and bounds in the descriptions, for editors."""
     schema = _CaseFile.model_json_schema()
@@ -200,6 +205,9 @@ def json_schema() -> dict:
     schema["$defs"] |= scans.pop("$defs") | {"MeasuredRoughness": scans}
     roughness = schema["$defs"]["Contact"]["properties"]["roughness"]
     schema["$defs"]["Contact"]["properties"]["roughness"] = {"anyOf": [roughness, {"$ref": "#/$defs/MeasuredRoughness"}]}
+    schema["$defs"]["_Solve"]["properties"] |= {
+        name: {"description": "option of a model or of a law", "enum": list(values)} for name, values in all_options().items()
+    }
     schema["$defs"]["_Solve"]["oneOf"] = [{"required": ["separation"]}, {"required": ["load"]}]
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
@@ -237,52 +245,16 @@ def _as_text(key: str) -> str:
     return f"text with a unit: {QUANTITIES[key].meaning}, {QUANTITIES[key].wanted}"
 
 
-def _resolve(points, convert, subject, where: str) -> np.ndarray | None:
+def _resolve(points, name: str, subject: Subject, where: str) -> np.ndarray | None:
     """The points as numbers, in SI units for a Contact and dimensionless for Indices."""
     if points is None:
         return None
     if not isinstance(points, _Range):
-        return np.array([convert(entry, subject, where) for entry in points])
-    start, stop = (convert(getattr(points, end), subject, f"{where}.{end}") for end in ("start", "stop"))
+        return np.array([subject.read_point(entry, name, where) for entry in points])
+    start, stop = (subject.read_point(getattr(points, end), name, f"{where}.{end}") for end in ("start", "stop"))
     if points.spacing == "linear":
         return np.linspace(start, stop, points.count)
     for end, number in (("start", start), ("stop", stop)):
         if number <= 0:
             raise InputError(f"{where}.{end}", getattr(points, end), 'above 0 where spacing = "log"')
     return np.geomspace(start, stop, points.count)
-
-
-def _separation(entry, subject, where: str) -> float:
-    """A length, or a plain number in units of sigma."""
-    if isinstance(subject, Indices):
-        return _plain(entry, where)
-    if isinstance(entry, str):
-        return _dimensional(entry, "mean_separation", where)
-    return _plain(entry, where) * subject.roughness.asperity_height_deviation
-
-
-def _load(entry, subject, where: str) -> float:
-    if isinstance(subject, Indices):
-        return _plain(entry, where)
-    if not isinstance(entry, str):
-        raise InputError(where, entry, _as_text("load"))
-    return _dimensional(entry, "load", where)
-
-
-def _plain(entry, where: str) -> float:
-    if isinstance(entry, str):
-        raise InputError(where, entry, "a plain number")
-    try:
-        number = float(entry)
-    except OverflowError:  # TOML has whole numbers without end
-        number = inf
-    if not isfinite(number):
-        raise InputError(where, entry, "a finite number")
-    return number
-
-
-def _dimensional(entry: str, name: str, where: str) -> float:
-    try:
-        return to_si(entry, name)
-    except InputError as error:
-        raise InputError(where, error.value, error.allowed) from None

@@ -7,8 +7,8 @@ import numpy as np
 
 from stiction import __version__
 from stiction.contact.contact import Contact
+from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.errors import InputError
-from stiction.report.files import groups_of
 from stiction.solving.choice import Choice
 from stiction.solving.solve import solve
 from stiction.studies.case import Case
@@ -37,7 +37,7 @@ def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
         raise InputError(error.field, error.value, error.allowed + doubts) from None
     if case.measured is not None:
         data = with_method_spread(data, case.by_method, case.measured.counts, choice)
-    return _said(data, case).assign_attrs(groups_of(case.subject))
+    return _said(data, case).assign_attrs(case.subject.groups())
 
 
 def compare_case(
@@ -75,7 +75,6 @@ def _said(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
     """With the title of the case, the program, and what was measured."""
     title = {"case": case.title} if case.title else {}
     measured = {} if case.measured is None else case.measured.attributes()
-    said = data.attrs.get("outside_validity", "")
     if case.measured is not None and case.measured.doubts:
-        measured["outside_validity"] = "; ".join(filter(None, (said, *case.measured.doubts)))
+        data = with_doubts(data, map(Doubt, case.measured.doubts))
     return data.assign_attrs(title | measured, program=f"stiction {__version__}")

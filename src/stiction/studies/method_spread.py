@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.contact import Contact
+from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
 from stiction.solving.choice import Choice
@@ -79,8 +80,7 @@ def with_method_spread(
     meaning = {"units": "1", "long_name": "how many of the asperities found would touch"}
     result = with_range_over_methods(data, list(contacts), tables[0].reshape(shape), points, _MU)
     result = result.assign(found_touching_by_method=((METHOD, *points), touching, meaning))
-    doubts = filter(None, (data.attrs["outside_validity"], _on_the_tail(result)))
-    return result.assign_attrs(outside_validity="; ".join(doubts))
+    return with_doubts(result, map(Doubt, filter(None, [_on_the_tail(result)])))
 
 
 def _on_the_tail(data: "xarray.Dataset") -> str:

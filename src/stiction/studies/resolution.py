@@ -1,4 +1,5 @@
-"""The resolution study: how sigma, R, N, and the friction that follows from them, change with the method and with the cutoff."""
+"""The resolution study: how sigma, R, N, and the friction that follows from them, change with the method and with the
+cutoff."""
 
 import math
 import warnings
@@ -8,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.contact import Contact
-from stiction.laws.registry import find
+from stiction.laws.registry import RoughSurface, find
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
 from stiction.solving.choice import Choice
@@ -148,7 +149,7 @@ def _check_contact(contact: Contact | None, load: Any, choice: Choice) -> None:
         return
     if not isinstance(contact, Contact):
         raise InputError("contact", type(contact).__name__, "a stiction.Contact")
-    if (choice.tangential or find(choice.model, "rough surface").tangential) == "none":  # type: ignore[attr-defined]
+    if (choice.tangential or find(choice.model, RoughSurface).tangential) == "none":
         raise InputError("model", choice.model, "a model of friction, or a tangential law beside it")
     for name, array in contact.arrays():
         raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")

@@ -59,7 +59,8 @@ def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, flo
 
 
 def n_point(surface: HeightMap, level: Any = 0.0, directions: str = "xy") -> Asperities:
-    """Rows of neighbouring points above a level, each one asperity: see surfaces.theory.n_point, which defines height and radius.
+    """Rows of neighbouring points above a level, each one asperity: see surfaces.theory.n_point, which defines height and
+    radius.
 
     level: [m] or text with a unit, over the mean plane. directions: as of `three_point`. Every asperity begins where the
     profile comes up through the level: these places are counted, per length of neighbours that are there. Heights and radii are

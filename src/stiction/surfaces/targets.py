@@ -4,9 +4,9 @@ The spectrum C of a surface is that of the wave vector's length q [rad/m], count
 
     m0 = Int C(q) d^2q / (2 pi)^2   of a surface, C in m^4,        m0 = Int C(q) dq / (2 pi)   of a profile, C in m^3,
 
-over both signs of every component. The moments are those of a profile along a line, as in `surfaces.theory.moments`: of an isotropic
-surface, with the mean squares M_k = Int C q^(k+1) dq / (2 pi), they are m0 = M_0, m2 = M_2 / 2, m4 = 3 M_4 / 8, because the
-mean of cos^2 over all directions is 1/2 and that of cos^4 is 3/8 (Nayak 1971).
+over both signs of every component. The moments are those of a profile along a line, as in `surfaces.theory.moments`: of an
+isotropic surface, with the mean squares M_k = Int C q^(k+1) dq / (2 pi), they are m0 = M_0, m2 = M_2 / 2, m4 = 3 M_4 / 8,
+because the mean of cos^2 over all directions is 1/2 and that of cos^4 is 3/8 (Nayak 1971).
 """
 
 import math

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity import jackson_green_2005 as unhardened

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient

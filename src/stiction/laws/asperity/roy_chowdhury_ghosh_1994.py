@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import jkr
 from stiction.laws.piece import NormalPiece

@@ -27,7 +27,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import hertz, jkr, roy_chowdhury_ghosh_1994
 from stiction.laws.joining import coordinates, within

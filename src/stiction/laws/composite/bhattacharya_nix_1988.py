@@ -31,6 +31,8 @@ RECORD = Composite(
     grade="C",
     property="hardness",
     value=value,
+    constants=constants,
+    landmarks=landmarks,
     sources=(
         Source("bhattacharya_nix_1988", "", "as restated; sources disagree on m: 2 if soft and 1 if hard, or the other way"),
     ),

@@ -14,7 +14,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.laws.registry import Criterion
 from stiction.laws.sources import Source
 from stiction.surfaces.theory.moments import slope_over_sharpness
@@ -38,7 +38,7 @@ def stickiness(groups: Groups) -> np.ndarray:
     theta^(-2/3) / mu_T by that of the Tabor parameter, h'' = sqrt(3 pi/32) s^2. s drops out.
     """
     interaction_range = np.cbrt(16.0 / 9.0) * groups.theta ** (-2.0 / 3.0) / groups.tabor_parameter
-    slope = slope_over_sharpness(groups.density)  # over s; so are h''/s^2 and (w/E*)/s
+    slope = slope_over_sharpness(groups.roughness_parameter)  # over s; so are h''/s^2 and (w/E*)/s
     return stickiness_ratio(slope, math.sqrt(3.0 * math.pi / 32.0), interaction_range, 4.0 / (3.0 * groups.theta))
 
 
@@ -54,6 +54,6 @@ RECORD = Criterion(
     below="it sticks: pulled apart, it holds a tension",
     above="it does not stick: contact needs a load",
     verified="the same ratio in SI units, to rounding",
-    needs=("theta", "density", "tabor_parameter"),
+    needs=("theta", "roughness_parameter", "tabor_parameter"),
     notes="The range of the attraction is taken as the equilibrium distance and must be short against (16/3) h'^2/h''.",
 )

@@ -12,7 +12,7 @@ from functools import cache
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import bind, formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Share

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.composite.bhattacharya_nix_1988 import constants
 from stiction.laws.film.shared.graded_kinks import find_kinks, gather

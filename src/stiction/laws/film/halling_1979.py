@@ -10,26 +10,17 @@ so that load and area are continuous.
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import bind, formula, kernel
 from stiction.engine.regime import Regime
-from stiction.laws.composite import (
-    bec_2006,
-    bhattacharya_nix_1988,
-    gao_chiu_lee_1992,
-    jonsson_hogmark_1984,
-    kao_byrne_1981,
-    perriot_barthel_2004,
-)
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Limit, Validity
+from stiction.laws.registry import FilmLaw, Limit, Validity, composites_of
 from stiction.laws.sources import Source
 
-MODULI = {one.RECORD.key: one for one in (gao_chiu_lee_1992, bec_2006, perriot_barthel_2004)}
-HARDNESSES = {one.RECORD.key: one for one in (bhattacharya_nix_1988, jonsson_hogmark_1984, kao_byrne_1981)}
 _THINNEST = 1e-100  # film over sigma, of one that is not there
 
 # The functions named _*_template are compiled anew for each choice of modulus and hardness, with these names bound.
@@ -86,7 +77,7 @@ def _onset_template(n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent,
 @cache
 def _compiled(modulus_key: str, hardness_key: str):
     """Formulas of the elastic and the plastic asperity, and the kernel that finds where one gives way to the other."""
-    names = {"modulus": MODULI[modulus_key].value, "hardness": HARDNESSES[hardness_key].value}
+    names = {"modulus": composites_of("modulus")[modulus_key].value, "hardness": composites_of("hardness")[hardness_key].value}
     elastic, plastic = formula(bind(_elastic_template, **names)), formula(bind(_plastic_template, **names))
     return elastic, plastic, kernel(bind(_onset_template, **names))
 
@@ -107,7 +98,8 @@ def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str)
     n_E, aspect = np.where(there, groups.n_E, 1.0), np.where(there, groups.film_aspect, 1.0)
     soft = float(soft_film_exponent)
     exponent = np.where(n_H < 1.0, soft, 3.0 - soft)
-    constant = HARDNESSES[hardness].constants(n_E, n_H, n_H)
+    film_hardness: Any = composites_of("hardness")[hardness]
+    constant = film_hardness.constants(n_E, n_H, n_H)
     eta = np.ascontiguousarray(groups.eta)
     elastic, plastic, onset = _compiled(modulus, hardness)
     known = [np.ascontiguousarray(np.broadcast_to(one, laws), dtype=float) for one in (
@@ -119,7 +111,7 @@ def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str)
     widths = aspect[:, None] * np.array(
         [0.1, 0.3, 1.0, 3.0, 10.0, 40.0, 200.0, 1e3, 6e3]
     )  # where the modulus passes from film to substrate
-    depths = tau[:, None] * HARDNESSES[hardness].landmarks(constant, exponent)
+    depths = tau[:, None] * film_hardness.landmarks(constant, exponent)
     none, all_u, all_w = np.zeros(laws), np.sqrt(tau), np.full(laws, np.inf)
     parts = (
         ("elastic", "film", none, np.minimum(u_c, all_u)),
@@ -151,11 +143,8 @@ RECORD = FilmLaw(
     regimes=regimes,
     tangential="interface",
     own_asperity=True,
-    own_options={
-        "modulus": tuple(MODULI),
-        "hardness": tuple(HARDNESSES),
-        "soft_film_exponent": ("2", "1"),
-    },
+    composites={"modulus": "gao_chiu_lee_1992", "hardness": "bhattacharya_nix_1988"},
+    own_options={"soft_film_exponent": ("2", "1")},
     verified="substrate and film alone in the limits; mean pressure at the onset; independent quadrature",
     needs=("theta", "lam", "nu", "n_E", "n_H", "tau", "film_aspect", "film_nu"),
     validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),

@@ -6,7 +6,7 @@ Reconstruction: the contact of chang_1997; each touching asperity is pulled by 2
 
 import math
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.film.chang_1997 import NO_ADHESION, plastic_film
 from stiction.laws.registry import FilmLaw, Validity

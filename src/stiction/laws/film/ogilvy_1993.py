@@ -5,7 +5,7 @@ asperity law, and the film shears over all of that area: T = s A. With plastic a
 of thin metallic films, shear strength of the film over hardness of the substrate.
 """
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.registry import FilmLaw, Validity
 from stiction.laws.sources import Source

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.asperity import jkr

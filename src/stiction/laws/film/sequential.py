@@ -4,7 +4,7 @@ it keeps the load and resistance it had then, and the substrate answers the rest
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.film.shared.cut_film import film_regimes

@@ -1,7 +1,7 @@
 """Bush, Gibson & Thomas 1975: the summits of an isotropic Gaussian surface as elastic paraboloids of two curvatures.
 
-Each summit is pressed as Hertz's ellipse. Nayak's density of height and curvatures (surfaces.theory.summits) sums them. The paper's
-own result for the light load is that area and load become proportional, A/A0 = sqrt(2 pi) p / (E* h').
+Each summit is pressed as Hertz's ellipse. Nayak's density of height and curvatures (surfaces.theory.summits) sums them. The
+paper's own result for the light load is that area and load become proportional, A/A0 = sqrt(2 pi) p / (E* h').
 """
 
 import math
@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 from scipy.special import ellipe, ellipkm1
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.sources import Source
 from stiction.surfaces.theory import summits
@@ -48,7 +48,7 @@ def ellipses() -> Shapes:
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """Load and area (n, H) at separations h (H,) from the mean of the summits."""
-    return summits.curve(h, groups.density, ellipses)
+    return summits.curve(h, groups.roughness_parameter, ellipses)
 
 
 RECORD = RoughSurface(
@@ -63,9 +63,11 @@ RECORD = RoughSurface(
     curve=curve,
     takes_surface_moments=True,
     verified="adaptive integrals over height and both curvatures; A/A0 = sqrt(2 pi) p/(E* h') at light load",
-    needs=("density",),
+    needs=("roughness_parameter",),
     validity=(
-        Validity("density", LEAST_DENSITY, math.inf, "no isotropic Gaussian surface has fewer asperities N R sigma"),
+        Validity(
+            "roughness_parameter", LEAST_DENSITY, math.inf, "no isotropic Gaussian surface has fewer asperities N R sigma"
+        ),
         Validity("plasticity_index", 0.0, 0.6, "summits are taken as elastic"),
         Validity("theta", 10.0, math.inf, "adhesion is left out"),
     ),

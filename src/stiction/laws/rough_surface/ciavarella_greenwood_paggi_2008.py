@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.laws.registry import Limit, RoughSurface, Validity
 from stiction.laws.sources import Source
 from stiction.surfaces.theory.summits import truncated_mean
@@ -40,7 +40,7 @@ def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 
     u / sigma = SINKING (p / E*) sqrt(A_n) / sigma with p / E* = (4/3) N R sigma sqrt(sigma/R) F_3/2.
     """
-    compliance = SINKING * 4.0 / 3.0 * groups.density * groups.sharpness * groups.nominal_width
+    compliance = SINKING * 4.0 / 3.0 * groups.roughness_parameter * groups.sharpness * groups.nominal_width
     given, compliance = np.broadcast_arrays(h[None, :], compliance[:, None])
     x = shifted_separation(given, compliance)
     return truncated_mean(1.5, x), truncated_mean(1.0, x)
@@ -63,7 +63,7 @@ RECORD = RoughSurface(
     curve=curve,
     verified="the load at the shifted separation against independent integrals; no shift for small areas; the mean "
     "displacement of a square by numerical integration",
-    needs=("density", "sharpness", "nominal_width"),
+    needs=("roughness_parameter", "sharpness", "nominal_width"),
     validity=(
         Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
         Validity("theta", 10.0, math.inf, "adhesion is left out"),

@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.sources import Source
 from stiction.surfaces.theory import summits
@@ -29,7 +29,7 @@ def spheres() -> Shapes:
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """Load and area (n, H) at separations h (H,) from the mean of the summits."""
-    return summits.curve(h, groups.density, spheres)
+    return summits.curve(h, groups.roughness_parameter, spheres)
 
 
 RECORD = RoughSurface(
@@ -44,9 +44,11 @@ RECORD = RoughSurface(
     takes_surface_moments=True,
     verified="double integrals of the closed density of height and geometric mean curvature; A/A0 = sqrt(2 pi) p/(E* h') "
     "at light load",
-    needs=("density",),
+    needs=("roughness_parameter",),
     validity=(
-        Validity("density", LEAST_DENSITY, math.inf, "no isotropic Gaussian surface has fewer asperities N R sigma"),
+        Validity(
+            "roughness_parameter", LEAST_DENSITY, math.inf, "no isotropic Gaussian surface has fewer asperities N R sigma"
+        ),
         Validity("plasticity_index", 0.0, 0.6, "summits are taken as elastic"),
         Validity("theta", 10.0, math.inf, "adhesion is left out"),
     ),

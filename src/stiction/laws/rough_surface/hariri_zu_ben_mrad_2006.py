@@ -1,7 +1,8 @@
 """Hariri, Zu & Ben Mrad 2006: asperities of n neighbouring sampled points, n growing as the surfaces come closer.
 
-The abstract's definition is known, the paper's formulas are not; surfaces.theory.n_point has what was made of it. Here each n-point
-asperity of a Gaussian profile with exponential autocorrelation is a sphere in Hertz's contact with a flat at the level d:
+The abstract's definition is known, the paper's formulas are not; surfaces.theory.n_point has what was made of it. Here each
+n-point asperity of a Gaussian profile with exponential autocorrelation is a sphere in Hertz's contact with a flat at the level
+d:
 
     area  pi R t = (pi/8) L^2,        load  (4/3) E* R^(1/2) t^(3/2) = (sqrt(2)/3) E* L t,        R = L^2 / (8 t).
 
@@ -19,7 +20,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
@@ -35,7 +36,7 @@ def correlation_of(density: np.ndarray) -> np.ndarray:
     bad = ~((density >= LEAST_DENSITY) & (density <= LARGEST_DENSITY))
     if bad.any():
         raise InputError(
-            "density",
+            "roughness_parameter",
             float(density[bad][0]),
             f"{LEAST_DENSITY:.4g} to {LARGEST_DENSITY:.4g}: N R sigma of surfaces that have a sampled profile with exponential "
             "autocorrelation, up to where its asperities are tabulated",
@@ -46,7 +47,7 @@ def correlation_of(density: np.ndarray) -> np.ndarray:
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """Load and area (n, H) at separations h (H,) from the mean of the summits."""
-    density = groups.density
+    density = groups.roughness_parameter
     correlation = correlation_of(density)[:, None]
     surface = Moments.from_groups(density, np.ones_like(density))  # in sigma; R = sigma, of which nothing depends here
     deviation = np.sqrt(surface.m0)[:, None]
@@ -74,12 +75,12 @@ RECORD = RoughSurface(
     curve=curve,
     takes_surface_moments=True,
     verified="simulated profiles of 1e8 points, and rates of rows in closed form; none of the paper's own numbers is known",
-    needs=("density",),
+    needs=("roughness_parameter",),
     load_falls=False,
     accuracy=1e-5,
     validity=(
         Validity(
-            "density",
+            "roughness_parameter",
             LEAST_DENSITY,
             LARGEST_DENSITY,
             "a surface with fewer asperities N R sigma has no sampled profile with exponential autocorrelation; with more "

@@ -28,7 +28,7 @@ RECORD = RoughSurface(
     limits=(Limit("greenwood_williamson_1966", {}, ("load", "contact_area"), 1e-14),),
     notes=(
         "For given sigma, R and N it is Greenwood & Williamson's model; it differs in taking them from the moments of the "
-        "surface, for which there is surfaces.theory.moments. Separation is from the mean of the summits; the mean plane is lower "
-        "by sigma / (sqrt(48) pi N R sigma)."
+        "surface, for which there is surfaces.theory.moments. Separation is from the mean of the summits; the mean plane is "
+        "lower by sigma / (sqrt(48) pi N R sigma)."
     ),
 )

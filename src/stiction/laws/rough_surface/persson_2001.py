@@ -10,7 +10,7 @@ import math
 import numpy as np
 from scipy.special import erf
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.sources import Source
 from stiction.surfaces.theory.moments import reduced_pressure
@@ -18,7 +18,7 @@ from stiction.surfaces.theory.moments import reduced_pressure
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H). Source: Persson 2001; no contact under tension."""
-    density = groups.density[:, None]
+    density = groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     return erf(math.sqrt(2.0) * pressure) / (math.pi * density)
 
@@ -34,7 +34,7 @@ RECORD = RoughSurface(
     area_at_load=area_at_load,
     takes_surface_moments=True,
     verified="diffusion with an absorbing boundary, by finite differences; A/A0 = sqrt(8/pi) p/(E* h') at light load",
-    needs=("density",),
+    needs=("roughness_parameter",),
     validity=(
         Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic"),
         Validity("theta", 10.0, math.inf, "adhesion is left out"),

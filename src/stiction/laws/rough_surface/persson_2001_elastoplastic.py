@@ -16,7 +16,7 @@ import math
 import numpy as np
 from scipy.special import erf, erfc
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.laws.registry import Limit, RoughSurface, Validity
 from stiction.laws.sources import Source
 from stiction.surfaces.theory.moments import reduced_pressure, slope_over_sharpness
@@ -49,12 +49,12 @@ def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np
 def hardness_over_slope(groups: Groups) -> np.ndarray:
     """H / (E* h') (n,): H/E* is (4/3) eta sqrt(sigma/R) / pi (docs/theory.md, section 1)."""
     eta = groups.eta
-    return 4.0 / 3.0 * eta / math.pi / slope_over_sharpness(groups.density)
+    return 4.0 / 3.0 * eta / math.pi / slope_over_sharpness(groups.roughness_parameter)
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Area, elastic and plastic, per asperity over pi R sigma (n, H) at loads per asperity (n, H); none under tension."""
-    density = groups.density[:, None]
+    density = groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     hardness = np.broadcast_to(hardness_over_slope(groups)[:, None], pressure.shape)
     elastic, plastic = area_shares(pressure / hardness, hardness)
@@ -73,7 +73,7 @@ RECORD = RoughSurface(
     area_at_load=area_at_load,
     takes_surface_moments=True,
     verified="the diffusion equation by finite differences; balance of the load; persson_2001 for great hardness",
-    needs=("theta", "lam", "density"),
+    needs=("theta", "lam", "roughness_parameter"),
     validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
     limits=(Limit("persson_2001", {"theta": 1.0, "lam": 1e24}, ("contact_area",), 1e-12),),
     notes=(

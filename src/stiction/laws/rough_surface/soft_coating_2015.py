@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.film.printed import bare_regimes
 from stiction.laws.joining import Law
@@ -14,10 +14,10 @@ from stiction.quantities.errors import InputError
 def regimes(groups: Groups, law: Law, film: FilmLaw | None, reading: str, transition: str) -> list[Regime]:
     """Regimes of a bare or coated surface (docs/theory.md, sections 2 to 6)."""
     printed, gradual = reading == "published", transition == "gradual"
-    if law.options.get("branch") == "unloading" and (printed or gradual or groups.coated):
+    if law.options.get("branch") == "unloading" and (printed or gradual or groups.has_film):
         allowed = "loading; unloading is for the corrected reading of a bare surface that jumps"
         raise InputError("branch", "unloading", allowed)
-    if gradual and (printed or groups.coated):
+    if gradual and (printed or groups.has_film):
         raise InputError("transition", transition, "jump; bare surfaces and the graded film have a gradual one, corrected")
     for chosen, key in ((law.asperity, RECORD.asperity), (law.tangential, RECORD.tangential)):
         if (printed or gradual) and (chosen is None or chosen.key != key):

@@ -3,7 +3,7 @@
 Friction is the force that shears the real contact area, T = tau_0 A, whatever carries the load.
 """
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import TangentialLaw

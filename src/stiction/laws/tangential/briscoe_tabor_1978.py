@@ -1,6 +1,6 @@
 """A shear strength of the interface that grows with pressure, tau = tau_0 + alpha p: Briscoe & Tabor 1978."""
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import Limit, TangentialLaw

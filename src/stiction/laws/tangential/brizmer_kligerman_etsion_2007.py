@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity.brizmer_kligerman_etsion_2006 import LEAST_NU, critical_values
 from stiction.laws.joining import normal_states

@@ -15,7 +15,7 @@ from functools import cache, lru_cache
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
 from stiction.laws.piece import NormalPiece, TangentialResistance

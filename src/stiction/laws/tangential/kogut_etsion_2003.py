@@ -5,7 +5,7 @@ w_ratio = omega/omega_c, omega_c the critical interference of Kogut & Etsion 200
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.joining import coordinates, normal_states

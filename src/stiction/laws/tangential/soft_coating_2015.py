@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import TangentialLaw

@@ -123,7 +123,7 @@ def require_gaussian(density: np.ndarray) -> None:
     small = density < LEAST_DENSITY
     if small.any():
         raise InputError(
-            "density",
+            "roughness_parameter",
             float(density[small][0]),
             f">= {LEAST_DENSITY:.4g}: an isotropic Gaussian surface has no fewer asperities N R sigma (bandwidth 3/2 or more)",
         )

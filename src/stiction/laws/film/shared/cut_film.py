@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from stiction.contact.groups import Groups
+from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Law, Share, coordinates, coordinates_at_area, within
 from stiction.laws.piece import NormalPiece

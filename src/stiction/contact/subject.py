@@ -1,0 +1,102 @@
+"""What a contact is asked, whether it is given by bodies and roughness (Contact) or by its dimensionless groups (Indices)."""
+
+from abc import abstractmethod
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input
+
+if TYPE_CHECKING:
+    from stiction.contact.indices import Indices
+
+
+@dataclass(frozen=True)
+class Scales:
+    """What the dimensionless results of a contact are multiplied by to be in SI units.
+
+    load [N] and contact_area [m^2] per asperity, separation [m], asperities: their number on the nominal
+    area. The load of the whole contact is its dimensionless value times load times asperities.
+    """
+
+    load: Any = 1.0
+    contact_area: Any = 1.0
+    separation: Any = 1.0
+    asperities: Any = 1.0
+
+    def factors(self) -> dict[str, Any]:
+        """The factor of results of the whole contact for each scale of the table of quantities: an SI unit, or "count"."""
+        return {
+            "N": self.load * self.asperities,
+            "m^2": self.contact_area * self.asperities,
+            "m": self.separation,
+            "count": self.asperities,
+            "N/m": self.load * self.asperities / self.separation,
+        }
+
+
+class Subject(Input):
+    """Two rough surfaces in contact, as far as a model asks. Numbers may be arrays with named dimensions."""
+
+    @abstractmethod
+    def indices(self) -> "Indices":
+        """The dimensionless groups."""
+
+    @abstractmethod
+    def scales(self) -> Scales:
+        """What dimensionless results are multiplied by."""
+
+    @property
+    @abstractmethod
+    def has_film(self) -> bool:
+        """Whether there is a film."""
+
+    @property
+    def heights(self) -> tuple[str, dict[str, Any]]:
+        """Name and parameters of the distribution of asperity heights."""
+        return "gaussian", {}
+
+    def with_surface_moments(self) -> "Subject":
+        """The same as theories of the whole surface take it: with the asperities that have its spectral moments."""
+        return self
+
+    def groups(self) -> dict[str, float]:
+        """Name -> value of every dimensionless group that is known; of a contact of single numbers."""
+        indices = self.indices().resolved()
+        names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
+        return {name: float(value) for name in names if (value := getattr(indices, name)) is not None}
+
+    def known(self, name: str) -> Any:
+        """A property or group of this name, where the contact decides it; else None."""
+        value = getattr(self if hasattr(self, name) else self.indices(), name, None)
+        return value() if callable(value) else value
+
+    def given_as(self, group: str) -> str:
+        """The name under which a user gives what decides a group."""
+        return group
+
+    @abstractmethod
+    def read(self, value: Any, name: str) -> Any:
+        """A separation or load as a user writes it: a number or an array, in SI units or normalised.
+
+        Raises InputError.
+        """
+
+    @abstractmethod
+    def read_point(self, entry: Any, name: str, where: str) -> float:
+        """One point of a case file, in which a unit is written wherever there is one; where: its place in the file."""
+
+    @abstractmethod
+    def show(self, value: float, name: str, digits: int = 6) -> str:
+        """A separation or load as text."""
+
+    @abstractmethod
+    def attributes(self, name: str) -> dict[str, str]:
+        """Meaning, symbol and unit of a result of this contact."""
+
+
+def as_subject(given: Any) -> Subject:
+    """What was given, if it is one; else InputError."""
+    if not isinstance(given, Subject):
+        raise InputError("contact", type(given).__name__, "a stiction.Contact or stiction.Indices")
+    return given

@@ -1,0 +1,102 @@
+"""Named dimensions: the one place where labelled arrays are lined up, broadcast and given back their coordinates.
+
+An array of an input is an xarray.DataArray with named dimensions and without indexes (`without_indexes`): arithmetic then goes
+by the names of dimensions alone, and nothing is dropped or sorted behind the user's back. Whether the arrays agree is
+checked once, for all of an input together (`coordinates`).
+"""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+
+__all__ = ["aligned", "coordinates", "dimensions", "flattened", "without_indexes"]
+
+
+def without_indexes(array: Any) -> Any:
+    """The same DataArray with its coordinates as plain variables: xarray aligns by an index, and by nothing else."""
+    return array.drop_indexes(list(array.xindexes)) if array.xindexes else array
+
+
+def dimensions(values: Iterable[Any]) -> dict[str, int]:
+    """Name -> length of every dimension of these values, numbers or arrays, in the order of first appearance.
+
+    Raises InputError where two of them disagree about a length.
+    """
+    dims: dict[str, int] = {}
+    for value in values:
+        for dim, size in getattr(value, "sizes", {}).items():
+            if dims.setdefault(str(dim), size) != size:
+                raise InputError(str(dim), f"lengths {dims[str(dim)]} and {size}", "one length for one dimension")
+    return dims
+
+
+def aligned(value: Any, dims: Mapping[str, int]) -> np.ndarray:
+    """The value with its dimensions in the order of `dims`, ready to broadcast: missing ones have length 1."""
+    if not hasattr(value, "dims"):
+        return np.asarray(value, dtype=float)
+    ordered = value.transpose(*(dim for dim in dims if dim in value.dims))
+    return ordered.values.reshape([value.sizes.get(dim, 1) for dim in dims])
+
+
+def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], dict[str, int]]:
+    """Every value over all combinations of their dimensions: name -> array (n,), None as it is; and those dimensions."""
+    dims = dimensions(values.values())
+    shape = tuple(dims.values())
+    flat = {
+        name: None if value is None else np.broadcast_to(aligned(value, dims), shape).reshape(-1).astype(float)
+        for name, value in values.items()
+    }
+    return flat, dims
+
+
+def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
+    """What the points along the dimensions of these arrays are called: name -> xarray.Variable.
+
+    arrays: dotted name of an input, DataArray. An array that is its own coordinate (`stiction.axis`) names the points of its
+    dimension by its values; several such along one dimension of another name belong together, point by point, and each stands
+    under its own name. Raises InputError where two arrays disagree about a dimension that they name alike.
+    """
+    found: dict[str, Any] = {}
+    own: dict[str, list[tuple[str, Any]]] = {}
+    first: dict[str, str] = {}
+    arrays = list(arrays)
+    for name, array in arrays:
+        for coordinate, values in array.coords.items():
+            dim = str(coordinate)
+            if _is_its_own(array, dim) and dim != name.rpartition(".")[2]:
+                own.setdefault(dim, []).append((name, values.variable))
+            elif dim in array.dims and dim in found and not np.array_equal(found[dim].values, values.values):
+                raise _disagreement(name, dim, values.size, first[dim])
+            else:
+                found.setdefault(dim, values.variable)
+                first.setdefault(dim, name)
+        for dim, size in array.sizes.items():
+            known = next((other for other in arrays if other[1].sizes.get(dim, size) != size), None)
+            if known:
+                raise _disagreement(known[0], str(dim), known[1].sizes[dim], name)
+    for dim, several in own.items():
+        other = first.get(dim, "")
+        if other.rpartition(".")[2] == dim and not np.array_equal(several[0][1].values, found[dim].values):
+            raise _disagreement(several[0][0], dim, several[0][1].size, other)  # the dimension is that quantity's own
+        found |= _own_coordinates(dim, several, dim in found)
+    return found
+
+
+def _is_its_own(array: Any, dim: str) -> bool:
+    return array.dims == (dim,) and np.array_equal(array.values, array.coords[dim].values)
+
+
+def _own_coordinates(dim: str, several: list[tuple[str, Any]], named: bool) -> dict[str, Any]:
+    """Under the name of the dimension if they are one, and that has no name yet; else under their own."""
+    values = [variable.values for _, variable in several]
+    if not named and all(np.array_equal(one, values[0]) for one in values):
+        return {dim: several[0][1]}
+    short = [name.rpartition(".")[2] for name, _ in several]
+    return {(last if short.count(last) == 1 else name): variable for last, (name, variable) in zip(short, several, strict=True)}
+
+
+def _disagreement(name: str, dim: str, size: int, other: str) -> InputError:
+    return InputError(name, f"dimension {dim!r} of length {size}", f"the values of {other} along {dim!r}, or another dimension")

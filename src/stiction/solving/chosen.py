@@ -1,0 +1,110 @@
+"""The laws that are to answer: a choice looked up in the registry, with the reason where its parts do not suit each other."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from stiction.laws.joining import Law
+from stiction.laws.registry import (
+    AsperityLaw,
+    FilmLaw,
+    Presliding,
+    Record,
+    RoughSurface,
+    TangentialLaw,
+    find,
+    friction_incompatibility,
+    incompatibility,
+    resolve_options,
+)
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """A model with its laws and all their options.
+
+    asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
+    """
+
+    model: RoughSurface
+    asperity: AsperityLaw | None
+    tangential: TangentialLaw | None
+    film: FilmLaw | None
+    presliding: Presliding | None
+    options: Mapping[str, str]
+
+    @property
+    def law(self) -> Law:
+        """The asperity law joined with the tangential law."""
+        assert self.asperity is not None, "a theory in closed form has no asperity law"
+        return Law(self.asperity, self.tangential, self.options)
+
+    def with_option(self, name: str, value: str) -> "Chosen":
+        """The same with another value of an option."""
+        return replace(self, options={**self.options, name: value})
+
+    def records(self) -> list[Record]:
+        """The records of all that answers, each with the parts that its options bring into it."""
+        asperity = None if self.film is not None and self.film.own_asperity else self.asperity
+        laws = [one for one in (self.model, asperity, self.tangential, self.film, self.presliding) if one is not None]
+        return [record for one in laws for record in (one, *one.parts(self.options))]
+
+
+def look_up(choice: Choice, coated: bool) -> Chosen:
+    """The laws of a choice, for a contact with a film or without one.
+
+    Raises InputError for keys that are not known, for options that none of the laws has, and where laws do not suit each other.
+    """
+    model = find(choice.model, RoughSurface)
+    presliding = find(choice.presliding, Presliding) if choice.presliding else None
+    tangential = _tangential(choice.tangential or model.tangential)
+    if not model.asperity:
+        _refuse_parts(choice, model, tangential, coated)
+        return Chosen(model, None, tangential, None, None, _options(choice, model, tangential))
+    asperity = find(choice.asperity or model.asperity, AsperityLaw)
+    film = _film(choice, model) if coated else None
+    for one in (tangential, film):
+        if one is not None and (reason := incompatibility(one, asperity)):
+            field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)
+            raise InputError(field, value, f"laws that go together: {reason}")
+    if film is not None and (reason := friction_incompatibility(film, tangential)):
+        assert tangential is not None  # without friction there is nothing that could not suit
+        raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
+    options = _options(choice, model, asperity, tangential, film)
+    return Chosen(model, asperity, tangential, film, presliding, options)
+
+
+def _options(choice: Choice, *laws: Record | None) -> dict[str, str]:
+    return resolve_options([one for one in laws if one is not None], choice.options)
+
+
+def _tangential(key: str) -> TangentialLaw | None:
+    return None if key == "none" else find(key, TangentialLaw)
+
+
+def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
+    brought = [key for value, key in model.film_by_option.items() if value in choice.options.values()]
+    if brought:
+        if choice.film not in (None, *brought):
+            raise InputError("film", choice.film, f"{brought[0]}, with these options of {model.key}")
+        return find(brought[0], FilmLaw)
+    key = choice.film or model.default_film
+    if not key:
+        raise InputError("model", model.key, "a model that knows films, or a film law beside it; this contact has a film")
+    film = find(key, FilmLaw)
+    if not film.interchangeable:
+        raise InputError("film", key, "another film law; this one belongs to one reading of its model")
+    return film
+
+
+def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
+    """InputError for what a theory in closed form cannot be combined with."""
+    if coated:
+        raise InputError("model", model.key, "a model of asperities; this contact has a film")
+    if choice.asperity:
+        raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
+    if choice.presliding:
+        raise InputError("presliding", choice.presliding, f"nothing: {model.key} knows no single asperities")
+    if tangential is not None and not tangential.interfacial:
+        raise InputError("tangential", tangential.key, f"a law of the interface: {model.key} knows no single asperities")

@@ -1,0 +1,52 @@
+"""Normalised tables as a labelled dataset in the units of the contact, with what was used and what is doubtful."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.contact.subject import Subject
+from stiction.laws.validity import as_attributes, doubts_about
+from stiction.quantities.dimensions import aligned
+from stiction.quantities.table import QUANTITIES
+from stiction.solving.problem import Problem
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def labelled(
+    subject: Subject,
+    tables: Mapping[str, np.ndarray],
+    factors: Mapping[str, Any],
+    dims: Mapping[str, int],
+    coords: Mapping[str, Any],
+) -> "xarray.Dataset":
+    """Tables (shape of dims or broadcasting to it) as a dataset, times the factor of the scale of each, if it has one."""
+    import xarray
+
+    data = xarray.Dataset(coords=coords)
+    shape = tuple(dims.values())
+    for name, table in tables.items():
+        scale = aligned(factors.get(QUANTITIES[name].scale, 1.0), dims)
+        data[name] = (tuple(dims), np.broadcast_to(table * scale, shape).copy(), subject.attributes(name))
+    return data
+
+
+def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
+    """What was used, where it comes from, and where it goes beyond the claims of its authors."""
+    records = problem.records()
+    used = dict.fromkeys(source.key for record in records for source in record.sources)
+    laws = {kind: next((one.key for one in records if one.kind == kind), "none") for kind in ("asperity", "tangential", "film")}
+    return {
+        "title": f"Static friction after {problem.record.key}",
+        "model": problem.record.key,
+        **laws,
+        **problem.options,
+        "options": " ".join(problem.options),
+        "heights": problem.heights.key,
+        "grade": max(record.grade for record in records),
+        "sources": " ".join(used),
+        **as_attributes(doubts_about(subject, records, tables)),
+        "friction_law": "included" if problem.friction else "none: this model is of contact only",
+    }
