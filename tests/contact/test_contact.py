@@ -1,12 +1,17 @@
 """Contact to dimensionless groups. Reference numbers: theory 1 and 4 worked out by hand (with awk)."""
 
+import math
+
 import numpy as np
 import pytest
+from scipy.integrate import quad
+from scipy.optimize import brentq
 
 from stiction.contact.contact import Coating, Contact, Indices, Roughness, work_of_adhesion
 from stiction.contact.materials import Material, material
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import axis
+from stiction.solving.solve import solve
 
 ROUGHNESS = Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
 STEEL = "hardened_steel_52100"
@@ -331,3 +336,29 @@ def test_quantities_along_one_dimension_go_together():
 def test_old_name_of_the_roughness_parameter():
     with pytest.warns(FutureWarning, match="roughness_parameter"):
         assert Indices(theta=1, lam=1, density=0.04).roughness_parameter == 0.04
+
+
+def test_nominal_width():
+    """The side of a square of the nominal area over sigma: 1 mm over 48 nm, and of two bodies' surfaces over their sigma."""
+    assert contact().indices().nominal_width == pytest.approx(1e-3 / 48e-9, rel=1e-12)
+    assert contact(nominal_area="4 mm^2").indices().nominal_width == pytest.approx(2e-3 / 48e-9, rel=1e-12)
+    rough = Roughness(asperity_height_deviation="12 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
+    assert contact(roughness=rough).indices().nominal_width == pytest.approx(1e-3 / 12e-9, rel=1e-12)
+
+
+def test_asperities_of_a_wider_contact_sink_farther():
+    """Interaction by the mean pressure p: u = 0.9464 p sqrt(A_n)/E*, the mean displacement of a square under it (Love). At the
+    separation d asperities carry what alone they do at d + u."""
+    sigma, radius, count = 48e-9, 50e-6, 1.7e10
+
+    def alone(h):  # (4/3) N R^(1/2) sigma^(3/2) F_(3/2): the mean pressure over E*
+        share = quad(lambda w: w**1.5 * math.exp(-((h + w) ** 2) / 2.0), 0.0, 12.0, epsabs=0.0, epsrel=1e-11)[0]
+        return 4.0 / 3.0 * count * radius**0.5 * sigma**1.5 * share / math.sqrt(2.0 * math.pi)
+
+    root = math.sqrt(2.0)
+    mean = 4.0 / math.pi * (math.log(1.0 + root) - (root - 1.0) / 3.0)
+    for side in (1e-4, 1e-3):
+        pair = contact(nominal_area=side**2, work_of_adhesion="0.1 J/m^2")
+        found = solve(pair, separation=1.5 * sigma, model="ciavarella_greenwood_paggi_2008", tangential="none")
+        apart = brentq(lambda h: h - 1.5 - mean * alone(h) * side / sigma, 1.5, 12.0, xtol=1e-14)  # noqa: B023
+        assert float(found["load"]) == pytest.approx(alone(apart) * pair.contact_modulus * side**2, rel=1e-8)

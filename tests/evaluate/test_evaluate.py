@@ -55,9 +55,9 @@ def test_reference_values(table, reading, coated, way, always_grid):
         assert_near(getattr(found, name)[known], expected[known], 1e-10, size[known], f"{table} {name}")
 
 
-def test_tables_are_whole():
-    assert len(read("paper_model_own.csv")) == 376
-    assert len(read("paper_model.csv")) == 160
+@pytest.mark.parametrize(("table", "rows"), (("paper_model_own.csv", 376), ("paper_model.csv", 160)))
+def test_tables_are_whole(table, rows):
+    assert len(read(table)) == rows
 
 
 # fmt: off

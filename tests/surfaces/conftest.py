@@ -2,7 +2,7 @@
 
 The files are from the test suite of SurfaceTopography, whose repository has the MIT licence; what terms the donors of the
 single files set is not stated, so they are not copied into this project. They are looked for in shared/scans beside it, and
-tests that need them are skipped where they are not.
+tests that need them are skipped where they are not; files that the tests write themselves (written_files.py) stand in for them.
 """
 
 import warnings
@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from written_files import UNITS, WRITTEN
 
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import fill_missing, level
@@ -37,7 +38,7 @@ def topography_of(library):
 
 
 @pytest.fixture
-def measured(library, topography_of):
+def measured(library, topography_of, tmp_path):
     """name of a file -> (levelled surface, the library's levelled topography in metres).
 
     Read and levelled twice, here and by the library, where that gives the same points. Missing points are filled here, and
@@ -45,12 +46,18 @@ def measured(library, topography_of):
     """
 
     def both(name: str):
-        if not (SCANS / name).is_file():
+        path = SCANS / name
+        if name in WRITTEN:
+            path = tmp_path / name
+            path.write_bytes(WRITTEN[name]())
+        elif not path.is_file():
             pytest.skip(f"{name} is not in the folder of measured scans beside the project")
-        surface = level(read_scan(SCANS / name))
+        surface = level(read_scan(path, unit=UNITS.get(name)))
+        if name in UNITS:  # the library does not read it
+            return surface, topography_of(surface)
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
-            read = library.read_topography(str(SCANS / name))
+            read = library.read_topography(str(path))
             if surface.complete and read.is_uniform:
                 return surface, read.to_unit("m").detrend("height")
         if not surface.complete:

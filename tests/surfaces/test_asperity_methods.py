@@ -321,14 +321,15 @@ def test_skewness_follows_the_surface(method):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_missing_points_are_left_out(method):
-    """A hole of missing points changes neither density nor heights by more than chance; every number is finite."""
+    """A hole of missing points changes neither density nor heights by more than chance, a tenth of the map having 70 summits or
+    more: 1 / (70 * 9)^(1/2) / 3; every number is finite."""
     surface, _ = gaussian_surface(3, 6.0, count=512)
     heights = surface.heights.copy()
     heights[100:200, 50:300] = np.nan
     heights[::37, ::41] = np.nan
     whole, holed = asperities(surface, method), asperities(surface_of(heights, surface.pitch), method)
     for name in ("density", "deviation", "radius", "mean_height"):
-        assert getattr(holed, name) == near(getattr(whole, name), rel=0.08), name
+        assert getattr(holed, name) == near(getattr(whole, name), rel=0.02), name
     assert np.isfinite(holed.heights).all() and not np.isnan(holed.radii).any()
 
 
@@ -354,7 +355,9 @@ def test_the_height_model_is_the_simplest_that_is_good_enough():
     assert gauss.allowed == near(0.886 / 10.0)  # of 100 independent heights, however many there are
     weibull = height_model(set_of(1e-8 * rng.weibull(1.15, 5000)))
     assert weibull.name == "weibull" and weibull.distances["gaussian"] > weibull.allowed
-    assert weibull.parameters["exponent"] == near(1.15, rel=0.08)
+    assert weibull.parameters["exponent"] == near(1.15, rel=0.08)  # by the skewness of 5000, which scatters by 2 %
+    many = height_model(set_of(1e-8 * np.random.default_rng(6).weibull(1.15, 400_000)))
+    assert many.parameters["exponent"] == near(1.15, rel=0.01)
     milder = height_model(set_of(1e-8 * rng.weibull(1.8, 5000)), "weibull")
     assert milder.likelihoods["weibull"] > milder.likelihoods["gaussian"] and milder.reason.startswith("as wanted")
     both = 1e-8 * np.concatenate([rng.normal(-2.0, 0.5, 3000), rng.normal(2.0, 0.5, 3000)])

@@ -58,7 +58,8 @@ def moments_after(cutoff):
 
 
 def test_the_fan_follows_the_moments_of_what_the_filter_leaves(table):
-    """Nayak's summits of the filtered spectrum; some 10 000 waves beyond the roll-off; 10 points to the shortest cutoff."""
+    """Nayak's summits of the filtered spectrum; some 10 000 waves beyond the roll-off; 10 points to the shortest cutoff. What
+    the points do not resolve is most of the 6 and 10 %: test_edges.py allows for it, on a map that does not scatter."""
     for j, cutoff in enumerate(CUTOFFS):
         expected = moments_after(cutoff).asperities()
         for method, within in (("mccool", 0.06), ("eight_neighbour", 0.1)):
@@ -68,7 +69,8 @@ def test_the_fan_follows_the_moments_of_what_the_filter_leaves(table):
 
 
 def test_the_fan_scales_as_a_self_affine_surface_does(table):
-    """m4 is of the shortest waves: R grows as cutoff^(2 - H). m2 nearly so: N falls as cutoff^-2, a little less."""
+    """m4 is of the shortest waves: R grows as cutoff^(2 - H). m2 nearly so: N falls as cutoff^-2, a little less: those of the
+    closed moments between these cutoffs are 1.701 and -1.904, and 0.03 to 0.08 is lost with the points at the shortest."""
     for method in ("mccool", "eight_neighbour", "three_point"):
         at = table.loc[{"asperity_method": method}]
         powers = {name: np.polyfit(np.log(CUTOFFS), np.log(at[name].values), 1)[0] for name in ("R", "N")}
@@ -92,7 +94,7 @@ def test_numbers_have_names_and_units(table):
 
 
 def test_fewer_points_find_the_same(surface):
-    """Six points to a cutoff are as good as all, but for the curvature of three points."""
+    """Six points to a cutoff are as good as all, but for the curvature of three points: by how much is in test_edges.py."""
     all_points, some = (resolution_study(surface, [1.2e-6], ["mccool"], points_per_cutoff=points) for points in (None, 10.0))
     for name in ("sigma", "R", "N"):
         assert float(some[name][0, 0]) == near(float(all_points[name][0, 0]), rel=0.05)
