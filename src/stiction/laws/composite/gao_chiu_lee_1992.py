@@ -7,11 +7,21 @@ import math
 
 from stiction.engine.compiled import formula
 from stiction.engine.vectorised import arctan, log_quotient
-from stiction.laws.film.shared.graded_law import modulus_share
 from stiction.laws.registry import Composite, Validity
 from stiction.laws.sources import Source
 
 _LEAST, _MOST = 1e-100, 1e100  # of t/a: squares of it are still numbers
+
+
+@formula
+def modulus_share(v, nu):
+    """I0 of Gao, Chiu & Lee 1992 (S5.12) at t/a = 1/v, v >= 0, and its derivative by ln v: the film's share in the modulus."""
+    r = 1.0 / (1.0 + v * v)
+    quotient = log_quotient(v * v)
+    b, c = 1.0 / (2.0 * math.pi * (1.0 - nu)), 1.0 - 2.0 * nu
+    share = 1.0 - 2.0 / math.pi * arctan(v) + b * v * (c * quotient - r)
+    slope = v * (-2.0 / math.pi * r + b * (c * (2.0 * r - quotient) - r * (2.0 * r - 1.0)))
+    return min(max(share, 0.0), 1.0), slope
 
 
 @formula

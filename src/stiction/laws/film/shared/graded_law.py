@@ -12,23 +12,13 @@ the substrate.
 import math
 
 from stiction.engine.compiled import formula
-from stiction.engine.vectorised import arctan, exponential, log_quotient
+from stiction.engine.vectorised import exponential
 from stiction.laws.asperity.shared.transition import plastic_share
+from stiction.laws.composite.gao_chiu_lee_1992 import modulus_share
 from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
 
 _PI = math.pi
-
-
-@formula
-def modulus_share(v, nu):
-    """I0 of Gao, Chiu & Lee 1992 (S5.12) at t/a = 1/v, and its derivative by ln v: the film's share in the modulus."""
-    r = 1.0 / (1.0 + v * v)
-    quotient = log_quotient(v * v)
-    b, c = 1.0 / (2.0 * _PI * (1.0 - nu)), 1.0 - 2.0 * nu
-    share = 1.0 - 2.0 / _PI * arctan(v) + b * v * (c * quotient - r)
-    slope = v * (-2.0 / _PI * r + b * (c * (2.0 * r - quotient) - r * (2.0 * r - 1.0)))
-    return min(max(share, 0.0), 1.0), slope
 
 
 @formula
