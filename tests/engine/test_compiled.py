@@ -1,23 +1,150 @@
-"""The name under which a kernel is cached carries all that decides its code, and nothing that changes between processes."""
+"""Compiled kernels are kept under all that decides their code, and nothing that changes between processes: a second process
+finds them, and whatever is edited, nobody is given a stale one. Tried on a plug-in outside the package."""
 
+import json
+import os
 import subprocess
 import sys
 
-from stiction.engine.compiled import _decides, bind
+import numpy as np
+import pytest
 
-NAME_OF_A_KERNEL = """
-from stiction.laws.tangential.shared.slip_or_yield import fill_kinks
-from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import RECORD, plastic, plastic_coordinate
-from stiction.laws.tangential.soft_coating_2015 import resistance
-from stiction.engine.heights import gaussian
-from stiction.laws.joining import _joined, _kernel, _states_template
-from stiction.engine.summation import _scattered_kernel
-heights = gaussian()
-print(fill_kinks.py_func.__qualname__)
-along, coordinate = _joined(plastic, plastic_coordinate, resistance, False, 2, 5)
-print(_scattered_kernel(along, coordinate, heights.density, heights.window, 12).py_func.__qualname__)
-print(_kernel(_states_template, along, coordinate, 12).py_func.__qualname__)
+from stiction.engine.compiled import digest
+
+FORMULAS = '''
+import math
+import constants
+from stiction.engine.compiled import formula
+
+@formula
+def inner(x):
+    """Of no consequence."""
+    return math.sin(x) + constants.SHIFT
+
+@formula
+def other(x):
+    return 100.0 * x
+'''
+CONSTANTS = """
+import numpy as np
+SHIFT = 0.0
+TABLE = np.zeros(2000)  # so long that its text leaves out the middle
+STEPS = (1.0, 2.0)
 """
+KERNELS = """
+from constants import STEPS, TABLE
+from formulas import inner, other
+from stiction.engine.compiled import formula, kernel
+
+def made_for(function, factor, count):
+    @formula
+    def scaled(x):
+        return factor * function(x)
+
+    @kernel
+    def fill(x, out):
+        for i in range(x.size):
+            out[i] = scaled(x[i]) + TABLE[1000] + STEPS[0] + later(x[i]) + count
+
+    return fill
+
+@formula
+def later(x):
+    return 0.0
+
+first, second = made_for(inner, 1.0, 0), made_for(other, 1.0, 0)
+"""
+RUN = """
+import json
+import sys
+import numpy as np
+import kernels
+found = {}
+for name in sys.argv[1:]:
+    out = np.empty(3)
+    compiled = getattr(kernels, name)
+    compiled(np.array([0.0, 1.0, 2.0]), out)
+    stats = compiled.stats
+    found[name] = [out.tolist(), sum(stats.cache_hits.values()), sum(stats.cache_misses.values())]
+print(json.dumps(found))
+"""
+X = np.array([0.0, 1.0, 2.0])
+
+
+@pytest.fixture
+def plug_in(tmp_path):
+    """A folder of a plug-in, and what runs its kernels in a process of their own: values, cache hits and misses of each."""
+    for name, text in (("formulas", FORMULAS), ("constants", CONSTANTS), ("kernels", KERNELS), ("run", RUN)):
+        (tmp_path / f"{name}.py").write_text(text)
+
+    def run(*names):
+        settings = {**os.environ, "STICTION_CACHE_DIR": str(tmp_path / "cache"), "PYTHONDONTWRITEBYTECODE": "1"}
+        command = [sys.executable, str(tmp_path / "run.py"), *names]
+        done = subprocess.run(command, check=True, capture_output=True, text=True, env=settings)
+        return json.loads(done.stdout)
+
+    return tmp_path, run
+
+
+def test_a_second_process_finds_every_kernel(plug_in):
+    folder, run = plug_in
+    before, after = run("first", "second"), run("first", "second")
+    for name, expected in (("first", np.sin(X) + 1.0), ("second", 100.0 * X + 1.0)):
+        assert before[name][1:] == [0, 1] and after[name][1:] == [1, 0]
+        np.testing.assert_allclose(before[name][0], expected, rtol=1e-15)
+        assert before[name][0] == after[name][0]
+    assert len(list((folder / "cache" / "kernels").glob("*.nbi"))) == 2
+
+
+def test_kernels_of_one_factory_are_not_mixed_up(plug_in):
+    """Compiled in processes of their own they have the same place and, but for what they close over, the same name."""
+    _, run = plug_in
+    run("first"), run("second")
+    together = run("first", "second")
+    assert [together[name][1:] for name in ("first", "second")] == [[1, 0], [1, 0]]
+    np.testing.assert_allclose(together["first"][0], np.sin(X) + 1.0, rtol=1e-15)
+    np.testing.assert_allclose(together["second"][0], 100.0 * X + 1.0, rtol=1e-15)
+
+
+@pytest.mark.parametrize(
+    "file, old, new, expected",
+    [
+        ("formulas", "math.sin(x)", "2.0 * math.sin(x)", 2.0 * np.sin(X) + 1.0),  # a formula in another file
+        ("formulas", "math.sin", "math.cos", np.cos(X) + 1.0),  # the same instructions, another name
+        ("constants", "SHIFT = 0.0", "SHIFT = 5.0", np.sin(X) + 6.0),  # a constant of a module of a module
+        ("constants", "np.zeros(2000)", "np.where(np.arange(2000) == 1000, 7.0, 0.0)", np.sin(X) + 8.0),
+        ("constants", "(1.0, 2.0)", "(3.0, 2.0)", np.sin(X) + 3.0),
+        ("kernels", "made_for(inner, 1.0, 0)", "made_for(other, 1.0, 0)", 100.0 * X + 1.0),  # another formula in the closure
+        ("kernels", "made_for(inner, 1.0, 0)", "made_for(inner, 3.0, 0)", 3.0 * np.sin(X) + 1.0),  # in that of a formula
+        ("kernels", "made_for(inner, 1.0, 0)", "made_for(inner, 1.0, 4)", np.sin(X) + 5.0),  # another number in the closure
+        ("kernels", "return 0.0", "return x", np.sin(X) + X + 1.0),  # a formula that stands below the kernel
+    ],
+)
+def test_whatever_decides_a_kernel_compiles_it_anew(plug_in, file, old, new, expected):
+    folder, run = plug_in
+    run("first")
+    path = folder / f"{file}.py"
+    assert old in path.read_text()
+    path.write_text(path.read_text().replace(old, new))
+    values, hits, misses = run("first")["first"]
+    assert (hits, misses) == (0, 1)
+    np.testing.assert_allclose(values, expected, rtol=1e-15)
+
+
+def test_what_decides_nothing_compiles_nothing(plug_in):
+    """A docstring, a comment above, another formula of the same file."""
+    folder, run = plug_in
+    run("first")
+    path = folder / "formulas.py"
+    changed = path.read_text().replace("Of no consequence", "Still none").replace("100.0", "200.0")
+    path.write_text("# a line more\n" + changed)
+    assert run("first")["first"][1:] == [1, 0]
+
+
+def test_a_folder_that_cannot_be_written_costs_only_time(plug_in):
+    folder, run = plug_in
+    (folder / "cache").write_text("a file where the folder should be")
+    np.testing.assert_allclose(run("first")["first"][0], np.sin(X) + 1.0, rtol=1e-15)
 
 
 def outer(factor):
@@ -27,23 +154,39 @@ def outer(factor):
     return names["outer"]
 
 
+def calling(rule):
+    return lambda x: rule(x)
+
+
 def test_a_formula_named_by_a_formula_decides():
-    assert _decides(outer(2)) == _decides(outer(2))
-    assert _decides(outer(2)) != _decides(outer(3))
+    assert digest(outer(2)) == digest(outer(2))
+    assert digest(outer(2)) != digest(outer(3))
 
 
-def test_what_is_bound_decides():
-    def template(x):
-        return rule(x)  # noqa: F821
-
-    assert _decides(bind(template, rule=outer(2))) != _decides(bind(template, rule=outer(3)))
-    assert _decides(bind(template, rule=outer(2))) == _decides(bind(template, rule=outer(2)))
+def test_what_is_closed_over_decides():
+    assert digest(calling(outer(2))) == digest(calling(outer(2)))
+    assert digest(calling(outer(2))) != digest(calling(outer(3)))
 
 
-def test_names_are_the_same_in_every_process():
-    """An address in a name would make every process compile anew."""
-    names = [
-        subprocess.run([sys.executable, "-c", NAME_OF_A_KERNEL], check=True, capture_output=True, text=True).stdout
+DIGESTS = """
+from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import plastic, plastic_coordinate
+from stiction.engine.compiled import digest
+from stiction.laws.tangential.shared.slip_or_yield import _fill_kinks
+from stiction.laws.tangential.soft_coating_2015 import resistance
+from stiction.engine.heights import gaussian
+from stiction.laws.joining import _joined, _states
+from stiction.engine.sum_kernels import scattering
+heights = gaussian()
+along, coordinate = _joined(plastic, plastic_coordinate, resistance, False, 2, 5)
+scatter = scattering(along, coordinate, heights.density, heights.window, 12)
+print(digest(_fill_kinks), digest(scatter), digest(_states(along, 12)))
+"""
+
+
+def test_digests_are_the_same_in_every_process():
+    """An address in one would make every process compile anew."""
+    found = [
+        subprocess.run([sys.executable, "-c", DIGESTS], check=True, capture_output=True, text=True).stdout.split()
         for _ in range(2)
     ]
-    assert names[0] == names[1] and len(names[0].split()) == 3
+    assert found[0] == found[1] and len(set(found[0])) == 3

@@ -55,7 +55,7 @@ def _one_line() -> Iterator[None]:
         raise typer.Exit(_INTERRUPTED) from None
 
 
-def _say_what_is_old(message, category, *where: Any) -> None:
+def _say_what_is_old(message: Any, category: Any, *where: Any, **more: Any) -> None:
     if issubclass(category, FutureWarning):
         print(f"stiction: {message}", file=sys.stderr)
 

@@ -1,20 +1,41 @@
-"""Compilation of formulas and kernels, cached on disk under names that carry their code."""
+"""Compilation of formulas and kernels, and their cache on disk, which knows the code of all that is called.
 
+A kernel that works for any law is made by a factory: a plain function that takes the law's formulas and returns a kernel that
+calls them. Numba compiles such a closure as fast as if the formulas stood in it, but its own cache does not suit it: that
+looks only at the file of the kernel, so that a formula edited in another file would go unnoticed, and it takes a formula in a
+closure for a new one in every process. Here every compiled kernel has a file whose name is made from the code of the kernel
+and, in turn, of all that it names or closes over: a kernel is compiled anew when any of that changes, and only then.
+"""
+
+import contextlib
 import hashlib
 import os
+import pickle
+import sys
 import types
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numba
+import numpy as np
 import platformdirs
+from numba.core.caching import NullCache
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
+from numba.np.unsafe.ndarray import to_fixed_tuple
 
 # `contract` (fused multiply-add) is safe in every formula. Sums may also be reordered, which is what lets them vectorise;
 # formulas may not: a reordered range reduction in the exponential loses half its digits. A formula that is called, and not
 # taken in, keeps a loop from being vectorised: hence `forceinline`.
 FORMULA: dict[str, Any] = {"fastmath": {"contract"}, "forceinline": True, "error_model": "numpy", "nogil": True}
 KERNEL: dict[str, Any] = {"fastmath": {"contract", "reassoc", "nsz"}, "error_model": "numpy", "nogil": True}
+
+# unpack(row, length): an array as a tuple, in kernels; the length must be a constant. Numba does not give its type.
+unpack: Any = to_fixed_tuple
+
+# What the compiler knows by itself: their names say enough, and the version of the compiler, which the cache asks for.
+_KNOWN = ("numpy", "numba", "math")
 
 
 def cache_folder() -> Path:
@@ -23,49 +44,118 @@ def cache_folder() -> Path:
     return Path(root) / "kernels"
 
 
-def formula(function: Callable) -> Callable:
+def formula(function: Callable) -> Any:
     """Compile a formula of scalars. The kernels take it in whole, so it needs no cache of its own."""
     return numba.njit(**FORMULA)(function)
 
 
-def kernel(function: Callable) -> Callable:
-    """Compile a loop over many inputs, with a cache on disk.
-
-    Numba looks only at the file of a kernel when it decides whether a cached one is still good: a formula edited in another
-    file would go unnoticed. So the name under which the kernel is cached carries all that decides its code.
-    """
-    function.__qualname__ += f"_{hashlib.sha256(_decides(function).encode()).hexdigest()[:16]}"
-    settings: Any = numba.config  # numba reads the folder's name when a function is decorated
-    before = settings.CACHE_DIR
-    settings.CACHE_DIR = str(cache_folder())
-    try:
-        return numba.njit(cache=True, **KERNEL)(function)
-    finally:
-        settings.CACHE_DIR = before
+def loop(function: Callable) -> Any:
+    """Compile a part of a kernel, which the kernel takes in whole: its sums may be reordered, as those of the kernel."""
+    return numba.njit(**KERNEL, forceinline=True)(function)
 
 
-def bind(template: Callable, **bindings: Any) -> Callable:
-    """A copy of the plain function `template` in which these global names have these values.
-
-    Formulas that enter a kernel as arguments or closures defeat the on-disk cache; as globals they do not.
-    """
-    names = {**template.__globals__, **bindings}
-    copy = types.FunctionType(template.__code__, names, template.__name__, template.__defaults__)
-    copy.__qualname__, copy.__module__ = template.__qualname__, template.__module__
-    return copy
+def kernel(function: Callable) -> Any:
+    """Compile a loop over many inputs, with a cache on disk. It may be a closure over formulas and constants."""
+    compiled: Any = numba.njit(**KERNEL)(function)
+    compiled._cache = _KernelCache(compiled)
+    return compiled
 
 
-def _decides(value: Any, seen: tuple[Callable, ...] = ()) -> str:
-    """What decides the compiled code of a value: of a function its own code and, in turn, that of all that it names."""
+class _KernelCache(NullCache):
+    """What numba asks for a kernel before it compiles one, and gives it afterwards. One file for each kernel, kind of inputs
+    and processor, written as a whole: processes that compile at the same time cannot mix up each other's."""
+
+    def __init__(self, compiled: Any):
+        self._compiled, self._digest = compiled, ""
+
+    @property
+    def cache_path(self) -> str:
+        return str(cache_folder())
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The compiled kernel for inputs of these types, or None. Asked before any is compiled, when all that the kernel
+        names is there."""
+        if not self._digest:
+            # In its name too: two that are loaded into one process must not be taken for each other by the linker.
+            self._digest = digest(self._compiled)
+            self._compiled.py_func.__qualname__ += f"_{self._digest[:16]}"
+        target_context.refresh()
+        try:
+            content = self._file(sig, target_context.codegen()).read_bytes()
+        except OSError:
+            return None
+        return CompileResult._rebuild(target_context, *pickle.loads(content))
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted):
+            return
+        file = self._file(sig, data.codegen)
+        part = file.with_suffix(f".{os.getpid()}")
+        with contextlib.suppress(OSError):  # a folder that cannot be written to costs time, and nothing else
+            file.parent.mkdir(parents=True, exist_ok=True)
+            part.write_bytes(dumps(data._reduce()))
+            part.replace(file)
+
+    def _file(self, sig: Any, codegen: Any) -> Path:
+        made_by = numba.__version__, sys.version_info[:2], codegen.magic_tuple()
+        key = hashlib.sha256(repr((self._digest, sig, made_by)).encode()).hexdigest()[:24]
+        plain = self._compiled.py_func
+        return cache_folder() / f"{plain.__module__}.{plain.__name__}-{key}.nbi"
+
+
+def digest(function: Callable) -> str:
+    """A name for all that decides the compiled code of a function."""
+    return hashlib.sha256(_decides(function, []).encode()).hexdigest()
+
+
+def _decides(value: Any, seen: list[Callable]) -> str:
+    """What decides the compiled code of a value: of a function its own code and, in turn, that of all that it names or closes
+    over; of anything else, what it is equal to. seen: functions already told, which are named by their place."""
     plain = getattr(value, "py_func", value)
+    if isinstance(value, tuple):
+        return f"({', '.join(_decides(one, seen) for one in value)})"
+    if isinstance(value, np.ndarray):
+        return f"{value.dtype} {value.shape} {value.tobytes()!r}"  # the text of a long array leaves out its middle
+    if isinstance(value, type):
+        return f"{value.__module__}.{value.__qualname__} {getattr(value, '_fields', '')}"
     if not isinstance(plain, types.FunctionType):
         return repr(value)
+    if _known(plain.__module__):
+        return f"{plain.__module__}.{plain.__qualname__}"
     if plain in seen:
-        return plain.__name__
-    code, names = plain.__code__, plain.__globals__
-    named = {name: names[name] for name in code.co_names if name in names}
-    for module in [one for one in named.values() if isinstance(one, types.ModuleType)]:
-        # module.name: whatever name of the code is a formula there
-        named |= {name: one for name in code.co_names if hasattr(one := getattr(module, name, None), "py_func")}
-    inner = [f"{name}={_decides(one, (*seen, plain))}" for name, one in named.items() if not isinstance(one, types.ModuleType)]
-    return f"{plain.__name__} {code.co_code!r} {code.co_consts!r} {inner}"
+        return f"function {seen.index(plain)}"
+    seen.append(plain)
+    given = getattr(value, "targetoptions", {})
+    options = sorted((name, sorted(of) if isinstance(of, set) else of) for name, of in given.items())
+    inner = [f"{name}={_decides(one, seen)}" for name, one in sorted(_named(plain).items())]
+    defaults = _decides(plain.__defaults__ or (), seen)
+    return f"{plain.__name__} {_code(plain.__code__, plain.__doc__)} {options} {defaults} {inner}"
+
+
+def _code(code: types.CodeType, doc: str | None = None) -> str:
+    """The instructions of a function, with their constants and names; what its docstring says decides nothing."""
+    constants = [_code(one) if isinstance(one, types.CodeType) else repr(one) for one in code.co_consts if one is not doc]
+    names = code.co_names, code.co_varnames, code.co_freevars, code.co_argcount, code.co_flags
+    return f"{code.co_code!r} {constants} {names} {code.co_exceptiontable!r}"
+
+
+def _named(plain: types.FunctionType) -> dict[str, Any]:
+    """Values of the names that a function takes from outside: of its closure, its module, and what it takes from modules."""
+    codes, names = [plain.__code__], set()
+    for code in codes:
+        names |= {*code.co_names}
+        codes += [one for one in code.co_consts if isinstance(one, types.CodeType)]
+    found = {name: plain.__globals__[name] for name in names if name in plain.__globals__}
+    for name, cell in zip(plain.__code__.co_freevars, plain.__closure__ or (), strict=True):
+        found[name] = cell.cell_contents
+    modules = [one for one in found.values() if isinstance(one, types.ModuleType)]
+    for module in modules:  # those in modules join at the end
+        if not _known(module.__name__):
+            inside = {f"{module.__name__}.{name}": getattr(module, name) for name in names if hasattr(module, name)}
+            modules += [one for one in inside.values() if isinstance(one, types.ModuleType) and one not in modules]
+            found |= inside
+    return {name: one for name, one in found.items() if not isinstance(one, types.ModuleType)}
+
+
+def _known(module: str | None) -> bool:
+    return (module or "").partition(".")[0] in _KNOWN

@@ -1,6 +1,6 @@
 """A regime: one smooth piece of an asperity's behaviour, as data for the summation engine."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,3 +38,11 @@ class Regime:
     touching: bool = True
     in_half_space: bool = True
     lowest: float = 0.0
+
+
+def columns(parameters: Sequence[np.ndarray | float], laws: int) -> np.ndarray:
+    """Parameters, each an array (n,) or a number, as a table (n, p), which kernels take. A law may have none (Hertz)."""
+    table = np.empty((laws, len(parameters)))
+    for at, values in enumerate(parameters):
+        table[:, at] = values
+    return table

@@ -3,15 +3,21 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
+from typing import Any, TypeVar
 
 import numpy as np
-from numba.np.unsafe.ndarray import to_fixed_tuple
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import bind, formula, kernel
-from stiction.engine.regime import Regime
+from stiction.engine.bisection import up_to
+from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.regime import Regime, columns
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import AsperityLaw, TangentialLaw, select_options
+
+# Nearer to an end of a piece than this, relative to it, a kink is at the end.
+_AT_END = 4e-15
+# No contact that is asked for is wider than at this coordinate.
+_FARTHEST = 1e100
 
 
 @dataclass(frozen=True)
@@ -29,33 +35,6 @@ class Share:
     tangential_resistance: np.ndarray | float = 1.0
 
 
-# The functions named _*_template are compiled anew for each pair of laws, with these names bound.
-normal = resistance = coordinate = None
-NORMAL = JOINED = PARAMETERS = 0
-
-
-def _joined_template(u, *row):
-    """along(u) of a regime: the normal law, the resistance that it leaves room for, and what of both counts."""
-    w, stretch, load, area = normal(u, *row[:NORMAL])
-    slip_limited, yield_limited = resistance(u, w, load, area, *row[NORMAL:JOINED])
-    shift, unit, force, cover, tangential_resistance = row[JOINED:]
-    held = unit * tangential_resistance
-    return shift + w, stretch, unit * force * load, cover * area, held * slip_limited, held * yield_limited
-
-
-def _interfacial_template(u, *row):
-    """The same for a resistance of the interface: it sees only the load and area that count."""
-    w, stretch, load, area = normal(u, *row[:NORMAL])
-    shift, unit, force, cover, _ = row[JOINED:]
-    load, area = force * load, cover * area
-    slip_limited, yield_limited = resistance(u, w, load, area, *row[NORMAL:JOINED])
-    return shift + w, stretch, unit * load, area, unit * slip_limited, unit * yield_limited
-
-
-def _coordinate_template(w, *row):
-    return coordinate(w - row[JOINED], *row[:NORMAL])
-
-
 @formula
 def none(u, w, load, area):
     """No tangential law."""
@@ -63,11 +42,34 @@ def none(u, w, load, area):
 
 
 @cache
-def _joined(normal, coordinate, resistance, interfacial: bool, parameters: int, own_parameters: int):
-    """Formulas of the joined regime; the same objects for the same laws, so that kernels are compiled once."""
-    names = {"normal": normal, "resistance": resistance, "NORMAL": parameters, "JOINED": parameters + own_parameters}
-    template = _interfacial_template if interfacial else _joined_template
-    return formula(bind(template, **names)), formula(bind(_coordinate_template, coordinate=coordinate, **names))
+def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interfacial: bool, parameters: int, own: int) -> Any:
+    """Formulas of the joined regime, of so many parameters of the asperity law and of the tangential law; the same objects
+    for the same laws, so that kernels are compiled once."""
+    joined = parameters + own
+
+    @formula
+    def along(u, *row):
+        """The normal law, the resistance that it leaves room for, and what of both counts."""
+        w, stretch, load, area = normal(u, *row[:parameters])
+        slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
+        shift, unit, force, cover, tangential_resistance = row[joined:]
+        held = unit * tangential_resistance
+        return shift + w, stretch, unit * force * load, cover * area, held * slip_limited, held * yield_limited
+
+    @formula
+    def along_interface(u, *row):
+        """The same for a resistance of the interface: it sees only the load and area that count."""
+        w, stretch, load, area = normal(u, *row[:parameters])
+        shift, unit, force, cover, _ = row[joined:]
+        load, area = force * load, cover * area
+        slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
+        return shift + w, stretch, unit * load, area, unit * slip_limited, unit * yield_limited
+
+    @formula
+    def back(w, *row):
+        return coordinate(w - row[joined], *row[:parameters])
+
+    return along_interface if interfacial else along, back
 
 
 @dataclass(frozen=True)
@@ -142,6 +144,9 @@ def _fill_sorted(edges, kinks, out):
         first, last, row = edges[i, 0], edges[i, edges.shape[1] - 1], out[i]
         for at in range(row.size):
             value = edges[i, at] if at < edges.shape[1] else min(max(kinks[i, at - edges.shape[1]], first), last)
+            # A kink at an end, but for rounding: a piece of that length would have its nodes for nothing.
+            value = first if value <= first + _AT_END * abs(first) else value
+            value = last if value >= last - _AT_END * abs(last) else value
             place = at
             while place > 0 and row[place - 1] > value:
                 row[place] = row[place - 1]
@@ -149,124 +154,118 @@ def _fill_sorted(edges, kinks, out):
             row[place] = value
 
 
-def within(piece: NormalPiece, low: np.ndarray | float, high: np.ndarray | float) -> NormalPiece:
-    """The part of a piece between two coordinates (n,); nothing where high < low, or where they are outside."""
-    low = np.maximum(np.reshape(low, (-1, 1)), piece.edges[:, :1])
-    high = np.minimum(np.reshape(high, (-1, 1)), piece.edges[:, -1:])
-    return replace(piece, edges=np.minimum(np.maximum(piece.edges, low), high))
+Part = TypeVar("Part", NormalPiece, Regime)
 
 
-def _coordinates_template(w, parameters, edges, out):
-    for i in range(w.size):
-        row = to_fixed_tuple(parameters[i], PARAMETERS)
-        first, last = edges[i, 0], edges[i, edges.shape[1] - 1]
-        if not normal(first, *row)[0] < w[i]:
-            out[i] = first
-        elif w[i] == np.inf or not (last == np.inf or normal(last, *row)[0] > w[i]):
-            out[i] = last
-        else:
-            out[i] = min(max(coordinate(w[i], *row), first), last)
-
-
-def _states_template(u, parameters, out):
-    for i in range(u.size):
-        row = to_fixed_tuple(parameters[i], PARAMETERS)
-        state = normal(u[i], *row)
-        for at in range(len(state)):
-            out[i, at] = state[at]
-
-
-def _widths_template(area, parameters, edges, out):
-    for i in range(area.size):
-        row = to_fixed_tuple(parameters[i], PARAMETERS)
-        low, high = edges[i, 0], edges[i, edges.shape[1] - 1]
-        if not normal(low, *row)[3] < area[i]:
-            out[i] = low
-            continue
-        if area[i] == np.inf:
-            out[i] = high
-            continue
-        if high == np.inf:
-            step = 1.0
-            while normal(low + step, *row)[3] < area[i]:
-                step *= 4.0
-            high = low + step
-        elif not normal(high, *row)[3] > area[i]:
-            out[i] = high
-            continue
-        for _ in range(100):
-            middle = 0.5 * (low + high)
-            if not low < middle < high:
-                break
-            if normal(middle, *row)[3] < area[i]:
-                low = middle
-            else:
-                high = middle
-        out[i] = high
+def within(part: Part, low: np.ndarray | float, high: np.ndarray | float) -> Part:
+    """The part of a piece or regime between two coordinates (n,); nothing where high < low, or where they are outside."""
+    low = np.maximum(np.reshape(low, (-1, 1)), part.edges[:, :1])
+    high = np.minimum(np.reshape(high, (-1, 1)), part.edges[:, -1:])
+    return replace(part, edges=np.minimum(np.maximum(part.edges, low), high))
 
 
 @cache
-def _kernel(template: Callable, normal, coordinate, parameters: int):
-    return kernel(bind(template, normal=normal, coordinate=coordinate, PARAMETERS=parameters))
+def _coordinates(normal: Callable, coordinate: Callable, parameters: int) -> Any:
+    @kernel
+    def fill_coordinates(w, table, edges, out):
+        for i in range(w.size):
+            row = unpack(table[i], parameters)
+            first, last = edges[i, 0], edges[i, edges.shape[1] - 1]
+            if not normal(first, *row)[0] < w[i]:
+                out[i] = first
+            elif w[i] == np.inf or not (last == np.inf or normal(last, *row)[0] > w[i]):
+                out[i] = last
+            else:
+                out[i] = min(max(coordinate(w[i], *row), first), last)
+
+    return fill_coordinates
 
 
-def _columns(parameters, laws: int) -> np.ndarray:
-    columns = [np.broadcast_to(column, laws) for column in parameters]
-    return np.ascontiguousarray(np.reshape(columns, (len(columns), laws)).T)
+@cache
+def _coordinates_at_area(normal: Callable, parameters: int) -> Any:
+    @formula
+    def narrower(u, given):
+        row, area = given
+        return normal(u, *row)[3] < area
+
+    search = up_to(narrower)
+
+    @kernel
+    def fill_coordinates_at_area(area, table, edges, out):
+        for i in range(area.size):
+            row = unpack(table[i], parameters)
+            out[i] = search(edges[i, 0], edges[i, edges.shape[1] - 1], 1.0, _FARTHEST, (row, area[i]))
+
+    return fill_coordinates_at_area
+
+
+@cache
+def _states(along: Callable, parameters: int) -> Any:
+    @kernel
+    def fill_states(u, table, out):
+        for i in range(u.size):
+            state = along(u[i], *unpack(table[i], parameters))
+            for at in range(len(state)):
+                out[i, at] = state[at]
+
+    return fill_states
+
+
+@cache
+def _resistances(resistance: Callable, parameters: int) -> Any:
+    @kernel
+    def fill_resistances(load, area, table, out):
+        for i in range(load.shape[0]):
+            row = unpack(table[i], parameters)
+            for at in range(load.shape[1]):
+                slip_limited, yield_limited = resistance(0.0, 0.0, load[i, at], area[i, at], *row)
+                out[i, at] = slip_limited + yield_limited
+
+    return fill_resistances
 
 
 def coordinates(piece: NormalPiece, w: np.ndarray | float) -> np.ndarray:
     """u (n,) where the displacement is w (n,); the nearer end where the piece does not have it."""
-    edges = np.ascontiguousarray(piece.edges)
-    compiled = _kernel(_coordinates_template, piece.normal, piece.coordinate, len(piece.parameters))
-    out = np.empty(len(edges))
-    compiled(_one_each(w, edges), _columns(piece.parameters, len(edges)), edges, out)
+    edges, out = np.ascontiguousarray(piece.edges), np.empty(len(piece.edges))
+    compiled = _coordinates(piece.normal, piece.coordinate, len(piece.parameters))
+    compiled(_one_each(w, edges), columns(piece.parameters, len(edges)), edges, out)
     return out
 
 
 def coordinates_at_area(piece: NormalPiece, area: np.ndarray | float) -> np.ndarray:
     """u (n,) where the contact area, which grows along the piece, is this (n,); the nearer end where it nowhere is."""
-    edges = np.ascontiguousarray(piece.edges)
-    compiled = _kernel(_widths_template, piece.normal, piece.coordinate, len(piece.parameters))
-    out = np.empty(len(edges))
-    compiled(_one_each(area, edges), _columns(piece.parameters, len(edges)), edges, out)
+    edges, out = np.ascontiguousarray(piece.edges), np.empty(len(piece.edges))
+    compiled = _coordinates_at_area(piece.normal, len(piece.parameters))
+    compiled(_one_each(area, edges), columns(piece.parameters, len(edges)), edges, out)
     return out
 
 
 def states(regime: Regime, u: np.ndarray) -> np.ndarray:
     """The six values (n, 6) of `along` at the coordinates u (n,)."""
-    compiled = _kernel(_states_template, regime.along, regime.coordinate, len(regime.parameters))
-    out = np.empty((len(u), 6))
-    compiled(np.ascontiguousarray(u), _columns(regime.parameters, len(u)), out)
-    return out
+    return _values(regime.along, regime.parameters, u, np.empty((len(u), 6)))
 
 
 def normal_states(piece: NormalPiece, u: np.ndarray) -> np.ndarray:
     """Displacement, its derivative, load and contact area (n, 4) at the coordinates u (n,)."""
-    compiled = _kernel(_states_template, piece.normal, piece.coordinate, len(piece.parameters))
-    out = np.empty((len(u), 4))
-    compiled(np.ascontiguousarray(u), _columns(piece.parameters, len(u)), out)
+    return _values(piece.normal, piece.parameters, u, np.empty((len(u), 4)))
+
+
+def _values(along: Callable, parameters: tuple, u: np.ndarray, out: np.ndarray) -> np.ndarray:
+    _states(along, len(parameters))(np.ascontiguousarray(u), columns(parameters, len(u)), out)
     return out
 
 
-def _one_each(values, edges: np.ndarray) -> np.ndarray:
+def _one_each(values: np.ndarray | float, edges: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(np.broadcast_to(np.asarray(values, dtype=float), len(edges)))
-
-
-def _resistances_template(load, area, parameters, out):
-    for i in range(load.shape[0]):
-        row = to_fixed_tuple(parameters[i], PARAMETERS)
-        for at in range(load.shape[1]):
-            slip_limited, yield_limited = normal(0.0, 0.0, load[i, at], area[i, at], *row)
-            out[i, at] = slip_limited + yield_limited
 
 
 def resistances(tangential: TangentialLaw, groups: Groups, load: np.ndarray, area: np.ndarray) -> np.ndarray:
     """Tangential force (n, m) of a law of the interface under whole loads and contact areas (n, m)."""
     anywhere = NormalPiece(none, none, (), np.zeros((len(groups), 1)), "elastic")
     tangential_resistance = tangential.tangential_resistance(anywhere, groups)
-    compiled = _kernel(_resistances_template, tangential_resistance.resistance, none, len(tangential_resistance.parameters))
     out = np.empty(load.shape)
-    parameters = _columns(tangential_resistance.parameters, len(groups))
-    compiled(np.ascontiguousarray(load), np.ascontiguousarray(area), parameters, out)
+    table = columns(tangential_resistance.parameters, len(groups))
+    _resistances(tangential_resistance.resistance, len(tangential_resistance.parameters))(
+        np.ascontiguousarray(load), np.ascontiguousarray(area), table, out
+    )
     return out

@@ -1,6 +1,7 @@
 """The fast form of the 2015 paper's model: NumPy arrays in, NumPy arrays out, no labels."""
 
 from collections.abc import Iterator
+from numbers import Integral
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -8,13 +9,13 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime
-from stiction.engine.summation import FARTHEST, scattered, totals_on_grid
+from stiction.engine.summation import FARTHEST, in_threads, scattered, totals_on_grid
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.solving.problem import Sum, problem_of
 
-_CHUNK = 4096  # points, or laws on a grid, at a time: bounds the memory
+_POINTS, _LAWS = 8192, 2048  # at a time, scattered or on a grid: bounds the memory
 
 
 class Evaluation(NamedTuple):
@@ -35,13 +36,15 @@ def evaluate(
     n_H=None,
     tau=None,
     reading: str = "corrected",
+    threads: int = 1,
 ) -> Evaluation:
     """Load, real contact area and friction force of the 2015 paper's model, for arrays that broadcast like a ufunc's.
 
     h: mean separation over sigma. theta, lam > 0: adhesion indices. 0 <= nu < 0.5. hardness_to_yield >= 1. n_E, n_H > 0 and
     tau >= 0, all or none: modulus and hardness of a film over the substrate's, and its thickness over sigma. reading:
     "corrected", or "published" for the paper to the letter (its friction then has exp(-(h+x)^2/2) in place of phi; its
-    contact area, which is not printed, is the analogue of eq. 1).
+    contact area, which is not printed, is the analogue of eq. 1). threads >= 1: how many share the work; the results are the
+    same, bit for bit.
 
     Returns an Evaluation of float64 arrays in the broadcast shape, good to 1e-10 (the load relative to the integral of
     the absolute value). Where h varies along axes of its own, all separations of a law are computed at once.
@@ -54,6 +57,8 @@ def evaluate(
         raise InputError(missing[0], None, "n_E, n_H and tau together, or none of them")
     if not missing:
         given |= film
+    if not (isinstance(threads, Integral) and threads >= 1):
+        raise InputError("threads", threads, "a whole number, 1 or more")
     choice = Choice(options={"reading": reading})
     columns = [_separations(h), *(_checked(name, value) for name, value in given.items())]
     try:
@@ -66,8 +71,8 @@ def evaluate(
     law_shape = np.broadcast_shapes(*(column.shape for column in laws.values()))
     own_axes = all(one == 1 or other == 1 for one, other in zip(separation.shape, law_shape, strict=True))
     if own_axes and separation.size > 1:
-        return _on_grid(separation, laws, law_shape, shape, choice)
-    return _scattered(separation, laws, shape, choice)
+        return _on_grid(separation, laws, law_shape, shape, choice, threads)
+    return _scattered(separation, laws, shape, choice, threads)
 
 
 def _checked(name: str, value) -> np.ndarray:
@@ -108,10 +113,10 @@ def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
     return problem.regimes
 
 
-def _chunks(columns: list[np.ndarray]) -> Iterator[tuple[slice, list[np.ndarray]]]:
+def _chunks(columns: list[np.ndarray], size: int) -> Iterator[tuple[slice, list[np.ndarray]]]:
     """Broadcast columns as flat pieces of C order, copied piece by piece."""
     start = 0
-    pieces_of: Any = np.nditer(columns, flags=["external_loop", "buffered", "zerosize_ok"], order="C", buffersize=_CHUNK)
+    pieces_of: Any = np.nditer(columns, flags=["external_loop", "buffered", "zerosize_ok"], order="C", buffersize=size)
     for piece in pieces_of:
         pieces = [np.array(part) for part in (piece if isinstance(piece, tuple) else (piece,))]
         stop = start + pieces[0].size
@@ -119,23 +124,31 @@ def _chunks(columns: list[np.ndarray]) -> Iterator[tuple[slice, list[np.ndarray]
         start = stop
 
 
-def _scattered(separation, laws, shape, choice) -> Evaluation:
+def _scattered(separation, laws, shape, choice, threads) -> Evaluation:
     out = Evaluation(*(np.empty(shape) for _ in Evaluation._fields))
     flat = [array.reshape(-1) for array in out]
-    for where, (h, *pieces) in _chunks([separation, *laws.values()]):
+
+    def fill(chunk):
+        where, (h, *pieces) = chunk
         regimes = _regimes(dict(zip(laws, pieces, strict=True)), choice)
         _, load, area, slip_limited, yield_limited = scattered(regimes, h, gaussian()).sum(axis=0).T
         for column, total in zip(flat, (load, area, slip_limited + yield_limited), strict=True):
             column[where] = total
+
+    in_threads(fill, _chunks([separation, *laws.values()], _POINTS), threads)
     return out
 
 
-def _on_grid(separation, laws, law_shape, shape, choice) -> Evaluation:
+def _on_grid(separation, laws, law_shape, shape, choice, threads) -> Evaluation:
     h = separation.reshape(-1)
     table = np.empty((int(np.prod(law_shape)), len(Evaluation._fields), h.size))
-    for where, pieces in _chunks(list(laws.values())):
+
+    def fill(chunk):
+        where, pieces = chunk
         regimes = _regimes(dict(zip(laws, pieces, strict=True)), choice)
         totals_on_grid(regimes, h, gaussian(), out=table[where])
+
+    in_threads(fill, _chunks(list(laws.values()), _LAWS), threads)
     # The table has laws and separations flattened; every axis of the result belongs to one of the two.
     of_laws = [axis for axis, length in enumerate(separation.shape) if length == 1]
     order = of_laws + [axis for axis in range(len(shape)) if axis not in of_laws]

@@ -32,6 +32,7 @@ class Problem(ABC):
     groups: their dimensionless groups, flat. dims: named dimensions of the contacts, name -> size; n is the product. coords:
     what the dimensions' points are called. subject: the Contact or Indices, as the model takes it; None where only groups were
     given. Results are normalised, by name; of theories that know no separation there is only what `at_load` gives.
+    threads: how many share the sums; the results are the same, bit for bit.
     """
 
     chosen: Chosen
@@ -40,6 +41,7 @@ class Problem(ABC):
     dims: dict[str, int]
     coords: dict[str, Any]
     subject: Any = None
+    threads: int = 1
 
     @property
     def record(self) -> RoughSurface:
@@ -147,14 +149,11 @@ class Sum(Problem):
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         pieces = range(0, h.size, _AT_ONCE)
-        parts = [
-            scattered(self.regimes, h[at : at + _AT_ONCE], self.heights, law[at : at + _AT_ONCE])[..., _LOAD].sum(axis=0)
-            for at in pieces
-        ]
+        parts = [self._scattered(h[at : at + _AT_ONCE], law[at : at + _AT_ONCE])[..., _LOAD].sum(axis=0) for at in pieces]
         return np.concatenate(parts) if parts else np.empty(0)
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
-        return totals_on_grid(self.regimes, h, self.heights)[:, 0]
+        return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
 
     def stiffness(self, h: np.ndarray) -> np.ndarray:
         """Tangential stiffness per asperity (n, m) at the separations h (n, m), before anything slides."""
@@ -164,20 +163,23 @@ class Sum(Problem):
             raise InputError("presliding", presliding.key, "nothing: how film and substrate share it is not known")
         plain = replace(self.chosen, model=replace(self.record, regimes=None), tangential=presliding)
         rows = np.repeat(np.arange(len(h)), h.shape[1])
-        sums = scattered(replace(self, chosen=plain).regimes, h.reshape(-1), self.heights, rows)
+        sums = replace(self, chosen=plain)._scattered(h.reshape(-1), rows)
         return sums[..., _SLIP_LIMITED].sum(axis=0).reshape(h.shape)
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        results = self._by_name(np.moveaxis(on_grid(self.regimes, h, self.heights), 2, -1))
+        results = self._by_name(np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1))
         return self._with_stiffness(results, np.tile(h, (len(self.groups), 1)))
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
         law = np.repeat(np.arange(len(h)), h.shape[1])
-        sums = scattered(self.regimes, h.reshape(-1), self.heights, law).reshape(len(self.regimes), *h.shape, 5)
+        sums = self._scattered(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5)
         return self._with_stiffness(self._by_name(sums), h)
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         raise AssertionError(f"{self.record.key} is solved at separations")
+
+    def _scattered(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        return scattered(self.regimes, h, self.heights, law, self.threads)
 
     def _with_stiffness(self, results: dict[str, np.ndarray], h: np.ndarray) -> dict[str, np.ndarray]:
         return results if self.chosen.presliding is None else results | {"tangential_stiffness": self.stiffness(h)}
@@ -304,7 +306,7 @@ def takes_surface_moments(model: str) -> bool:
     return find(model, RoughSurface).takes_surface_moments
 
 
-def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None) -> Problem:
+def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
     """The problem of this contact under this model. Raises InputError for what the model does not know or refuses."""
     subject = with_surface_moments(as_subject(subject), choice.model)
     if heights is None:
@@ -313,7 +315,8 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     elif isinstance(heights, str):
         heights = height_distribution(heights)
     groups, dims = Groups.of(subject.indices())
-    problem = replace(problem_of(groups, choice, heights, subject), dims=dims, coords=coordinates(subject.arrays()))
+    problem = problem_of(groups, choice, heights, subject)
+    problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)
     if isinstance(problem, ClosedForm) and heights.key != "gaussian":
         raise InputError("heights", heights.key, f"gaussian: {problem.record.key} knows no other heights")
     return problem

@@ -34,6 +34,7 @@ def solve(
     film: str | None = None,
     presliding: str | None = None,
     heights: Heights | str | None = None,
+    threads: int = 1,
     **options: str | None,
 ) -> "xarray.Dataset":
     """Solve a contact at given mean separations, or at given loads.
@@ -45,8 +46,8 @@ def solve(
     model: key of a rough-surface model (stiction.models()). asperity, tangential, film: keys of other laws in place of
     those that the model takes by itself; tangential="none" for contact only. presliding: "mindlin_1949" adds
     tangential_stiffness, that of the contact before anything slides. heights: a height distribution, or its name; by
-    default the contact's own, or Gaussian. options: those of the model or of these laws, by name, such as
-    reading="published", branch="unloading", transition="gradual"; None for a default.
+    default the contact's own, or Gaussian. threads: how many share the work, which changes no digit. options: those of the
+    model or of these laws, by name, such as reading="published", branch="unloading", transition="gradual"; None for a default.
 
     Returns an xarray.Dataset with units and long names: load, contact_area, friction_force, friction_coefficient (not a
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
@@ -59,7 +60,7 @@ def solve(
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
     laws = without_old_names({"film": film} | options)
     choice = Choice(model, asperity, tangential, laws.pop("film"), laws, presliding)
-    problem = make_problem(contact, choice, heights)
+    problem = make_problem(contact, choice, heights, threads)
     name, given = ("load", load) if separation is None else ("mean_separation", separation)
     return _solved(problem, name, points_asked(problem.subject, name, given))
 

@@ -15,6 +15,7 @@ The paper prints no contact area; that of its reading, for (e), is the analogue 
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -198,7 +199,7 @@ def surfaces_at(theta: float, lam: np.ndarray, reading: str) -> Surfaces:
     from stiction.solving.evaluate import evaluate
 
     lam = np.asarray(lam, dtype=float).reshape(-1, 1, 1, 1, 1)
-    film = {"n_E": _N_E[:, None, None, None], "n_H": _N_H[:, None, None], "tau": _TAU[:, None]}
+    film: dict[str, Any] = {"n_E": _N_E[:, None, None, None], "n_H": _N_H[:, None, None], "tau": _TAU[:, None]}
     bare = evaluate(_H, theta, lam, reading=reading)
     return Surfaces(Curves(*bare), Curves(*evaluate(_H, theta, lam, **film, reading=reading)))
 

@@ -28,6 +28,7 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import AsperityLaw, Limit, Validity
@@ -116,25 +117,22 @@ def coordinate(w, g, lam):
     return s
 
 
+@formula
+def _unstable(s, lam):
+    return stretch(s, lam) < 0.0
+
+
+_halve = halving(_unstable)
+
+
 @kernel
 def _fill_first(lam, loading, out):
     for i in range(lam.size):
         high = coordinate(0.0, 1.0, lam[i])
         if loading:
             out[i] = high
-            continue
-        low = 0.0
-        if stretch(low, lam[i]) < 0.0:  # else the contact shrinks stably to a point
-            for _ in range(100):
-                middle = 0.5 * (low + high)
-                if not low < middle < high:
-                    break
-                if stretch(middle, lam[i]) < 0.0:
-                    low = middle
-                else:
-                    high = middle
-            low = high
-        out[i] = low
+        else:  # unless it is unstable there, the contact shrinks to a point
+            out[i] = _halve(0.0, high, lam[i]) if _unstable(0.0, lam[i]) else 0.0
 
 
 @kernel

@@ -15,31 +15,47 @@ from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
 from stiction.laws.sources import Source
 
+_STEPS = 7  # Newton's, from at most half above the root to the last digit
+
 
 @formula
-def largest_root(a, c):
-    """The largest real root of v^3 + a v - c = 0, c > 0: Newton from above."""
-    v = c ** (1.0 / 3.0) + math.sqrt(max(-a, 0.0))
-    for _ in range(100):
-        step = (v * (v * v + a) - c) / (3.0 * v * v + a)
-        v -= step
-        if step <= 1e-15 * v:
-            break
+def unit_root(a):
+    """The largest real root of v^3 + a v - 1 = 0: Newton from above, so often that it is enough for every a, because a loop
+    over many that all take the same steps is one of vectors."""
+    # With s^2 = -a > 0 the root is s + d, 2 s^2 d + 3 s d^2 + d^3 = 1. It is below each of these, and near one of them.
+    s = math.sqrt(max(-a, 0.0))
+    v = min(1.0 + s, s + 0.5 / (s * s)) if a < 0.0 else min(1.0, 1.0 / a)
+    for _ in range(_STEPS):
+        v -= (v * (v * v + a) - 1.0) / (3.0 * v * v + a)
     return v
 
 
+@formula
+def largest_root(a, c):
+    """The largest real root of v^3 + a v - c = 0, c > 0."""
+    scale = c ** (1.0 / 3.0)
+    return scale * unit_root(a / (scale * scale))
+
+
 @kernel
-def _fill_onset(eta, S, out):
-    for i in range(eta.size):
-        out[i] = largest_root(-eta[i], S[i])
+def _fill_unit_roots(a, out):
+    for i in range(out.size):
+        out[i] = unit_root(a[i])
+
+
+def unit_roots(a: np.ndarray) -> np.ndarray:
+    """The same of an array (n,)."""
+    out = np.empty_like(a)
+    _fill_unit_roots(a, out)
+    return out
 
 
 def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     """u (n,) and w (n,) where the mean pressure reaches the hardness: u^3 - eta u - S = 0 (eqs 2 and 4 of the 2015 paper)."""
     S = np.sqrt(6.0 * math.pi / groups.theta)
-    u = np.empty(len(groups))
-    _fill_onset(groups.eta, S, u)
-    return u, u * (u**3 - 2.0 / 3.0 * S)
+    scale = S ** (1.0 / 3.0)
+    u = scale * unit_roots(-groups.eta / (scale * scale))
+    return u, u * (u * u * u - 2.0 / 3.0 * S)
 
 
 @formula

@@ -28,6 +28,7 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import hertz, jkr, roy_chowdhury_ghosh_1994
 from stiction.laws.joining import coordinates, within
@@ -139,27 +140,28 @@ def released_coordinate(w, theta, eta_y, u_y, distance, origin):
     return math.sqrt(max(_coordinate(w + distance, _adhesion(theta)) - origin, 0.0))
 
 
+@formula
+def _is_lost(U, given):
+    S, eta_y, u_y, distance = given
+    return recovery(U, S, eta_y, u_y) < distance
+
+
+_halve = halving(_is_lost)
+
+
 @kernel
 def _fill_origin(theta, eta_y, u_y, first, distance, out):
     """U from which on asperities still hold. Where all that have yielded do, it is continued below the first of them, that the
     square root of the distance to it stays smooth, but no further than to 0.9 of it: the law has no meaning there."""
     for i in range(out.size):
-        S = _adhesion(theta[i])
+        given = _adhesion(theta[i]), eta_y[i], u_y[i], distance[i]
         low = high = first[i]
-        if recovery(low, S, eta_y[i], u_y[i]) < distance[i]:
-            while recovery(high, S, eta_y[i], u_y[i]) < distance[i]:
+        if _is_lost(low, given):
+            while _is_lost(high, given):
                 high *= 2.0
         else:
             low *= 0.9
-        for _ in range(100):
-            middle = 0.5 * (low + high)
-            if not low < middle < high:
-                break
-            if recovery(middle, S, eta_y[i], u_y[i]) < distance[i]:
-                low = middle
-            else:
-                high = middle
-        out[i] = high
+        out[i] = _halve(low, high, given)
 
 
 def _displacements(u: np.ndarray, theta: np.ndarray) -> np.ndarray:

@@ -7,22 +7,20 @@ continuous at omega = t.
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import bind, formula
+from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Share
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import FilmLaw, Validity
 from stiction.laws.sources import Source
-
-# The functions named _*_template are compiled anew for each asperity law, with these names bound.
-normal = coordinate = None
-NORMAL = 0
 
 
 @formula
@@ -36,22 +34,21 @@ def film_alone_coordinate(w, hardness, pull):
     return w
 
 
-def _rim_template(u, *row):
-    """The film around the substrate's contact: all of 2 pi R omega that is not the substrate's."""
-    w, stretch, _, inner = normal(u, *row[:NORMAL])
-    tau, hardness, pull = row[NORMAL:]
-    area = max(2.0 * (w + tau) - inner, 0.0)
-    return w + tau, stretch, hardness * area - pull, area
-
-
-def _rim_coordinate_template(w, *row):
-    return coordinate(w - row[NORMAL], *row[:NORMAL])
-
-
 @cache
-def _rim(normal, coordinate, parameters: int):
-    names = {"normal": normal, "coordinate": coordinate, "NORMAL": parameters}
-    return formula(bind(_rim_template, **names)), formula(bind(_rim_coordinate_template, **names))
+def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
+    @formula
+    def rim(u, *row):
+        """The film around the substrate's contact: all of 2 pi R omega that is not the substrate's."""
+        w, stretch, _, inner = normal(u, *row[:parameters])
+        tau, hardness, pull = row[parameters:]
+        area = max(2.0 * (w + tau) - inner, 0.0)
+        return w + tau, stretch, hardness * area - pull, area
+
+    @formula
+    def rim_coordinate(w, *row):
+        return coordinate(w - row[parameters], *row[:parameters])
+
+    return rim, rim_coordinate
 
 
 def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:

@@ -15,28 +15,16 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import bind, formula, kernel
-from stiction.engine.regime import Regime
+from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.regime import Regime, columns
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import FilmLaw, Limit, Validity, composites_of
 from stiction.laws.sources import Source
 
 _THINNEST = 1e-100  # film over sigma, of one that is not there
 
-# The functions named _*_template are compiled anew for each choice of modulus and hardness, with these names bound.
-modulus = hardness = None
 CELLS, HALVINGS = 256, 60
-
-
-def _elastic_template(u, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
-    """At u = sqrt(w), where a/sqrt(R sigma) is u too."""
-    w = u * u
-    return w, 2.0 * u, modulus(n_E, aspect / u, nu_film, nu) * w * u, w
-
-
-def _plastic_template(w, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
-    area = 2.0 * w - w_c
-    return w, 1.0, eta * hardness(n_H, w / tau, constant, exponent) * area, area
+ELASTIC = 9  # parameters before the displacement at which it flows
 
 
 @formula
@@ -49,37 +37,53 @@ def plastic_coordinate(w, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exp
     return w
 
 
-def _onset_template(n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, out):
-    """The least u = sqrt(w) at which the mean pressure reaches the hardness: (E'/E'_s) u = eta H/H_s. It lies between the
-    values for the softer of both on the stiffer, and the harder on the less stiff; scanned, then halved."""
-    for i in range(out.size):
-        low = eta[i] * min(n_H[i], 1.0) / max(n_E[i], 1.0)
-        high = eta[i] * max(n_H[i], 1.0) / min(n_E[i], 1.0)
-        step = (high / low) ** (1.0 / CELLS)
-        u = low
-        for _ in range(CELLS):
-            stiff = modulus(n_E[i], aspect[i] / u, nu_film[i], nu[i])
-            if stiff * u >= eta[i] * hardness(n_H[i], u * u / tau[i], constant[i], exponent[i]):
-                break
-            low = u
-            u *= step
-        high = u
-        for _ in range(HALVINGS):
-            u = 0.5 * (low + high)
-            stiff = modulus(n_E[i], aspect[i] / u, nu_film[i], nu[i])
-            if stiff * u >= eta[i] * hardness(n_H[i], u * u / tau[i], constant[i], exponent[i]):
-                high = u
-            else:
-                low = u
-        out[i] = high
-
-
 @cache
-def _compiled(modulus_key: str, hardness_key: str):
+def _compiled(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
     """Formulas of the elastic and the plastic asperity, and the kernel that finds where one gives way to the other."""
-    names = {"modulus": composites_of("modulus")[modulus_key].value, "hardness": composites_of("hardness")[hardness_key].value}
-    elastic, plastic = formula(bind(_elastic_template, **names)), formula(bind(_plastic_template, **names))
-    return elastic, plastic, kernel(bind(_onset_template, **names))
+    modulus, hardness = composites_of("modulus")[modulus_key].value, composites_of("hardness")[hardness_key].value
+
+    @formula
+    def elastic(u, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
+        """At u = sqrt(w), where a/sqrt(R sigma) is u too."""
+        w = u * u
+        return w, 2.0 * u, modulus(n_E, aspect / u, nu_film, nu) * w * u, w
+
+    @formula
+    def plastic(w, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
+        area = 2.0 * w - w_c
+        return w, 1.0, eta * hardness(n_H, w / tau, constant, exponent) * area, area
+
+    @formula
+    def flows(u, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent):
+        """Whether the mean pressure of the elastic asperity is the hardness, or more."""
+        return modulus(n_E, aspect / u, nu_film, nu) * u >= eta * hardness(n_H, u * u / tau, constant, exponent)
+
+    @kernel
+    def onset(table, out):
+        """The least u = sqrt(w) at which the mean pressure reaches the hardness: (E'/E'_s) u = eta H/H_s. It lies between the
+        values for the softer of both on the stiffer, and the harder on the less stiff; scanned, then halved."""
+        for i in range(out.size):
+            row = unpack(table[i], ELASTIC)
+            n_E, n_H, eta = row[:3]
+            low = eta * min(n_H, 1.0) / max(n_E, 1.0)
+            high = eta * max(n_H, 1.0) / min(n_E, 1.0)
+            step = (high / low) ** (1.0 / CELLS)
+            u = low
+            for _ in range(CELLS):
+                if flows(u, *row):
+                    break
+                low = u
+                u *= step
+            high = u
+            for _ in range(HALVINGS):
+                u = 0.5 * (low + high)
+                if flows(u, *row):
+                    high = u
+                else:
+                    low = u
+            out[i] = high
+
+    return elastic, plastic, onset
 
 
 def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarray:
@@ -100,13 +104,11 @@ def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str)
     exponent = np.where(n_H < 1.0, soft, 3.0 - soft)
     film_hardness: Any = composites_of("hardness")[hardness]
     constant = film_hardness.constants(n_E, n_H, n_H)
-    eta = np.ascontiguousarray(groups.eta)
+    eta = groups.eta
     elastic, plastic, onset = _compiled(modulus, hardness)
-    known = [np.ascontiguousarray(np.broadcast_to(one, laws), dtype=float) for one in (
-        n_E, n_H, eta, aspect, tau, groups.film_nu, groups.nu, constant, exponent,
-    )]  # fmt: skip
+    known = n_E, n_H, eta, aspect, tau, groups.film_nu, groups.nu, constant, exponent
     u_c = np.empty(laws)
-    onset(*known, u_c)
+    onset(columns(known, laws), u_c)
     parameters = (*known, u_c * u_c)
     widths = aspect[:, None] * np.array(
         [0.1, 0.3, 1.0, 3.0, 10.0, 40.0, 200.0, 1e3, 6e3]

@@ -3,8 +3,6 @@ trailing edge (Hamilton, von Mises), whichever comes first; a plastic one not at
 
 import math
 
-import numpy as np
-
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
@@ -12,7 +10,7 @@ from stiction.laws.registry import TangentialLaw
 from stiction.laws.sources import Source
 from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
-from stiction.laws.tangential.shared.slip_or_yield import LOADING_KINKS, UNLOADING_KINKS, fill_kinks
+from stiction.laws.tangential.shared.slip_or_yield import kinks_of
 
 
 @formula
@@ -48,16 +46,12 @@ def grip_printed(piece: NormalPiece, groups: Groups) -> TangentialResistance | N
 def _grip(piece, groups, formula_of, printed: bool) -> TangentialResistance | None:
     if piece.state != "elastic":
         return None
-    laws = len(groups)
     # G_N + zeta G_T = gamma: the tangential compliance counts zeta times.
     K_beta = groups.K_beta if groups.peeling is None else groups.K_beta * groups.peeling
-    S = np.sqrt(6.0 * math.pi / groups.theta)
-    unloading = piece.lowest < 0.0
-    kinks, branch = np.empty((laws, UNLOADING_KINKS if unloading else LOADING_KINKS)), np.empty(laws)
-    eta, nu, k = groups.eta, groups.nu, groups.hardness_to_yield
-    last = np.ascontiguousarray(piece.edges[:, -1])
-    fill_kinks(S, eta, K_beta, nu, k, last, printed, unloading, kinks, branch)
-    return TangentialResistance(formula_of, (groups.theta, eta, K_beta, nu, k), kinks, branch)
+    kinks, branch = kinks_of(groups, K_beta, piece.edges[:, -1], printed, unloading=piece.lowest < 0.0)
+    return TangentialResistance(
+        formula_of, (groups.theta, groups.eta, K_beta, groups.nu, groups.hardness_to_yield), kinks, branch
+    )
 
 
 RECORD = TangentialLaw(

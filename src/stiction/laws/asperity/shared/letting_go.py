@@ -10,11 +10,13 @@ of Etsion, Kligerman & Kadin 2005. Everything is a formula of scalars in the uni
 import math
 from collections.abc import Callable
 from functools import cache
+from typing import Any
 
 import numpy as np
-from numba.np.unsafe.ndarray import to_fixed_tuple
 
-from stiction.engine.compiled import bind, formula, kernel
+from stiction.engine.bisection import up_to
+from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.regime import columns
 from stiction.laws.joining import within
 from stiction.laws.piece import NormalPiece
 
@@ -66,47 +68,62 @@ def recovered(w_max, w_res, load_max):
     return 0.4 * load_max * (w_max - w_res)
 
 
-# The functions named _*_template are compiled anew for each asperity law, with these names bound.
-normal = coordinate = None
-NORMAL = PARAMETERS = 0
-_residual, _let_go = residual, let_go
-
-
-def _drawn_template(v, *row):
-    """`normal` of a piece, let go by the distance row[NORMAL]; u = free + v^2, for the load starts like (u - free)^(3/2)."""
-    w_max, stretch, load_max, area_max = normal(row[NORMAL + 1] + v * v, *row[:NORMAL])
-    w = w_max - row[NORMAL]
-    load, area = _let_go(w, w_max, _residual(w_max, load_max, area_max), load_max, area_max)
-    return w, 2.0 * v * stretch, load, area
-
-
-def _drawn_coordinate_template(w, *row):
-    return math.sqrt(max(coordinate(w + row[NORMAL], *row[:NORMAL]) - row[NORMAL + 1], 0.0))
+_STEP = 1e-6  # to the side, for a slope: the coordinates of pieces are of the order of one, or of their own first value
+_FARTHEST = 1e6  # no asperity on an endless piece is pressed farther beyond its first coordinate
 
 
 @formula
 def _recovery(state):
-    return state[0] - _residual(state[0], state[2], state[3])
+    return state[0] - residual(state[0], state[2], state[3])
 
 
 @formula
-def _overshoot(state):
+def _overshoots(state):
     """Whether the flattened sphere would have recovered more than it was pressed in, by more than rounding."""
     return state[3] > 0.0 and state[2] > (1.0 + 1e-12) * state[0] * math.sqrt(state[3])
 
 
-_STEP = 1e-6  # to the side, for a slope: the coordinates of pieces are of the order of one, or of their own first value
+@cache
+def _let_go_by(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
+    """`normal` and `coordinate` of a piece of so many parameters that is let go; two more follow: by which distance, and the
+    coordinate that is just free."""
+
+    @formula
+    def released(v, *row):
+        """At u = free + v^2, for the load starts like (u - free)^(3/2)."""
+        w_max, stretch, load_max, area_max = normal(row[parameters + 1] + v * v, *row[:parameters])
+        w = w_max - row[parameters]
+        load, area = let_go(w, w_max, residual(w_max, load_max, area_max), load_max, area_max)
+        return w, 2.0 * v * stretch, load, area
+
+    @formula
+    def released_coordinate(w, *row):
+        return math.sqrt(max(coordinate(w + row[parameters], *row[:parameters]) - row[parameters + 1], 0.0))
+
+    return released, released_coordinate
 
 
-def _free_template(distance, parameters, edges, out):
-    """The coordinate at which the asperities are just free once they are let go by the distance: it grows along a piece. Where
-    the first of the piece is not free yet, the straight continuation to where it would be: the square root of the distance to
-    it is then smooth along the piece."""
-    for i in range(distance.size):
-        row = to_fixed_tuple(parameters[i], PARAMETERS)
-        low, high = edges[i, 0], edges[i, edges.shape[1] - 1]
-        first = _recovery(normal(low, *row))
-        if not first < distance[i]:
+@cache
+def _freeing(normal: Callable, parameters: int) -> Any:
+    @formula
+    def held(u, given):
+        row, distance = given
+        return _recovery(normal(u, *row)) < distance
+
+    search = up_to(held)
+
+    @kernel
+    def fill_free(distance, table, edges, out):
+        """The coordinate at which the asperities are just free once they are let go by the distance: it grows along a piece.
+        Where the first of the piece is not free yet, the straight continuation to where it would be: the square root of the
+        distance to it is then smooth along the piece."""
+        for i in range(distance.size):
+            row = unpack(table[i], parameters)
+            low, high = edges[i, 0], edges[i, edges.shape[1] - 1]
+            first = _recovery(normal(low, *row))
+            if first < distance[i]:
+                out[i] = search(low, high, 1.0, _FARTHEST, (row, distance[i]))
+                continue
             out[i] = low
             step = _STEP * max(abs(low), 1e-3)
             if high > low + step:
@@ -114,61 +131,27 @@ def _free_template(distance, parameters, edges, out):
                 away = first - distance[i]
                 if slope > 0.0 and away < slope * max(abs(low), 1.0):
                     out[i] = low - away / slope
-            continue
-        if high == np.inf:
-            step = 1.0
-            while step < 1e6 and _recovery(normal(low + step, *row)) < distance[i]:
-                step *= 4.0
-            high = low + step
-        if not _recovery(normal(high, *row)) > distance[i]:
-            out[i] = edges[i, edges.shape[1] - 1]
-            continue
-        for _ in range(100):
-            middle = 0.5 * (low + high)
-            if not low < middle < high:
-                break
-            if _recovery(normal(middle, *row)) < distance[i]:
-                low = middle
-            else:
-                high = middle
-        out[i] = high
 
-
-def _clamped_template(parameters, edges, out):
-    """Up to which coordinate nothing stays because the law overshoots, see `residual`; the first where it does not."""
-    for i in range(out.size):
-        row = to_fixed_tuple(parameters[i], PARAMETERS)
-        low, last = edges[i, 0], edges[i, edges.shape[1] - 1]
-        out[i] = low
-        if not (last > low and _overshoot(normal(low, *row))):
-            continue
-        high = last
-        if last == np.inf:
-            step = 1e-3
-            while step < 1e6 and _overshoot(normal(low + step, *row)):
-                step *= 4.0
-            high = low + step
-        if _overshoot(normal(high, *row)):
-            out[i] = last
-            continue
-        for _ in range(100):
-            middle = 0.5 * (low + high)
-            if not low < middle < high:
-                break
-            if _overshoot(normal(middle, *row)):
-                low = middle
-            else:
-                high = middle
-        out[i] = high
+    return fill_free
 
 
 @cache
-def _drawn(normal: Callable, coordinate: Callable, parameters: int):
-    """Formulas of the piece that is let go, and the kernels that find where it begins and what of it overshoots; the same
-    objects for the same law."""
-    names = {"normal": normal, "coordinate": coordinate, "NORMAL": parameters, "PARAMETERS": parameters}
-    formulas = [formula(bind(one, **names)) for one in (_drawn_template, _drawn_coordinate_template)]
-    return *formulas, *(kernel(bind(one, **names)) for one in (_free_template, _clamped_template))
+def _clamping(normal: Callable, parameters: int) -> Any:
+    @formula
+    def clamped(u, row):
+        return _overshoots(normal(u, *row))
+
+    search = up_to(clamped)
+
+    @kernel
+    def fill_clamped(table, edges, out):
+        """Up to which coordinate nothing stays because the law overshoots, see `residual`; the first where it does not."""
+        for i in range(out.size):
+            low, last = edges[i, 0], edges[i, edges.shape[1] - 1]
+            row = unpack(table[i], parameters)
+            out[i] = search(low, last, 1e-3, _FARTHEST, row) if last > low else low
+
+    return fill_clamped
 
 
 def drawn_apart(pieces: list[NormalPiece], distance: np.ndarray) -> list[NormalPiece]:
@@ -180,19 +163,17 @@ def drawn_apart(pieces: list[NormalPiece], distance: np.ndarray) -> list[NormalP
     far = np.ascontiguousarray(distance, dtype=float)
     found = []
     for piece in pieces:
-        held, coordinate_of, free_of, clamped_of = _drawn(piece.normal, piece.coordinate, len(piece.parameters))
-        laws = len(piece.edges)
-        columns = [np.broadcast_to(column, laws) for column in piece.parameters]
-        parameters = np.ascontiguousarray(np.reshape(columns, (len(columns), laws)).T)
-        clamped, free = np.empty(laws), np.empty(laws)
-        clamped_of(parameters, np.ascontiguousarray(piece.edges), clamped)
+        laws, count = len(piece.edges), len(piece.parameters)
+        released, released_coordinate = _let_go_by(piece.normal, piece.coordinate, count)
+        table, clamped, free = columns(piece.parameters, laws), np.empty(laws), np.empty(laws)
+        _clamping(piece.normal, count)(table, np.ascontiguousarray(piece.edges), clamped)
         first, last = piece.edges[:, 0], piece.edges[:, -1]
         parts = [within(piece, first, clamped), within(piece, clamped, last)] if (clamped > first).any() else [piece]
         for part in parts:
             edges = np.ascontiguousarray(part.edges)
-            free_of(far, parameters, edges, free)
+            _freeing(piece.normal, count)(far, table, edges, free)
             empty = np.isinf(free) | ~(edges[:, -1] > edges[:, 0])
             origin = np.where(empty, 0.0, free)
             edges = np.where(empty[:, None], 0.0, np.sqrt(np.maximum(edges - origin[:, None], 0.0)))
-            found.append(NormalPiece(held, coordinate_of, (*piece.parameters, far, origin), edges, piece.state))
+            found.append(NormalPiece(released, released_coordinate, (*piece.parameters, far, origin), edges, piece.state))
     return found

@@ -32,14 +32,7 @@ def film_regimes(
         stretches = (within(piece, -np.inf, u_through), before), (within(piece, u_through, np.inf), after)
         for stretch, share in stretches:
             joined = law.join(stretch, film, share, body="film")
-            regimes.append(_between(joined, -np.inf, u_bound))
+            regimes.append(within(joined, -np.inf, u_bound))
             if bounded:
-                regimes.append(replace(_between(joined, u_bound, np.inf), in_half_space=False))
+                regimes.append(replace(within(joined, u_bound, np.inf), in_half_space=False))
     return regimes
-
-
-def _between(regime: Regime, low, high) -> Regime:
-    """The part of a regime between two coordinates (n,); nothing where that is empty."""
-    low = np.maximum(np.reshape(low, (-1, 1)), regime.edges[:, :1])
-    high = np.minimum(np.reshape(high, (-1, 1)), regime.edges[:, -1:])
-    return replace(regime, edges=np.minimum(np.maximum(regime.edges, low), high))

@@ -9,9 +9,8 @@ that plateau has two ends more.
 import math
 
 import numpy as np
-from numba.np.unsafe.ndarray import to_fixed_tuple
 
-from stiction.engine.compiled import formula, kernel
+from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.vectorised import exponential
 from stiction.laws.asperity.shared.transition import FULLY_PLASTIC, plastic_share
 from stiction.laws.film.shared.graded_law import contact, depth_coordinate, fading
@@ -349,7 +348,7 @@ def _fill(parameters, tau, edges, part, levels, branch):
     samples, scan = np.empty((5, NEAR + FAR + 2 + SPARE)), np.empty(NEAR + FAR + 2 + SPARE)
     places, loads, slopes = np.empty(CAPACITY * INNER), np.empty(CAPACITY * INNER), np.empty(CAPACITY * INNER)
     for i in range(tau.size):
-        law = to_fixed_tuple(parameters[i], PARAMETERS)
+        law = unpack(parameters[i], PARAMETERS)
         out = edges[i]
         start, top, through, count = _fixed_edges(law, tau[i], out)
         before, size = count, _scan(start, top, law, scan, samples)

@@ -1,0 +1,53 @@
+"""Bisection along a piece, for kernels: made for each condition that is sought."""
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from stiction.engine.compiled import formula
+
+
+@cache
+def halving(holds: Callable) -> Any:
+    """A formula (low, high, given) -> the place, to the last digit, from which on `holds` no longer does.
+
+    holds(u, given): a formula, true at low and false at high, that changes once between; given: what it needs beside u.
+    """
+
+    @formula
+    def halve(low, high, given):
+        for _ in range(100):
+            middle = 0.5 * (low + high)
+            if not low < middle < high:
+                break
+            if holds(middle, given):
+                low = middle
+            else:
+                high = middle
+        return high
+
+    return halve
+
+
+@cache
+def up_to(holds: Callable) -> Any:
+    """A formula (low, last, step, farthest, given) -> up to where `holds` does on a piece from low to last, which may be
+    infinite: low where it does nowhere, last where it does everywhere.
+
+    holds: as in `halving`. On an endless piece it is sought in growing steps, the first of this length, up to `farthest`.
+    """
+    halve = halving(holds)
+
+    @formula
+    def search(low, last, step, farthest, given):
+        if not holds(low, given):
+            return low
+        high = last
+        if high == math.inf:
+            while step < farthest and holds(low + step, given):
+                step *= 4.0
+            high = low + step
+        return last if holds(high, given) else halve(low, high, given)
+
+    return search

@@ -1,0 +1,225 @@
+"""The loops of the summation engine, compiled for each kind of regime and of heights: what `summation` calls.
+
+heights: (shape, knots) of a Heights. laws: (parameters (n, p), edges (n, m), branch (n, b), whether that is two-sided) of a
+regime. rules: (nodes and weights (rules, 2, longest) on [0, 1], how many (rules,)). nodes: the table that `placing` fills, of
+a block of laws: displacements (n, room), weights times what is summed (n, rows, room), how many are used (n,). Tuples, because
+a kernel takes them as they are.
+"""
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from stiction.engine.compiled import formula, kernel, loop, unpack
+
+# A piece that is shorter than this, over sigma, has the nodes of the first rule, any other those of the second.
+SHORT = 1.0
+# A piece that is longer, over sigma, is cut: that of asperities that hold on below w = 0 is, seen from many separations.
+WIDEST = 17.0
+# No piece has more nodes on a grid.
+LONGEST = 56
+
+
+@formula
+def map_piece(low, high, origins, two_sided):
+    """Coefficients of u = low + linear t + square t^2, t in [0, 1]: linear, or in the square root of the distance to a square
+    root branch point of the integrand at or shortly below `low` or, if two_sided, at or shortly above `high`."""
+    nearest, origin = 0.1 * (high - low), math.inf
+    for at in range(origins.size):
+        distance = max(low - origins[at], origins[at] - high) if two_sided else low - origins[at]
+        if 0.0 <= distance < nearest:
+            nearest, origin = distance, origins[at]
+    if origin <= low:
+        near, far = math.sqrt(low - origin), math.sqrt(high - origin)
+        return 2.0 * near * (far - near), (far - near) ** 2
+    if origin < math.inf:
+        near, far = math.sqrt(origin - high), math.sqrt(origin - low)
+        return 2.0 * far * (far - near), -((far - near) ** 2)
+    return high - low, 0.0
+
+
+def _cutting(along: Callable, coordinate: Callable, window: Callable) -> Any:
+    @formula
+    def cuts(left, right, h, row, heights):
+        """The piece [left, right] without what is negligible: its ends in height, and the first and last knot inside."""
+        shape, knots = heights
+        z_left, z_right = h + along(left, *row)[0], h + along(right, *row)[0]
+        z_low, z_high = window(z_left, z_right, shape)
+        first = last = 0
+        if z_high > z_low:
+            while first < knots.size and knots[first] <= z_low:
+                first += 1
+            last = first
+            while last < knots.size and knots[last] < z_high:
+                last += 1
+        low = left if z_low == z_left else max(left, coordinate(z_low - h, *row))
+        high = right if z_high == z_right else min(right, coordinate(z_high - h, *row))
+        return z_low, z_high, low, high, first, last
+
+    return cuts
+
+
+def _adding(along: Callable, density: Callable) -> Any:
+    @loop
+    def add(sums, h, shape, row, mapped, rule, count):
+        """The five sums, and over the nodes of one piece more; mapped: its coefficients low, linear, square."""
+        touching, load, area, slip_limited, yield_limited = sums
+        low, linear, square = mapped
+        for node in range(8 * (count // 8)):
+            t = rule[0, node]
+            state = along(low + t * (linear + square * t), *row)
+            weight = rule[1, node] * (linear + 2.0 * square * t) * state[1]
+            weight *= density(h + state[0], shape)
+            touching += weight
+            load += weight * state[2]
+            area += weight * state[3]
+            slip_limited += weight * state[4]
+            yield_limited += weight * state[5]
+        return touching, load, area, slip_limited, yield_limited
+
+    return add
+
+
+@cache
+def scattering(along: Callable, coordinate: Callable, density: Callable, window: Callable, parameters: int) -> Any:
+    """The kernel that sums one regime, of so many parameters, at single pairs of a law and a separation."""
+    cuts, add = _cutting(along, coordinate, window), _adding(along, density)
+
+    @kernel
+    def scatter(h, law, heights, laws, rules, out):
+        """Sums out[i, quantity], for the law number law[i] at the separation h[i]."""
+        (shape, knots), (table, edges, branch, two_sided), (rule_table, counts) = heights, laws, rules
+        for i in range(h.size):
+            row = unpack(table[law[i]], parameters)
+            sums = (0.0, 0.0, 0.0, 0.0, 0.0)
+            for piece in range(edges.shape[1] - 1):
+                left, right = edges[law[i], piece], edges[law[i], piece + 1]
+                if not right > left:
+                    continue
+                z_low, z_high, low, end, first, last = cuts(left, right, h[i], row, heights)
+                if not z_high > z_low:
+                    continue
+                for cut in range(first, last + 1):
+                    high = end if cut == last else coordinate(knots[cut] - h[i], *row)
+                    z_cut = z_high if cut == last else knots[cut]
+                    rule = 0 if z_cut - z_low <= SHORT else 1
+                    at_knot = 0 < cut and knots[cut - 1] == z_low
+                    linear, square = (0.0, high - low) if at_knot else map_piece(low, high, branch[law[i]], two_sided)
+                    sums = add(sums, h[i], shape, row, (low, linear, square), rule_table[rule], counts[rule])
+                    low, z_low = high, z_cut
+            for quantity in range(5):
+                out[i, quantity] = sums[quantity]
+
+    return scatter
+
+
+def _putting(along: Callable, totals: bool) -> Any:
+    @formula
+    def put(mapped, row, rule, count, scratch):
+        """Displacements at the nodes of one piece, and its weights times what is summed, one after another: an array at fixed
+        distances, in which the compiler sees that rows do not overlap, and vectorises."""
+        low, linear, square = mapped
+        for node in range(count):
+            t = rule[0, node]
+            state = along(low + t * (linear + square * t), *row)
+            weight = rule[1, node] * (linear + 2.0 * square * t) * state[1]
+            scratch[node] = state[0]
+            if totals:
+                scratch[LONGEST + node] = weight * state[2]
+                scratch[2 * LONGEST + node] = weight * state[3]
+                scratch[3 * LONGEST + node] = weight * (state[4] + state[5])
+            else:
+                scratch[LONGEST + node] = weight
+                scratch[2 * LONGEST + node] = weight * state[2]
+                scratch[3 * LONGEST + node] = weight * state[3]
+                scratch[4 * LONGEST + node] = weight * state[4]
+                scratch[5 * LONGEST + node] = weight * state[5]
+
+    return put
+
+
+@cache
+def placing(along: Callable, coordinate: Callable, window: Callable, parameters: int, totals: bool) -> Any:
+    """The kernel that places the nodes of one regime; with what is to be summed: load, area and resistance, or, without
+    `totals`, the five quantities."""
+    put, rows = _putting(along, totals), 3 if totals else 5
+
+    @kernel
+    def place(w_low, nearest, shape, laws, rules, nodes):
+        """Append to the table of each law the nodes of the regime, from the displacement w_low on.
+
+        Every piece reaches to where the density is negligible against its own left end, at the nearest separation and so at
+        all others.
+        """
+        (table, edges, branch, two_sided), (rule_table, counts), (places, values, used) = laws, rules, nodes
+        scratch = np.empty(6 * LONGEST)
+        for i in range(edges.shape[0]):
+            row = unpack(table[i], parameters)
+            for piece in range(edges.shape[1] - 1):
+                left, right = edges[i, piece], edges[i, piece + 1]
+                if not right > left:
+                    continue
+                w_left, w_right = along(left, *row)[0], along(right, *row)[0]
+                if not w_right > w_low:
+                    continue
+                w_left = max(w_left, w_low)
+                w_high = min(w_right, window(nearest + w_left, np.inf, shape)[1] - nearest)
+                low = left if w_left > w_low else max(left, coordinate(w_low, *row))
+                high = right if w_high == w_right else min(right, coordinate(w_high, *row))
+                if not high > low:
+                    continue
+                rule = 0 if w_high - w_left <= SHORT else 1
+                parts = 1 + int((w_high - w_left) / WIDEST)
+                end, step = high, (w_high - w_left) / parts
+                for part in range(parts):
+                    last = end if part == parts - 1 else coordinate(w_left + (part + 1) * step, *row)
+                    linear, square = map_piece(low, last, branch[i], two_sided)
+                    put((low, linear, square), row, rule_table[rule], 8 * (counts[rule] // 8), scratch)
+                    first, count = used[i], counts[rule]
+                    used[i] += count
+                    places[i, first : first + count] = scratch[:count]
+                    for q in range(rows):
+                        values[i, q, first : first + count] = scratch[(q + 1) * LONGEST : (q + 1) * LONGEST + count]
+                    low = last
+
+    return place
+
+
+@cache
+def summing(density: Callable, totals: bool) -> Any:
+    """The kernel that sums what was placed."""
+
+    @kernel
+    def sum_rows(h, reach, shape, nodes, wanted, out):
+        """Sums out[i, row, at] at the separation h[at], where wanted[i, at], leaving out displacements beyond reach[at]."""
+        places, values, used = nodes
+        last = values.shape[1] - 1
+        for i in range(used.size):
+            x, a, b, c = places[i], values[i, 0], values[i, 1], values[i, 2]
+            d, e = values[i, min(3, last)], values[i, last]  # not there, nor read, with totals
+            for at in range(h.size):
+                if not wanted[i, at]:
+                    continue
+                eights = used[i] // 8
+                while eights > 0 and x[8 * eights - 8] > reach[at]:  # the nodes of a piece ascend
+                    eights -= 1
+                sum_a = sum_b = sum_c = sum_d = sum_e = 0.0
+                for node in range(8 * eights):
+                    dense = density(h[at] + x[node], shape)
+                    sum_a += dense * a[node]
+                    sum_b += dense * b[node]
+                    sum_c += dense * c[node]
+                    if not totals:
+                        sum_d += dense * d[node]
+                        sum_e += dense * e[node]
+                out[i, 0, at] = sum_a
+                out[i, 1, at] = sum_b
+                out[i, 2, at] = sum_c
+                if not totals:
+                    out[i, 3, at] = sum_d
+                    out[i, 4, at] = sum_e
+
+    return sum_rows
