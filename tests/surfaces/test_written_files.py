@@ -3,7 +3,7 @@ What is tested on the files beside the project in test_read.py is tested here wh
 
 import numpy as np
 import pytest
-from written_files import CHANNELS, COLUMNS, COUNTS, MISSING, PITCH, ROWS, STEP, UNITS, WRITTEN, WRITTEN_AREAS
+from written_files import CHANNELS, COLUMNS, COUNTS, MISSING, PITCH, ROWS, STEP, UNITS, WRITTEN, WRITTEN_AREAS, WRITTEN_PROFILES
 
 from stiction.quantities.errors import InputError
 from stiction.surfaces.prepare import level
@@ -32,7 +32,7 @@ def written(tmp_path):
 
 
 def expected_of(name):
-    if name in UNITS:
+    if name in WRITTEN_PROFILES:
         return HEIGHTS[7:8]
     heights = HEIGHTS.copy()
     if name == "written.bcr":
@@ -46,7 +46,7 @@ def test_heights_and_size_are_those_written(written, name):
     expected = expected_of(name)
     within = FLOATS if name == "written.sur" else 1e-12
     np.testing.assert_allclose(found.heights, expected, rtol=within, atol=within * STEP)
-    rows = 1 if name in UNITS else ROWS
+    rows = len(expected)
     assert found.size[1] == pytest.approx(COLUMNS * PITCH[1], rel=within)
     assert rows == 1 or found.size[0] == pytest.approx(ROWS * PITCH[0], rel=within)
     assert found.missing == np.isnan(expected).sum() and found.is_profile == (rows == 1)
@@ -159,3 +159,42 @@ def test_rounded_positions_are_not_interpolated(written):
     assert found.pitch[1] == pytest.approx(PITCH[1], rel=1e-3)
     np.testing.assert_allclose(found.heights, HEIGHTS[7:8], rtol=1e-12, atol=1e-12 * STEP)
     assert any("rounding" in step for step in found.history)
+
+
+def test_a_damaged_line_does_not_cost_the_lines_above(written):
+    """The library would begin below it."""
+
+    def damaged(content):
+        lines = content.splitlines(keepends=True)
+        lines[30] = lines[30].replace(b".", b"~")
+        return b"".join(lines)
+
+    with pytest.raises(InputError, match=rf"^scan: .*of {COLUMNS} lines of numbers"):
+        read_scan(written("stylus.csv", damaged))
+
+
+@pytest.mark.parametrize("name", ("written.hfm", "stylus.csv"))
+def test_cut_text_is_what_is_left(written, name):
+    """Text ends anywhere: after a line, or before the line's end, which is told of."""
+    whole = read_scan(written(name))
+    for within in (False, True):
+
+        def cut(content, within=within):
+            lines = content.splitlines(keepends=True)[:-10]
+            return b"".join(lines)[: -len(b"\r\n") if within else None]
+
+        found = read_scan(written(name, cut, under=f"cut-{name}"))
+        assert found.heights.size == COLUMNS - 10
+        assert np.array_equal(found.heights, whole.heights[:, : COLUMNS - 10])
+        assert any("cut short" in step for step in found.history) == within
+
+
+def test_a_map_with_missing_points_is_drawn_with_them_missing(written):
+    from stiction.report.surface_pictures import map_figure
+
+    surface = level(read_scan(written("written.bcr")))
+    with np.errstate(all="ignore"):  # matplotlib divides zero by zero inside
+        figure = map_figure(surface)
+        figure.draw_without_rendering()
+    assert figure.axes[0].get_xlabel() == "x [µm]"
+    assert np.ma.count_masked(figure.axes[0].images[0].get_array()) == surface.missing == len(MISSING)

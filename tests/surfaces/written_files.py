@@ -10,7 +10,8 @@ Heights are COUNTS times STEP [m], rows from the top as read, at PITCH (dy, dx) 
     .spm   Nanoscope 5 (Veeco): sections of "\\key: value" up to byte 8192, then a block of 16-bit integers for each image, the
            bottom line first
     .txt   columns of heights below remarks that name channel, size and unit, as Gwyddion and others export
-    .csv   positions and heights of a profile, one pair to a line, below a heading
+    .hfm   a stylus: positions and heights of a profile below two lines of names and units
+    .csv   Dektak (stylus.csv): sections of "key,value" and such a profile; and one of numbers below a heading (profile.csv)
 """
 
 import io
@@ -146,11 +147,25 @@ def profile() -> bytes:
     return ("x,z\n" + "".join(rows)).encode("ascii")
 
 
+def hfm() -> bytes:
+    """In mm, and a flag of what was measured."""
+    rows = (f"{place * PITCH[1] * 1e3:.6f};{count * STEP * 1e3:.7f};1\r\n" for place, count in enumerate(COUNTS[7]))
+    return ("X;Y;valid\r\n[mm];[mm];[1/0]\r\n" + "".join(rows)).encode("ascii")
+
+
+def dektak() -> bytes:
+    """In um; a third column is empty."""
+    sections = "Scan Parameters", "", "Scan Type,Standard Scan", "Stylus,Radius: 2.5 \xb5m", "", "Scan Data", ""
+    head = "".join(f"{line}\r\n" for line in (*sections, "Lateral um,Raw Micrometer,"))
+    rows = (f"{place * PITCH[1] * 1e6:.2f},{count * STEP * 1e6:.4f},,\r\n" for place, count in enumerate(COUNTS[7]))
+    return (head + "".join(rows)).encode("latin-1")
+
+
 # Name of a file -> its content.
 WRITTEN = {
     "text.sdf": sdf_text, "binary.sdf": sdf_binary, "written.x3p": x3p, "written.sur": sur, "written.bcr": bcr,
-    "written.spm": nanoscope, "written.txt": remarks, "profile.csv": profile,
+    "written.spm": nanoscope, "written.txt": remarks, "profile.csv": profile, "written.hfm": hfm, "stylus.csv": dektak,
 }  # fmt: skip
 UNITS = {"profile.csv": "um"}  # of files that do not say
-WRITTEN_AREAS = [name for name in WRITTEN if name != "profile.csv"]
-WRITTEN_PROFILES = ["profile.csv"]
+WRITTEN_PROFILES = ["profile.csv", "written.hfm", "stylus.csv"]
+WRITTEN_AREAS = [name for name in WRITTEN if name not in WRITTEN_PROFILES]
