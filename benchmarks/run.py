@@ -203,8 +203,9 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
     laws, shears, models = of_kind(AsperityLaw), of_kind(TangentialLaw), of_kind(RoughSurface)
     for record in models.values():
         taken |= {record.asperity, record.tangential}
-        for branch in laws[record.asperity].own_options.get("branch", ("",)) if record.asperity else ("",):
-            rows.append((f"{record.key} {branch}".strip(), Choice(record.key, options={"branch": branch or None}), False))
+        branches = laws[record.asperity].own_options.get("branch", ("",)) if record.asperity else ("",)
+        choices = [Choice(record.key, options={"branch": one or None}) for one in branches]
+        rows += [(f"{record.key} {one}".strip(), choice, False) for one, choice in zip(branches, choices, strict=True)]
         for value, film in record.film_by_option.items():
             name = next(name for name, values in record.own_options.items() if value in values)
             rows.append((f"{record.key}, {value}, {film} film", Choice(record.key, options={name: value}), True))

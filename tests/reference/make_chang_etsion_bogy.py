@@ -66,7 +66,7 @@ def rows():
 
 
 if __name__ == "__main__":
-    with open(HERE / "chang_etsion_bogy.csv", "w", newline="", encoding="utf-8") as file:
+    with (HERE / "chang_etsion_bogy.csv").open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(["psi", "h", "nu", "load", "area", "friction", "friction_coefficient"])
         out.writerows(rows())

@@ -142,7 +142,7 @@ def rows(model, seed):
 if __name__ == "__main__":
     laws = zhao_maietta_chang_2000, kogut_etsion_2002, jackson_green_2005, brizmer_kligerman_etsion_2006
     for seed, model in enumerate(laws):
-        with open(HERE / f"{model.__name__}.csv", "w", newline="") as file:
+        with (HERE / f"{model.__name__}.csv").open("w", newline="") as file:
             table = csv.writer(file, lineterminator="\n")
             table.writerow([*INPUTS, "w", "load", "area", "h", "load_sum", "area_sum"])
             table.writerows(rows(model, seed))

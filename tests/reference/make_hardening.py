@@ -77,7 +77,7 @@ def rows():
 
 
 if __name__ == "__main__":
-    with open(HERE / "ghaednia_2019.csv", "w", newline="") as file:
+    with (HERE / "ghaednia_2019.csv").open("w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow([*INPUTS, "other_body", "w", "load", "area", "h", "load_sum", "area_sum"])
         table.writerows(rows())

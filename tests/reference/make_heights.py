@@ -66,7 +66,7 @@ def check(function, density, low):
 
 
 def write(name, header, rows):
-    with open(HERE / name, "w", newline="", encoding="utf-8") as file:
+    with (HERE / name).open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(header)
         for row in rows:

@@ -127,7 +127,7 @@ def main():
         carry = partial(carried_by, N=N, deviation=deviation, spacing=spacing, summits=summits)
         for (quantity, *where), value, error in averages(rho, carry, round(1e5 * density)):
             out.append((quantity, density, rho, *where, value, error))
-    with open(HERE / "hariri_zu_ben_mrad_2006.csv", "w", newline="", encoding="utf-8") as file:
+    with (HERE / "hariri_zu_ben_mrad_2006.csv").open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(HEADER)
         writer.writerows([f"{v:.7g}" if isinstance(v, float) else v for v in row] for row in out)

@@ -39,7 +39,7 @@ def printed(value):
 
 
 def write(name, header, rows):
-    with open(HERE / name, "w", newline="", encoding="utf-8") as file:
+    with (HERE / name).open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(header)
         for row in rows:
@@ -337,7 +337,7 @@ def parts():
 def check(path):
     """Largest departure of a table: load over the integral of |load|, area and friction relative."""
     worst = mpf(0)
-    with open(path, newline="", encoding="utf-8") as file:
+    with path.open(newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             film = tuple(exact(row[name]) for name in COATING) if row["n_E"] else None
             law = [exact(row[name]) for name in INPUTS]

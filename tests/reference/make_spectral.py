@@ -22,7 +22,7 @@ ALPHAS = (1.6, 2.0, 5.0, 50.0)
 
 
 def write(name, header, rows):
-    with open(HERE / f"{name}.csv", "w", newline="", encoding="utf-8") as file:
+    with (HERE / f"{name}.csv").open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(header)
         for row in rows:

@@ -175,7 +175,7 @@ TABLES = {
 
 if __name__ == "__main__":
     for key, (header, rows) in TABLES.items():
-        with open(HERE / f"{key}.csv", "w", newline="", encoding="utf-8") as file:
+        with (HERE / f"{key}.csv").open("w", newline="", encoding="utf-8") as file:
             out = csv.writer(file, lineterminator="\n")
             out.writerow(header)
             out.writerows([mp.nstr(value, 17, strip_zeros=False) for value in row] for row in rows())

@@ -129,10 +129,11 @@ class Law:
         def point(i):
             return start + mpf(fraction[i]) * (end - start)
 
-        found = []
-        for i in np.flatnonzero((gap[1:] > 0) != (gap[:-1] > 0)):
-            if (self.relative_gap(point(i)) > 0) != (self.relative_gap(point(i + 1)) > 0):
-                found.append(bisect(self.relative_gap, point(i), point(i + 1)))
+        found = [
+            bisect(self.relative_gap, point(i), point(i + 1))
+            for i in np.flatnonzero((gap[1:] > 0) != (gap[:-1] > 0))
+            if (self.relative_gap(point(i)) > 0) != (self.relative_gap(point(i + 1)) > 0)
+        ]
         size, bend = abs(gap), abs(gap[:-2] - 2 * gap[1:-1] + gap[2:])
         near = (size[1:-1] <= np.minimum(size[:-2], size[2:])) & (size[1:-1] < 4 * bend)
         one_sign = ((gap[:-2] > 0) == (gap[1:-1] > 0)) & ((gap[1:-1] > 0) == (gap[2:] > 0))

@@ -39,7 +39,7 @@ def figures(
     from stiction.report.files import as_json, check_folder
 
     check_folder(out)
-    with busy(solving()):
+    with solving():
         from stiction.studies.paper_figures import PANELS, panel_curves
 
         panels = [panel_curves(panel, theta, lam, reading or "corrected") for panel in PANELS]

@@ -2,15 +2,15 @@
 
 import sys
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 from typer.core import TyperCommand, TyperGroup
 
-from stiction import __version__
 from stiction.quantities.errors import InputError
 
 _BAD_INPUT, _INTERRUPTED = 2, 130
@@ -158,6 +158,8 @@ Reading = Annotated[str | None, typer.Option(help="corrected (default), or publi
 
 def _version(wanted: bool) -> None:
     if wanted:
+        from stiction import __version__
+
         print(f"stiction {__version__}")
         raise typer.Exit
 
@@ -175,39 +177,69 @@ def console():
     return Console()
 
 
-def solving() -> str:
-    """What the waiting line says: a model's first use on this machine takes some ten seconds more."""
-    from stiction.engine.compiled import cache_folder
-
-    compiled = any(cache_folder().rglob("*.nbi"))
-    return "Solving" if compiled else "Compiling kernels (once per installation, 10 s)"
-
-
 @contextmanager
 def busy(text: str) -> Iterator[None]:
     """A line with a running clock on the terminal while something goes on, gone when it is done."""
-    with _progress() as progress:
-        progress.add_task(text, total=None)
+    with _line(text):
+        yield
+
+
+@contextmanager
+def solving() -> Iterator[None]:
+    """The same while something is solved: it says when kernels have to be compiled for that, and how many are done."""
+    with _line("Solving") as line, _saying_what_compiles(line, "Solving"):
         yield
 
 
 def bar(text: str):
-    """A wrapper of a loop's list that shows how far the loop is."""
+    """A wrapper of a loop's list that shows how far the loop is, and what is compiled on the way."""
 
     def wrapped(steps):
-        with _progress() as progress:
-            yield from progress.track(steps, description=text)
+        with _line(text) as line, _saying_what_compiles(line, text):
+            yield from line.over(steps) if line else steps
 
     return wrapped
 
 
-def _progress():
+@dataclass(frozen=True)
+class _Line:
+    """A line on the terminal that can be written anew."""
+
+    progress: Any
+    task: Any
+
+    def say(self, text: str) -> None:
+        self.progress.update(self.task, description=text)
+
+    def over(self, steps: Iterable) -> Iterable:
+        return self.progress.track(steps, task_id=self.task)
+
+
+@contextmanager
+def _line(text: str) -> Iterator[_Line | None]:
+    """A line with a bar and a clock; None where nobody would see it."""
     from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
     terminal = Console(stderr=True)
+    if not terminal.is_terminal:
+        yield None
+        return
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
     columns = TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()
-    return Progress(*columns, console=terminal, transient=True, disable=not terminal.is_terminal)
+    with Progress(*columns, console=terminal, transient=True) as progress:
+        yield _Line(progress, progress.add_task(text, total=None))
+
+
+@contextmanager
+def _saying_what_compiles(line: _Line | None, text: str) -> Iterator[None]:
+    if line is None:
+        yield
+        return
+    from stiction.engine.compiling import telling
+
+    with telling(lambda done: line.say(f"{text}: compiling kernels, once per installation ({done} done)")):
+        yield
 
 
 def written(folder: Path, names) -> None:

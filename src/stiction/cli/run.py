@@ -67,7 +67,7 @@ def run(
 
 
 def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str]) -> "xarray.Dataset":
-    with busy(solving()):
+    with solving():
         from stiction.studies.case_results import solve_case
 
         return solve_case(case, case.choice.with_changes(laws, options))

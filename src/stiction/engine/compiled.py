@@ -19,11 +19,12 @@ from typing import Any
 
 import numba
 import numpy as np
-import platformdirs
 from numba.core.caching import NullCache
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 from numba.np.unsafe.ndarray import to_fixed_tuple
+
+from stiction.quantities.cache import cache_folder
 
 # `contract` (fused multiply-add) is safe in every formula. Sums may also be reordered, which is what lets them vectorise;
 # formulas may not: a reordered range reduction in the exponential loses half its digits. A formula that is called, and not
@@ -36,12 +37,6 @@ unpack: Any = to_fixed_tuple
 
 # What the compiler knows by itself: their names say enough, and the version of the compiler, which the cache asks for.
 _KNOWN = ("numpy", "numba", "math")
-
-
-def cache_folder() -> Path:
-    """Where compiled kernels are kept; STICTION_CACHE_DIR moves it."""
-    root = os.environ.get("STICTION_CACHE_DIR") or platformdirs.user_cache_dir("stiction", appauthor=False)
-    return Path(root) / "kernels"
 
 
 def formula(function: Callable) -> Any:
@@ -70,7 +65,7 @@ class _KernelCache(NullCache):
 
     @property
     def cache_path(self) -> str:
-        return str(cache_folder())
+        return str(cache_folder("kernels"))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """The compiled kernel for inputs of these types, or None. Asked before any is compiled, when all that the kernel
@@ -100,7 +95,7 @@ class _KernelCache(NullCache):
         made_by = numba.__version__, sys.version_info[:2], codegen.magic_tuple()
         key = hashlib.sha256(repr((self._digest, sig, made_by)).encode()).hexdigest()[:24]
         plain = self._compiled.py_func
-        return cache_folder() / f"{plain.__module__}.{plain.__name__}-{key}.nbi"
+        return cache_folder("kernels") / f"{plain.__module__}.{plain.__name__}-{key}.nbi"
 
 
 def digest(function: Callable) -> str:

@@ -11,6 +11,7 @@ from numbers import Real
 
 import numpy as np
 
+from stiction.quantities.cache import cache_folder
 from stiction.quantities.dimensions import without_indexes
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES, Quantity
@@ -121,9 +122,14 @@ def _exact_factor(unit: str, si_unit: str) -> Fraction:
 
 @cache
 def _registry():
+    """All units that pint knows. Reading their definitions takes longer than solving a case, so what was read is kept; what was
+    kept for another release, or cannot be read or written, is made anew."""
     import pint
 
-    return pint.UnitRegistry(non_int_type=Fraction)
+    try:
+        return pint.UnitRegistry(non_int_type=Fraction, cache_folder=cache_folder(f"units-{pint.__version__}"))
+    except Exception:  # of a damaged file, anything that unpickling may raise
+        return pint.UnitRegistry(non_int_type=Fraction)
 
 
 @cache

@@ -3,7 +3,6 @@
 import csv
 import json
 import math
-import os
 import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
@@ -113,9 +112,9 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
             for name, write in files.items():
                 write(made / name)
             if not folder.exists():
-                os.replace(made, folder)
+                made.replace(folder)
                 return
             for name in files:
-                os.replace(made / name, folder / name)
+                (made / name).replace(folder / name)
     except OSError as error:
         raise InputError("--out", str(folder), f"a folder that can be written ({error.strerror or error})") from None

@@ -171,10 +171,10 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     """The way apart under these laws; InputError, with the reason, where it is not known."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
-    if choice.tangential not in (None, "none"):
-        if not find(choice.tangential, TangentialLaw).interfacial:
-            reason = f"{choice.tangential} speaks of asperities as they are pressed"
-            raise InputError("tangential", choice.tangential, f"none, or a law of the interface: {reason}")
+    tangential = choice.tangential or "none"
+    if tangential != "none" and not find(tangential, TangentialLaw).interfacial:
+        reason = f"{tangential} speaks of asperities as they are pressed"
+        raise InputError("tangential", tangential, f"none, or a law of the interface: {reason}")
     if as_subject(contact).has_film:
         raise InputError("contact", "with a film", "a bare contact: no film law says how it unloads")
     model = find(choice.model, RoughSurface)

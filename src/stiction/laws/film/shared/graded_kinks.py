@@ -177,7 +177,7 @@ def _add_zeros(which, places, values, law, out, count):
     """Append the zeros of one signal that was sampled at `places`."""
     before = values[0]
     # A branch point is felt from some way off, and the balance has sharp turns. Others may be constant but for rounding.
-    small = _FELT if which == _REAL or which == _BALANCE else 0.0
+    small = _FELT if which in (_REAL, _BALANCE) else 0.0
     for j in range(places.size - 1):
         here, there = values[j], values[j + 1]
         if (here > 0.0) != (there > 0.0):

@@ -1,0 +1,32 @@
+from .contact.contact import Coating as Coating
+from .contact.contact import Contact as Contact
+from .contact.contact import Roughness as Roughness
+from .contact.contact import work_of_adhesion as work_of_adhesion
+from .contact.indices import Indices as Indices
+from .contact.materials import Material as Material
+from .contact.materials import material as material
+from .engine.heights import height_distribution as height_distribution
+from .laws.overview import cite as cite
+from .laws.overview import models as models
+from .quantities.errors import InputError as InputError
+from .quantities.units import axis as axis
+from .solving.evaluate import Evaluation as Evaluation
+from .solving.evaluate import evaluate as evaluate
+from .solving.solve import solve as solve
+from .solving.unloading import unload as unload
+from .studies.case import read_case as read_case
+from .studies.case_results import compare_case as compare_case
+from .studies.case_results import solve_case as solve_case
+from .studies.comparison import compare as compare
+from .studies.resolution import fan as fan
+from .studies.resolution import resolution_study as resolution_study
+from .studies.surface_analysis import analyse as analyse
+from .studies.surface_analysis import prepared as prepared
+from .surfaces.asperities import asperities as asperities
+from .surfaces.generate import gaussian_surface as gaussian_surface
+from .surfaces.generate import non_gaussian_surface as non_gaussian_surface
+from .surfaces.heightmap import HeightMap as HeightMap
+from .surfaces.read import read_scan as read_scan
+from .surfaces.targets import SelfAffine as SelfAffine
+
+__version__: str

@@ -1,0 +1,12 @@
+"""Where the program keeps what is slow to make: compiled kernels, and the units as they were read."""
+
+import os
+from pathlib import Path
+
+import platformdirs
+
+
+def cache_folder(part: str) -> Path:
+    """The folder of a part of the cache; STICTION_CACHE_DIR moves it."""
+    root = os.environ.get("STICTION_CACHE_DIR") or platformdirs.user_cache_dir("stiction", appauthor=False)
+    return Path(root) / part

@@ -1,0 +1,44 @@
+"""A command says what it waits for: kernels are compiled once per installation, and only then is it said."""
+
+import os
+import subprocess
+import sys
+
+from stiction.engine.compiled import kernel
+from stiction.engine.compiling import telling
+from stiction.quantities.units import to_si
+
+
+def test_compilation_is_told_and_the_cache_is_not(tmp_path, monkeypatch):
+    """Once while it begins, and once when it is done; what comes from the cache is silent."""
+    monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))
+
+    def doubled(numbers):
+        total = 0.0
+        for number in numbers:
+            total += 2.0 * number
+        return total
+
+    told: list[int] = []
+    with telling(told.append):
+        kernel(doubled)((1.0, 2.0))
+    assert told == [0, 1]
+    assert any(tmp_path.rglob("*.nbi"))
+
+
+def test_units_are_read_again_from_the_cache_and_anew_if_it_is_damaged(tmp_path):
+    """A second process takes what the first kept; a damaged file is no error."""
+    ask = "from stiction.quantities.units import to_si; print(to_si('5 um', 'thickness'), to_si('3 kgf', 'load'))"
+    environment = os.environ | {"STICTION_CACHE_DIR": str(tmp_path)}
+
+    def asked():
+        return subprocess.run([sys.executable, "-c", ask], env=environment, text=True, capture_output=True, check=True).stdout
+
+    first = asked()
+    kept = [path for path in tmp_path.rglob("*") if path.is_file()]
+    assert kept and first.split() == [repr(to_si("5 um", "thickness")), repr(to_si("3 kgf", "load"))]
+    assert asked() == first
+    for path in kept:
+        if path.suffix == ".pickle":
+            path.write_bytes(b"\x80")
+    assert asked() == first

@@ -1,0 +1,72 @@
+"""The public names: listed once, imported when they are used, never hidden by a module, and seen by a user's type checker."""
+
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import stiction as st
+
+PACKAGE = Path(st.__file__).parent
+SCRIPT = """
+import stiction as st
+
+reveal_type(st.solve)
+reveal_type(st.solve(st.Indices(theta=40, lam=10), load=1.0))
+reveal_type(st.__version__)
+st.evaluate(0.0, 1.0, 1.0, readding="published")
+"""
+
+
+def run(code: str) -> str:
+    return subprocess.run([sys.executable, "-c", code], text=True, capture_output=True, check=True).stdout.strip()
+
+
+def test_every_name_is_what_it_says():
+    assert dir(st) == sorted(st.__all__)
+    for name in st.__all__:
+        value = getattr(st, name)
+        assert value.__name__ == name and value.__doc__, name
+    with pytest.raises(AttributeError, match="nothing"):
+        _ = st.nothing
+
+
+def test_import_loads_nothing_else():
+    """`import stiction` loads neither its own modules nor those it rests on."""
+    code = "import sys, stiction; print([m for m in ('numpy', 'numba', 'xarray', 'importlib.metadata') if m in sys.modules])"
+    assert run(code) == "[]"
+    assert run("import sys, stiction; print([m for m in sys.modules if m.startswith('stiction.')])") == "[]"
+
+
+@pytest.mark.parametrize("first", ["import stiction.solve, stiction.compare, stiction.evaluate", "import stiction.cli"])
+def test_no_module_takes_the_place_of_a_function(first):
+    names = [name for name in st.__all__ if name[0].islower()]
+    code = f"{first}\nimport stiction as st\nprint([name for name in {names} if not callable(getattr(st, name))])"
+    assert run(code) == "[]"
+
+
+def test_version_is_that_of_the_project():
+    project = PACKAGE.parents[1] / "pyproject.toml"
+    if not project.exists():
+        pytest.skip("installed, not from a clone")
+    assert st.__version__ == tomllib.loads(project.read_text(encoding="utf-8"))["project"]["version"]
+
+
+def test_a_type_checker_sees_signatures(tmp_path):
+    """mypy on the script of a user: types of arguments and results, and a misspelt keyword found."""
+    assert (PACKAGE / "py.typed").exists()  # or it would look no further, once the package is installed
+    script = tmp_path / "script.py"
+    script.write_text(SCRIPT, encoding="utf-8")
+    options = ["--ignore-missing-imports", "--follow-imports=silent", "--config-file=", f"--cache-dir={tmp_path / 'cache'}"]
+    environment = os.environ | {"MYPYPATH": str(PACKAGE.parent)}
+    command = [sys.executable, "-m", "mypy", *options, str(script)]
+    said = subprocess.run(command, text=True, capture_output=True, env=environment, cwd=tmp_path, check=False).stdout
+    lines = [line for line in said.splitlines() if line.startswith("script.py")]
+    assert re.search(r"contact: [\w.]+\.Contact \| [\w.]+\.Indices, .*model: str =", lines[0]), said
+    assert 'Revealed type is "xarray.core.dataset.Dataset"' in lines[1], said
+    assert 'Revealed type is "str"' in lines[2], said
+    assert 'Unexpected keyword argument "readding"' in lines[3], said
