@@ -1,21 +1,31 @@
-"""Writes the generated tables of the documentation: models and laws from the registry, materials from the presets.
+"""Writes what is generated in the documentation, from where it is said once.
 
     python docs/make_tables.py
 
-Each table stands in its page between a line "<!-- NAME: begin, made by docs/make_tables.py -->" and "<!-- NAME: end -->".
+- models.md: lists of models and laws, from their records;
+- published-models.md: a section for each, the docstring of its file and what its record says;
+- materials.md: the presets, from their files;
+- tests/reference/README.md: how each table of numbers was made, from the docstrings of the scripts that make them.
+
+Each stands in its page between a line "<!-- NAME: begin, made by docs/make_tables.py -->" and "<!-- NAME: end -->".
 """
 
+import ast
+import inspect
 import re
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 
 import stiction as st
 from stiction.contact.materials import material_names
-from stiction.laws.registry import CHOICES, GRADES, Criterion, FilmLaw, Record, records
+from stiction.laws.asperity.shared import letting_go as unloading
+from stiction.laws.registry import GRADES, KINDS, Criterion, FilmLaw, Record, records, text_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 
 HERE = Path(__file__).parent
+REFERENCE = HERE.parent / "tests" / "reference"
+SECTIONS = "published-models.md"
 
 
 def grades() -> str:
@@ -30,7 +40,7 @@ def of_kind(kind: str) -> list[dict]:
 def overview(kind: str) -> str:
     """One line for each model of a kind."""
     names, cells = COLUMNS.get(kind, ((), lambda model: ()))
-    rows = [(f"[`{model['key']}`](#{anchor(model)})", model["title"], model["grade"], *cells(model)) for model in of_kind(kind)]
+    rows = [(link(model), model["title"], model["grade"], *cells(model)) for model in of_kind(kind)]
     return table(("key", "what it is", "grade", *names), rows)
 
 
@@ -45,7 +55,7 @@ def takes(model: dict) -> tuple[str, ...]:
         return "closed form", "none", "none"
     laws = {"asperity": model["asperity"], "tangential": model["tangential"], "film": model["default_film"]}
     keys = {kind: key if key != "none" else "" for kind, key in laws.items()}
-    return tuple(f"[`{key}`](#{anchor({'key': key, 'kind': kind})})" if key else "none" for kind, key in keys.items())
+    return tuple(link({"key": key, "kind": kind}) if key else "none" for kind, key in keys.items())
 
 
 def asperities_of(model: dict) -> str:
@@ -76,9 +86,9 @@ COLUMNS = {
 
 def shares_its_key(model: dict) -> bool:
     """Whether a model of an earlier kind has this key too."""
-    kinds = list(CHOICES)
+    kinds = [kind.kind for kind in KINDS if kind.keyword]
     earlier = kinds[: kinds.index(model["kind"])] if model["kind"] in kinds else kinds
-    return any(other["key"] == model["key"] and other["kind"] in earlier for other in st.models())
+    return any(other.key == model["key"] and other.kind in earlier for other in records())
 
 
 def heading(model: dict) -> str:
@@ -90,24 +100,38 @@ def anchor(model: dict) -> str:
     return re.sub(r"[^\w\- ]", "", heading(model).lower()).replace(" ", "-")
 
 
+def link(model: dict) -> str:
+    """The key, as a link to the model's section."""
+    return f"[`{model['key']}`]({SECTIONS}#{anchor(model)})"
+
+
+def year(model: dict) -> int:
+    """The year in the key of a model, else that of its latest source."""
+    keys = [model["key"], *(source.key for source in record_of(model).sources)]
+    years = [int(found[1]) for key in keys if (found := re.search(r"_(\d{4})", key))]
+    return years[0] if re.search(r"_\d{4}", model["key"]) else max(years)
+
+
 def details(kind: str) -> str:
-    """A section for each model of a kind."""
-    return "\n\n".join(section(model) for model in of_kind(kind))
+    """A section for each model of a kind, in the order of their years."""
+    return "\n\n".join(section(model) for model in sorted(of_kind(kind), key=year))
 
 
 def section(model: dict) -> str:
-    """All that the record of one model says."""
+    """All that the file of one model says: its docstring, and its record."""
+    record = record_of(model)
     options = [f"`{name}`: {', '.join(f'`{value}`' for value in values)}" for name, values in model["options"].items()]
-    lines = [f"### {heading(model)}", "", f"{model['title']}. Grade {model['grade']}.", ""]
+    lines = [f"### {heading(model)}", "", text_of(record), "", f"- Grade {model['grade']}: {GRADES[model['grade']]}"]
     lines += [f"- Source: {source}" for source in model["source"]]
     lines += [f"- Missing: {model['unknown']}", f"- Nearest to it here: {model['nearest']}"] if "unknown" in model else []
     lines += [f"- Checked against: {model['verified']}"]
-    lines += [f"- Sums are good to: {model['accuracy']:.0e}"] if model["kind"] in CHOICES else []
+    lines += [f"- Reference values: [`{name}`](../tests/reference/{name})" for name in reference_tables(record)]
+    lines += [f"- Sums are good to: {model['accuracy']:.0e}"] if record_of(model).keyword else []
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
     lines += [f"- Only with asperity laws marked {trait}: {why}" for trait, why in model.get("wants", {}).items()]
     lines += [f"- Marked: {', '.join(model['traits'])}"] if model.get("traits") else []
-    lines += more(record_of(model))
-    lines += [f"- Valid for: {rule}" for rule in model["validity"]]
+    lines += more(record)
+    lines += [f"- Valid for: {rule}" for rule in model["validity"] or ["no range is stated"] if "unknown" not in model]
     lines += [f"- Depends on: {', '.join(f'`{name}`' for name in model['needs'])}"] if model["needs"] else []
     lines += [f"- Options, the default first: {'; '.join(options)}"] if options else []
     lines += [f"- Note: {model['notes']}"] if model["notes"] else []
@@ -162,6 +186,41 @@ def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
 
 
+def letting_go() -> str:
+    """How asperities that have yielded are let go, where their law says nothing of that."""
+    return inspect.getdoc(unloading) or ""
+
+
+@cache
+def scripts() -> dict[str, str]:
+    """What each script that makes reference tables says of itself: its docstring."""
+    paths = sorted(REFERENCE.glob("make_*.py"))
+    return {path.name: ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or "" for path in paths}
+
+
+# A line of such a docstring: "- `TABLE.csv`: ...", or "- `TABLE.csv` of `KEY`, `KEY`: ..." if it is not named for its model.
+_TABLE = re.compile(r"^- `(\w+\.csv)`(?: of ([^:]*))?:", re.MULTILINE)
+
+
+def tables_made() -> dict[str, dict[str, set[str]]]:
+    """Script -> table -> the models that it is of, as their headings say."""
+    return {
+        script: {name: set(re.split(r",\s+", of or f"`{name[:-4]}`")) for name, of in _TABLE.findall(text)}
+        for script, text in scripts().items()
+    }
+
+
+def reference_tables(record: Record) -> list[str]:
+    """The tables of numbers with which the tests compare this model."""
+    mine = heading({"key": record.key, "kind": record.kind})
+    return [name for tables in tables_made().values() for name, models in tables.items() if mine in models]
+
+
+def reference_scripts() -> str:
+    """A section for each script."""
+    return "\n\n".join(f"### `{name}`\n\n{text}" for name, text in scripts().items())
+
+
 # What the tables of each kind are called in the page.
 NAMES = {
     "models": "rough surface",
@@ -175,12 +234,13 @@ NAMES = {
 }
 
 TABLES = {
-    "models.md": {
-        "grades": grades,
-        **{name: partial(overview, kind) for name, kind in NAMES.items()},
-        **{f"details of {name}": partial(details, kind) for name, kind in NAMES.items()},
+    "models.md": {"grades": grades, **{name: partial(overview, kind) for name, kind in NAMES.items()}},
+    SECTIONS: {
+        **{f"formulas of {name}": partial(details, kind) for name, kind in NAMES.items()},
+        "letting go": letting_go,
     },
     "materials.md": {"materials": materials, "sources of materials": material_sources},
+    "../tests/reference/README.md": {"scripts": reference_scripts},
 }
 
 

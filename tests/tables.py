@@ -42,6 +42,14 @@ def groups_of(rows: list[dict[str, str]]) -> Groups:
     return groups(**{name: column(rows, title) for name, title in GROUP_COLUMNS.items()}, **film_of(rows))
 
 
+def columns_of_groups(rows: list[dict[str, str]]) -> dict[str, np.ndarray]:
+    """Every column of a table that is a group, under its name or the letter of `GROUP_COLUMNS` and `FILM_COLUMNS`."""
+    titles = {title: name for name, title in (GROUP_COLUMNS | FILM_COLUMNS).items()}
+    known = set(Groups.model_fields)
+    named = {titles.get(title, title): title for title in rows[0]}
+    return {name: column(rows, title) for name, title in named.items() if name in known}
+
+
 FILM_GROUPS = ("n_E", "n_H", "tau", "n_g", "film_aspect", "film_nu", "film_K_beta")
 
 

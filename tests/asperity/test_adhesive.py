@@ -175,7 +175,7 @@ def test_limiting_pressure_of_first_yield():
 def test_unloading_agrees_with_the_table(yielded):
     known, _ = yielded
     for at, row in enumerate(YIELDED):
-        value = {name: float(text) for name, text in row.items()}
+        value = {name: float(text) for name, text in row.items() if name != "limiting_pressure"}
         S, u_max = math.sqrt(6 * math.pi / known.theta[at]), value["area"] ** 0.25
         assert thornton.unloading_radius(u_max, value["load"], S) == pytest.approx(value["radius"], rel=1e-11)
         assert thornton.pull_off(u_max, value["load"], S) == pytest.approx(value["pull_off"], rel=1e-11)

@@ -5,6 +5,7 @@ before this package had them, or are the output of an independent code.
 """
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -244,10 +245,12 @@ def test_jackson_green_against_an_independent_code():
 
 
 def test_jackson_green_hardness():
-    """2.84 S_y on a blunt contact, less on a sharp one: 2.4544 at a/R = 0.2 and 1.8707 at 0.5, by hand."""
+    """2.84 S_y on a blunt contact, less on a sharp one, by hand; the law's file says the same, and so does the page."""
     assert jg.hardness(1e-3) == pytest.approx(2.84, rel=1e-12)
-    for radius in (0.2, 0.5):
+    (said,) = re.findall(r"\$H_G/Y=(\d\.\d{4})\$ at \$a/R=0\.2\$ and (\d\.\d{4}) at 0\.5", jg.__doc__)
+    for radius, printed in zip((0.2, 0.5), said, strict=True):
         by_hand = 2.84 * (1.0 - math.exp(-0.82 / math.exp(0.7 * math.log(radius))))
+        assert float(printed) == pytest.approx(by_hand, abs=5.1e-5)
         assert jg.hardness(radius) == pytest.approx(by_hand, rel=1e-13)
     groups = contact(sharpness=np.array([1e-4, 0.05]), lam=1e4)
     pieces = jg.pieces(groups)

@@ -284,6 +284,14 @@ def test_models_as_records_and_as_a_table():
     assert all(record["key"] in text for record in records) and "reconstructed" in text
 
 
+def test_a_model_in_full_has_what_its_file_says():
+    """Assumptions and equations, beside the record."""
+    text = command("models", "dmt").stdout
+    assert "checked against" in text and "*Assumes*" in text and "P=w^{3/2}" in text
+    (row,) = strict(command("models", "dmt", "--json").stdout)
+    assert row["text"].startswith("One elastic asperity") and "$$" in row["text"]
+
+
 def test_cite_prints_entries():
     text = command("cite", "soft_coating_2015").stdout
     assert "{soft_coating_2015," in text and "{savkoor_briggs_1977," in text

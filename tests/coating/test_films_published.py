@@ -135,7 +135,7 @@ def test_halling_against_independent_sums():
         assert_near(found[:, AREA], column(rows, "area")[mine], 1e-10, what=f"{choice} area")
 
 
-DEFAULTS = tuple(values[0] for values in halling_1979.RECORD.own_options.values())
+DEFAULTS = tuple(values[0] for values in halling_1979.RECORD.options.values())
 
 
 def plastic_sum(eta, h, stiff=1.0):

@@ -438,10 +438,10 @@ def test_record_refers_to_what_exists(record):
 @each_record
 def test_options(record):
     """The first value is the default; what is not listed is refused by name."""
-    defaults = {name: values[0] for name, values in record.own_options.items()}
+    defaults = {name: values[0] for name, values in record.options.items()}
     assert resolve_options([record], {}) == defaults == select_options(record, defaults)
-    assert resolve_options([record], dict.fromkeys(record.own_options)) == resolve_options([record], {})
-    for name, values in record.own_options.items():
+    assert resolve_options([record], dict.fromkeys(record.options)) == resolve_options([record], {})
+    for name, values in record.options.items():
         assert len(set(values)) == len(values) > 0
         with pytest.raises(InputError) as caught:
             resolve_options([record], {name: "no such value"})

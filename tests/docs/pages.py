@@ -8,6 +8,7 @@ pyproject.toml written so is installed as far as its entry points go.
 """
 
 import contextlib
+import importlib.util
 import io
 import os
 import re
@@ -19,9 +20,20 @@ from dataclasses import dataclass
 from itertools import zip_longest
 from pathlib import Path
 
-from stiction.laws.registry import records
+from stiction.laws import registry
 
 ROOT = Path(__file__).parents[2]
+
+
+def _script(name: str):
+    """A script of docs/, as a module."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "docs" / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+make_tables = _script("make_tables")
 
 _FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _FILE = re.compile(r"# file: (\S+)\n")
@@ -104,7 +116,7 @@ def sandbox() -> Iterator[Path]:
             for module in set(sys.modules) - modules:
                 if str(getattr(sys.modules[module], "__file__", "")).startswith(str(folder)):
                     del sys.modules[module]
-            records.cache_clear()
+            registry._outside.cache_clear()
 
 
 def _install(text: str, folder: Path) -> None:
@@ -117,7 +129,7 @@ def _install(text: str, folder: Path) -> None:
     for group, entries in project["entry-points"].items():
         lines += [f"[{group}]", *(f"{name} = {place}" for name, place in entries.items())]
     (info / "entry_points.txt").write_text("\n".join(lines) + "\n")
-    records.cache_clear()
+    registry._outside.cache_clear()
 
 
 def refreshed(page: str, examples: list[Example]) -> str:

@@ -1,12 +1,11 @@
 """Every example in the documentation runs, prints what the page says, and every table in it is up to date."""
 
-import importlib.util
 import re
 import runpy
 import tomllib
 
 import pytest
-from pages import ROOT, blocks, pages, refreshed, run, sandbox
+from pages import ROOT, blocks, make_tables, pages, refreshed, run, sandbox
 
 from stiction.engine.summation import _COUNTS
 from stiction.studies.case import parse_case
@@ -90,9 +89,6 @@ def test_example_scripts_run(script, capsys):
 
 def test_tables_are_up_to_date():
     """`python docs/make_tables.py` writes them."""
-    spec = importlib.util.spec_from_file_location("make_tables", ROOT / "docs" / "make_tables.py")
-    make_tables = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(make_tables)
     for page, fresh in make_tables.fresh_pages().items():
         assert page.read_text(encoding="utf-8") == fresh, f"{page.name} is out of date: python docs/make_tables.py"
 
@@ -101,12 +97,3 @@ def test_numbers_of_nodes_are_those_of_the_engine():
     """docs/numerics.md speaks of them."""
     short, long = _COUNTS
     assert f"{short} nodes, or {long}" in (ROOT / "docs" / "numerics.md").read_text(encoding="utf-8")
-
-
-def test_every_reference_table_says_where_it_comes_from():
-    folder = ROOT / "tests" / "reference"
-    text = (folder / "README.md").read_text(encoding="utf-8")
-    missing = [table.name for table in folder.glob("*.csv") if f"`{table.stem}`" not in text and f"`{table.name}`" not in text]
-    assert not missing, missing
-    for name in re.findall(r"`(make_\w+\.py)`", text):
-        assert (folder / name).exists(), name

@@ -47,7 +47,7 @@ def sums(module, given, h, way="scattered", heights=None, **options):
 
 def F_rows(shape_of_heights, n):
     key, _, shape = shape_of_heights.partition(" ")
-    return [row for row in read("greenwood_williamson.csv") if (row["heights"], row["shape"], row["n"]) == (key, shape, n)]
+    return [row for row in read("greenwood_williamson_1966.csv") if (row["heights"], row["shape"], row["n"]) == (key, shape, n)]
 
 
 DISTRIBUTIONS = {
@@ -61,7 +61,7 @@ DISTRIBUTIONS = {
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("key", DISTRIBUTIONS)
 def test_greenwood_williamson(key, way):
-    """Count F_0, area F_1 and load F_(3/2) of tests/reference/greenwood_williamson.csv."""
+    """Count F_0, area F_1 and load F_(3/2) of tests/reference/greenwood_williamson_1966.csv."""
     for place, n in ((0, "0"), (2, "1"), (1, "1.5")):
         rows = F_rows(key, n)
         assert len(rows) == 21
@@ -115,8 +115,8 @@ def test_empirical_heights():
 
 @pytest.mark.parametrize("way", WAYS)
 def test_rough_dmt(way):
-    """tests/reference/dmt.csv; the load against the sum of its two terms."""
-    rows = read("dmt.csv")
+    """tests/reference/rough_dmt.csv; the load against the sum of its two terms."""
+    rows = read("rough_dmt.csv")
     h, theta, load, area, count = (column(rows, name) for name in ("h", "theta", "load", "area", "touching_asperities"))
     found = sums(rough_dmt, groups(theta), h, way)[0]
     assert_near(found[:, 1], load, 1e-10, np.abs(load) + 4 * math.pi / theta * count)
@@ -129,8 +129,8 @@ def tension(h, theta):
 
 
 def test_fuller_tabor_pull_off():
-    """tests/reference/pull_off.csv: the largest tension over N times (3/2) pi gamma R, and where."""
-    rows = read("pull_off.csv")
+    """tests/reference/fuller_tabor_1975.csv: the largest tension over N times (3/2) pi gamma R, and where."""
+    rows = read("fuller_tabor_1975.csv")
     assert len(rows) == 13
     for theta, largest, at in zip(*(column(rows, name) for name in ("theta", "largest_tension", "h")), strict=True):
         best = minimize_scalar(lambda h: -tension(h, theta), bounds=(at - 1.0, at + 1.0), options={"xatol": 1e-9})  # noqa: B023

@@ -95,7 +95,7 @@ def test_no_such_surface():
 
 @pytest.mark.parametrize("n", ("0.5", "1", "1.5"))
 def test_truncated_mean(n):
-    rows = [row for row in read("greenwood_williamson.csv") if row["heights"] == "gaussian" and row["n"] == n]
+    rows = [row for row in read("greenwood_williamson_1966.csv") if row["heights"] == "gaussian" and row["n"] == n]
     assert_allclose(truncated_mean(float(n), column(rows, "h")), column(rows, "F_n"), rtol=1e-11)
 
 
@@ -117,7 +117,7 @@ def test_truncated_mean_far_out():
 def test_sums_over_summits(module):
     rows = read(f"{module.RECORD.key}.csv")
     h = np.unique(column(rows, "h"))
-    load, area = module.curve(h, given(roughness_parameter=column(rows, "density")[:: len(h)]))
+    load, area = module.curve(h, given(roughness_parameter=column(rows, "roughness_parameter")[:: len(h)]))
     assert_allclose(load.ravel(), column(rows, "load"), rtol=1e-8)
     assert_allclose(area.ravel(), column(rows, "area"), rtol=1e-8)
 
@@ -246,7 +246,7 @@ def test_elastoplastic_hardness():
 
 def test_interaction():
     rows = read("ciavarella_greenwood_paggi_2008.csv")
-    names = ("density", "sharpness", "nominal_width")
+    names = ("roughness_parameter", "sharpness", "nominal_width")
     h = np.unique(column(rows, "h"))
     groups = given(**{name: column(rows, name)[:: len(h)] for name in names})
     load, area = ciavarella_greenwood_paggi_2008.curve(h, groups)
@@ -275,7 +275,7 @@ def test_interaction_only_shifts():
 
 def test_stickiness():
     rows = read("pastewka_robbins_2014.csv")
-    groups = given(**{name: column(rows, name) for name in ("theta", "density", "tabor_parameter")})
+    groups = given(**{name: column(rows, name) for name in ("theta", "roughness_parameter", "tabor_parameter")})
     assert_allclose(pastewka_robbins_2014.stickiness(groups), column(rows, "ratio"), rtol=1e-12)
 
 

@@ -1,7 +1,26 @@
-"""Writes chang_etsion_bogy.csv (see README.md): asperities of Chang, Etsion and Bogy on Gaussian heights.
+"""Asperities of Chang, Etsion and Bogy on Gaussian heights: mpmath, 30 digits. Takes seconds.
 
-w* = w/w_c = psi^2 w/sigma; loads over N P_c, areas over N pi R w_c. Normal law: Chang-Etsion-Bogy 1987.
-Tangential law: Chang-Etsion-Bogy 1988, first yield on the axis or at the edge, none from w* = 1 on.
+w* = w/w_c = psi^2 w/sigma; nu = 0.3; loads over N P_c, areas over N pi R w_c, friction over N P_c, P_c = w_c^(3/2). Normal law:
+Chang-Etsion-Bogy 1987. Tangential law: Chang-Etsion-Bogy 1988, first yield on the axis or at the edge, none from w* = 1 on.
+
+- `chang_etsion_bogy.csv` of `chang_etsion_bogy_1988`: `load`, `area`, `friction`, `friction_coefficient` at `psi`, `h`
+
+A table of the compendium this project works from prints P/(N P_c), mu and A/(N A_c) side by side for psi = 0.5, 1, 2, 4 and 8.
+Evaluated here, with Q the friction force of 1988:
+
+| psi, h | Q/P, P elastic (Greenwood-Williamson) | Q/P, P of Brizmer et al. | Q/P, P of Chang-Etsion-Bogy 1987 | printed |
+|---|---|---|---|---|
+| 0.5, 1 | .75436 | .75436 | .75435 | .7543 |
+| 1, 1 | .20789 | .20796 | .16074 | .1607 |
+| 1, 2 | .31482 | .31484 | .26739 | .2673 |
+| 1, 3 | .41212 | .41213 | .37583 | .3758 |
+| 2, 1 | .01218 | .01286 | .00939 | .0094 |
+| 2, 3 | .04716 | .04805 | .03354 | .0335 |
+
+So the printed mu divides by the load of Chang-Etsion-Bogy 1987, plasticity included (the fourth decimal of .2673 is
+cut, not rounded), while the printed P and A columns are those of Brizmer, Kligerman and Etsion (psi = 1, h = 1: P
+.07564236, A .08342407; here Chang-Etsion-Bogy gives .09786299 and .09180617). Dividing Q by the printed P does not
+give the printed mu.
 """
 
 import csv

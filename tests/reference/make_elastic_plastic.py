@@ -1,9 +1,14 @@
-"""Elastic-plastic asperities without adhesion, from their published equations in pascals and metres: mpmath, 30 digits.
+"""Elastic-plastic asperities without adhesion, from their published equations in pascals and metres: mpmath, 30 digits. 20 s.
 
-One table per law: tests/reference/<key>.csv. Nothing of the package is imported. Each row is a contact in dimensionless groups,
-one displacement w with the load and area of one asperity there, and one separation h with the sums over Gaussian heights.
-The dimensional contact behind the groups has R = 1, E* = 1, so K = 4/3, sigma = sharpness^2 and, by the definitions
+Nothing of the package is imported. Each row is a contact in dimensionless groups, one displacement w with the load and area
+of one asperity there, and one separation h with the sums over Gaussian heights: 8 contacts, 6 displacements of each. The
+dimensional contact behind the groups has R = 1, E* = 1, so K = 4/3, sigma = sharpness^2 and, by the definitions
 theta = K sigma^(3/2)/(gamma R^(1/2)), lambda = pi^2 R H^4 sigma/(18 K^2 gamma^2): gamma, then H.
+
+- `zhao_maietta_chang_2000.csv`: `load`, `area` at `w`; `load_sum`, `area_sum` at `h`
+- `kogut_etsion_2002.csv`: the same
+- `jackson_green_2005.csv`: the same
+- `brizmer_kligerman_etsion_2006.csv`: the same
 """
 
 import csv

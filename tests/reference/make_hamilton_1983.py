@@ -1,8 +1,12 @@
-"""Writes hamilton_1983.csv (see README.md): stresses below a pressed and a sheared Hertz contact, summed from point loads.
+"""Stresses below a pressed and a sheared Hertz contact, summed from point loads: 25 digits. Takes 90 s.
 
-Over p0 = q0 and a; pressure and traction (in the direction +x) sqrt(1 - r^2); z into the half-space, tension positive. The
-stresses of point loads are those of Boussinesq and of Cerruti, as in Johnson, Contact Mechanics (1985), sections 3.2 and 3.6.
-With r = sin t the integrand is smooth in t (Gauss-Legendre) and periodic in the angle (equal steps).
+No formula of Hamilton's: Boussinesq's and Cerruti's point loads summed over the contact, 64 Gauss radii by 200 angles, as in
+Johnson, Contact Mechanics (1985), sections 3.2 and 3.6. Over p0 = q0 and a; pressure and traction (in the direction +x)
+sqrt(1 - r^2); z into the half-space, tension positive. With r = sin t the integrand is smooth in t (Gauss-Legendre) and
+periodic in the angle (equal steps).
+
+- `hamilton_1983.csv`: six stresses, `xx` to `xz`, at nine places of a contact, pressed (over p0) and dragged (over q0); lengths
+  over a; nu = 0, 0.3, 0.5
 """
 
 import csv

@@ -1,6 +1,10 @@
-"""Writes greenwood_williamson.csv and dmt.csv (see README.md).
+"""Sums over heights in closed form: mpmath, 30 digits; checked against quadrature. Takes seconds.
 
-F_n(h) = Int_h^inf (z - h)^n f(z) dz for standardised heights (mean 0, standard deviation 1).
+F_n(h) = Int_h^inf (z - h)^n f(z) dz for standardised heights (mean 0, standard deviation 1): Gaussian, exponential (density
+exp(-(z+1)), z >= -1), Weibull (shape 2, and the double nearest 3.4).
+
+- `greenwood_williamson_1966.csv`: `F_n` at `heights`, `shape`, `n`, `h`
+- `rough_dmt.csv`: Int_0^inf (w^(3/2) - 2 pi/theta) phi(h+w) dw, `load`, and `area`, `touching_asperities`
 """
 
 import csv
@@ -96,5 +100,5 @@ def dmt():
 if __name__ == "__main__":
     check(gaussian, lambda z: mp.exp(-z * z / 2) / mp.sqrt(2 * mp.pi), -mp.inf)
     check(exponential, lambda z: mp.exp(-z - 1), mpf(-1))
-    write("greenwood_williamson.csv", ["heights", "shape", "n", "h", "F_n"], greenwood_williamson())
-    write("dmt.csv", ["h", "theta", "load", "area", "touching_asperities"], dmt())
+    write("greenwood_williamson_1966.csv", ["heights", "shape", "n", "h", "F_n"], greenwood_williamson())
+    write("rough_dmt.csv", ["h", "theta", "load", "area", "touching_asperities"], dmt())

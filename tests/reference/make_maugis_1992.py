@@ -1,6 +1,10 @@
-"""Writes maugis_1992.csv (see README.md): Maugis's equations as printed, solved for m = c/a at given contact radii A.
+"""Maugis's equations as printed, in his units, at given contact radii A: mpmath, 30 digits. Takes seconds.
 
-Also where dD/dA = 0 (kind "fold"): there the contact is lost in unloading.
+The ring's m = c/a is found by bisection at a given A, the fold (dD/dA = 0, where the contact is lost in unloading) by golden
+section.
+
+- `maugis_1992.csv`: `load`, `area` at `w`; five contact radii (no kind), and where it tears off in unloading
+  ("fold"); `branch` is empty where the contact is not stable
 """
 
 import csv
@@ -49,7 +53,7 @@ def main():
     lambda_over_tabor = 2 * stress * (1 / (pi * K**2)) ** (mpf(1) / 3)
     with (HERE / "maugis_1992.csv").open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["kind", "tabor_parameter", "theta", "w", "load", "area"])
+        writer.writerow(["kind", "tabor_parameter", "theta", "branch", "w", "load", "area"])
         for tabor in TABOR:
             lam = lambda_over_tabor * mpf(float(tabor))
             points = [("", mpf(A)) for A in RADII]
@@ -60,7 +64,8 @@ def main():
                 for theta in THETA:
                     g = (pi / mpf(float(theta))) ** (mpf(1) / 3)
                     row = (D * g * g, P * g**3, A * A * g * g)
-                    writer.writerow([kind, tabor, theta, *(mp.nstr(value, 17) for value in row)])
+                    branch = "unloading" if at is None or A >= at else ""
+                    writer.writerow([kind, tabor, theta, branch, *(mp.nstr(value, 17) for value in row)])
 
 
 if __name__ == "__main__":

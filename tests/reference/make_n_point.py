@@ -1,8 +1,11 @@
-"""Writes hariri_zu_ben_mrad_2006.csv (see README.md): n-point asperities counted on simulated profiles, with standard errors.
+"""n-point asperities counted on simulated profiles, with standard errors; numpy and scipy only.
 
-Only numpy and scipy. Gaussian profiles with exponential autocorrelation, 100 blocks of 1e6 points with fixed seeds; an error is
-that of the mean of the blocks. Loads and areas are sums over the asperities found, in metres and pascals, of Hertz's formulas;
-spacing and correlation of the points come from the peaks of the surface's profile by adaptive integrals and root finding.
+Gaussian profiles with exponential autocorrelation, 100 blocks of 1e6 points with fixed seeds; an error is that of the mean of
+the blocks, from 1e-4 of the value upwards: judge in errors. Loads and areas are sums over the asperities found, in metres and
+pascals, of Hertz's formulas; spacing and correlation of the points come from the peaks of the surface's profile by adaptive
+integrals and root finding.
+
+- `hariri_zu_ben_mrad_2006.csv`: `value` with its standard `error`, of the `quantity` named
 """
 
 import csv

@@ -1,7 +1,56 @@
-"""Writes paper_model_own.csv, asperity.csv, unloading.csv, pull_off.csv and parts.csv (see README.md).
+"""The model of the 2015 paper and its parts, from paper_equations.py: mpmath. Takes about two minutes.
 
-python make_paper_model.py [file ...]       # all files when none is named
-python make_paper_model.py --check OTHER.csv    # compare a table of the same columns with these equations
+    python make_paper_model.py [file ...]       # all files when none is named
+    python make_paper_model.py --check OTHER.csv    # compare a table of the same columns with these equations
+
+- `paper_model_own.csv` of `soft_coating_2015`, `sequential`, `printed`: `load`, `area`, `friction`, `abs_load`; 4 kinds
+  (corrected or published reading, bare or coated): 60 random inputs over the whole range (h -6..8, theta 1e-3..1e8, lambda
+  1e-6..1e8, nu 0..0.499, H/Y 1.5..4, n_E and n_H 1e-2..1e2, t 0..1e3) and 34 picked beside a kink or a corner
+- `asperity.csv` of `soft_coating_2015` (tangential law): one asperity, both readings, five points of the elastic range: `x0`,
+  `x1`, `w1`, plastic load at w1, K beta, number of slip = yield crossings between x0 and x1; `x`, `w`, `load`, `slip`, `yield`
+- `unloading.csv` of `soft_coating_2015`: corrected, bare, asperities attached down to 4 u^3 = s (x = 0.64963 theta^(-2/3)); as
+  the first, and `attached_asperities`
+- `fuller_tabor_1975.csv`: elastic JKR asperities on the unloading branch, largest tension over N (3/2) pi gamma R, and h there;
+  `inverse_delta_c` = theta^(2/3)/1.94889
+- `parts.csv` of `soft_coating_2015`: corrected reading, the same sums by group of asperities, see below
+
+How:
+
+- `paper_equations.py` holds the equations. Elastic integrals run in u = x^(1/4), split at P = 0, at the branch point
+  and the zero of the yield force (both roots of a cubic), at u^3 = S/2 (where the slip force touches zero, unloading
+  only) and at every crossing of slip and yield; u = u_branch + v^2 takes the square root of the yield force away.
+  Crossings: 23000-point scan, near misses searched for a hidden pair, then bisection to all digits. Gauss-Legendre
+  with 32 nodes; panels are halved until the sum stands still to 1e-21 of the integral of |integrand|. Plastic
+  integrals are closed forms.
+- In the corrected reading (2 pi/theta) P + 3 pi^2/theta^2 = (2 pi/theta)(u^3 - S/2)^2 with S = sqrt(6 pi/theta), so
+  the slip force has no square root; the unloading forces follow the same formula past pull-off.
+- Checked: the number of elastic asperities against Q(h + start) - Q(h + end), all bare rows, to 1e-18; ten bare rows
+  (five random, five picked) and three unloading rows against mpmath's tanh-sinh `quad` in x with the formulas as they
+  stand, to 1e-14 (its tolerance is absolute: scale tiny integrands first); 160 rows of an earlier independent table
+  of this model, largest departure 4.5e-15 (it prints 15 digits); the pull-off against the six values that the model's
+  derivation prints. `--check` prints the largest departure.
+- Random part of `paper_model_own.csv`: fixed seed, half of the t uniform in 0..8, the rest log-uniform in 8..1e3.
+  Picked part: both sides of six tangencies of slip and yield, branch point at x0 (1e-6 and 1e-12 beside it), zero of
+  the yield force at x1, h = -6 and -4 with theta 300..1000 and lambda 1e6, t 1e-9 beside the film's w1 on either
+  side, t = 0, nu = 0 and .499, corners of the range, and a film like the substrate. Bare rows leave n_E, n_H and t
+  empty.
+
+What a test of these must share:
+
+- `abs_load` is the integral of |load integrand|; in the corrected coated reading the film's term n_E |P_c(t)| Q(h+t)
+  is one more part. Judge loads against it, not against `load`.
+- Published `area`, which the paper does not define as a sum over heights: bare Int_{x0}^{x1} x phi(h+x) dx +
+  Int_{w1}^inf 2w phi(h+w) dw; coated the same with the film's law. Corrected coated `area`: the film's law at the
+  full displacement.
+- Published `friction` has exp(-z^2/2) without 1/sqrt(2 pi); crossed limits give nothing.
+- t = 0 is the formula itself: the film is held at P_c(w = 0) = -4 pi/(3 theta_c), so it is not the bare surface.
+- At w = w1 the asperity is plastic (so is a film with t = w1; in doubles that side cannot be told, so no row sits
+  there).
+- Up to three crossings of slip and yield occur, see `asperity.csv` and the tangent rows.
+- In `parts.csv` `film_elastic` and `film_plastic` are asperities with w < t, `film_held` what the film keeps under
+  asperities with w >= t (they are counted in the substrate groups), `substrate_*` the substrate's own law at h + t;
+  film forces already times n_E. On a bare surface everything is substrate. `load` and `friction` are the sums of
+  their groups, `touching_asperities` is Q(h); `area` is the total of the film's law (bare: of the substrate's).
 """
 
 import csv
@@ -206,7 +255,7 @@ def asperity():
     )
 
 
-# --- 3. unloading.csv, pull_off.csv ---------------------------------------------------------------
+# --- 3. unloading.csv, fuller_tabor_1975.csv ---------------------------------------------------------------
 
 UNLOADING = [
     (1, 40, 10, 0.3, 2.8),
@@ -263,9 +312,13 @@ def fuller_tabor(ratio):
     return theta, tension(h)[0], h
 
 
-def pull_off():
+def fuller_tabor_1975():
     ratios = ["0.1", "0.2", "0.3", "0.5", "0.75", "1", "1.25", "1.5", "2", "2.38", "2.5", "3", "4"]
-    write("pull_off.csv", ["inverse_delta_c", "theta", "largest_tension", "h"], ([r, *fuller_tabor(mpf(r))] for r in ratios))
+    write(
+        "fuller_tabor_1975.csv",
+        ["inverse_delta_c", "theta", "largest_tension", "h"],
+        ([r, *fuller_tabor(mpf(r))] for r in ratios),
+    )
 
 
 # --- 6. parts.csv ---------------------------------------------------------------------------------
@@ -349,7 +402,7 @@ def check(path):
     print(mp.nstr(worst, 3))
 
 
-FILES = {maker.__name__: maker for maker in (paper_model_own, asperity, unloading, pull_off, parts)}
+FILES = {maker.__name__: maker for maker in (paper_model_own, asperity, unloading, fuller_tabor_1975, parts)}
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--check"]:

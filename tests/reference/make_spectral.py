@@ -1,8 +1,21 @@
-"""Writes the tables of the theories of Gaussian rough surfaces (see README.md): summits, mccool_1986, bush_gibson_thomas_1975,
-greenwood_2006, persson_2001, persson_2001_elastoplastic, ciavarella_greenwood_paggi_2008, pastewka_robbins_2014.
+"""Theories of Gaussian rough surfaces, with numpy, scipy and mpmath. Takes 9 s.
 
-Only numpy, scipy and mpmath. The summits are summed straight from the covariances of a Gaussian surface and its derivatives, in
-the principal curvatures, without Nayak's variables; the ellipse is found from the curvatures by root finding.
+The summits are summed straight from the covariances of a Gaussian surface and its derivatives, in the principal curvatures,
+without Nayak's variables; the ellipse is found from the curvatures by root finding. In double precision, so good to 1e-9 or
+better, not to 15 digits; except `mccool_1986` and `ciavarella_greenwood_paggi_2008`, with mpmath (16 digits), and the two
+tables of Persson, by finite differences in the diffusion equation (3e-7 elastic, 1e-6 elastic-plastic).
+
+- `summits.csv` of `mccool_1986`, `bush_gibson_thomas_1975`, `greenwood_2006`: number, mean height, deviation and radius of
+  the summits of Gaussian surfaces with these spectral moments, any consistent units: `density`, `mean_height`, `deviation`,
+  `radius`
+- `bush_gibson_thomas_1975.csv`: `load`, `area` per asperity at `h` from the mean of the summits
+- `greenwood_2006.csv`: the same
+- `mccool_1986.csv`: `area_over_load`, A E* h'/(A_0 p) of Greenwood and Williamson's sum on a surface of this bandwidth alpha
+- `ciavarella_greenwood_paggi_2008.csv`: `load`, `area` per asperity
+- `persson_2001.csv`: `area` over the nominal at `pressure` over E* h'
+- `persson_2001_elastoplastic.csv`: shares of the nominal area, `elastic` and `plastic`, at H over E* h' and nominal pressure
+  over H (`share`)
+- `pastewka_robbins_2014.csv`: `ratio`, 1 at the border of sticking, of surfaces in SI units
 """
 
 import csv
@@ -230,10 +243,14 @@ def pastewka():
 
 if __name__ == "__main__":
     write("summits", ["m0", "m2", "m4", "density", "mean_height", "deviation", "radius"], summits())
-    write("bush_gibson_thomas_1975", ["density", "h", "load", "area"], elliptic("ellipse"))
-    write("greenwood_2006", ["density", "h", "load", "area"], elliptic("sphere"))
+    write("bush_gibson_thomas_1975", ["roughness_parameter", "h", "load", "area"], elliptic("ellipse"))
+    write("greenwood_2006", ["roughness_parameter", "h", "load", "area"], elliptic("sphere"))
     write("mccool_1986", ["alpha", "h", "area_over_load"], mccool())
     write("persson_2001_elastoplastic", ["hardness", "share", "elastic", "plastic"], elastic_plastic())
     write("persson_2001", ["pressure", "area"], elastic())
-    write("ciavarella_greenwood_paggi_2008", ["density", "sharpness", "nominal_width", "h", "load", "area"], ciavarella())
-    write("pastewka_robbins_2014", ["theta", "density", "tabor_parameter", "ratio"], pastewka())
+    write(
+        "ciavarella_greenwood_paggi_2008",
+        ["roughness_parameter", "sharpness", "nominal_width", "h", "load", "area"],
+        ciavarella(),
+    )
+    write("pastewka_robbins_2014", ["theta", "roughness_parameter", "tabor_parameter", "ratio"], pastewka())

@@ -1,7 +1,19 @@
-"""Writes the tables of single asperities under tangential force (see README.md): one file per law, from dimensional inputs.
+"""Single asperities under tangential force, one table a law, from dimensional inputs: mpmath, 30 digits. Takes 20 s.
 
-Two equal spheres or a sphere on a rigid flat are reduced here to their radius R, moduli and so on, in SI units, at 30 digits;
-the groups of the package (theta, lambda, ...) are written beside the forces, which are over K R^(1/2) sigma^(3/2).
+Two equal spheres or a sphere on a rigid flat are reduced here to their radius R, moduli and so on, in SI units; four pairs of
+bodies from soft to hard. The groups of the package (theta, lambda, ...) are written beside the forces, which are over
+K R^(1/2) sigma^(3/2): `friction`, the tangential force at which one asperity gives way. Savkoor and Briggs: bisection for the
+largest T at which the least G_N + zeta G_T over all contact radii is gamma at most. Chang, Etsion and Bogy: bisection on the
+von Mises stress at the two places, with the two constants that the authors round. The others from their own formulas.
+
+- `savkoor_briggs_1977.csv`: `friction` at `load`
+- `thornton_1991.csv`: the same
+- `chang_etsion_bogy_1988.csv` of `chang_etsion_bogy_1988` (tangential law): `friction` at `w`, of Hertz's asperity
+- `kogut_etsion_2003.csv`: `friction` at `w`, `load`
+- `brizmer_kligerman_etsion_2007.csv`: `friction` at `load`
+- `bowden_tabor_1943.csv`: `friction` at `area`, `load`
+- `briscoe_tabor_1978.csv`: the same
+- `mindlin_1949.csv`: the same bodies before they slide: `stiffness`, `displacement` under `force`
 """
 
 import csv

@@ -1,7 +1,10 @@
-"""Writes thornton_ning_1998.csv (see README.md).
+"""Five contacts of Thornton and Ning with dimensions, by quadrature. Takes seconds.
 
-Everything with dimensions, and R_p and the residual displacement from the printed formulas. The load after yield comes by
-quadrature of the printed stiffness dP/d delta; the script stops unless the pressure integrated over the contact gives the same.
+R_p and the residual displacement come from the printed formulas, the load after yield by quadrature of the printed stiffness
+dP/d delta; the script stops unless the pressure integrated over the contact gives the same.
+
+- `thornton_ning_1998.csv`: `load`, `area` at `w`, one asperity loaded past yield, lambda for H = the limiting pressure;
+  `radius` of the yielded sphere over R; on its way back `w_back`, `load_back`, `area_back`; `pull_off`
 """
 
 import csv
@@ -73,12 +76,15 @@ def rows(case):
 
 
 def main():
-    header = ["theta", "lambda", "w", "load", "area", "radius", "w_back", "load_back", "area_back", "pull_off"]
+    header = ["theta", "lambda", "limiting_pressure", "w", "load", "area"]
+    header += ["radius", "w_back", "load_back", "area_back", "pull_off"]
     with (HERE / "thornton_ning_1998.csv").open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(header)
         for case in CASES:
-            writer.writerows([mp.nstr(value, 17) for value in row] for row in rows(case))
+            for theta, lam, *state in rows(case):
+                inputs = [mp.nstr(theta, 17), mp.nstr(lam, 17), "hardness"]
+                writer.writerow([*inputs, *(mp.nstr(value, 17) for value in state)])
 
 
 if __name__ == "__main__":

@@ -14,7 +14,8 @@ def models(
     keys: Annotated[list[str] | None, typer.Argument(metavar="[KEY]...", help="Say all of these; else a line of each.")] = None,
     json: Json = False,
 ) -> None:
-    """Every model and law: key, kind, provenance grade, source, range of validity; what is missing where there is none."""
+    """Every model and law: key, kind, provenance grade, source, range of validity; what is missing where there is none.
+    With KEY also its assumptions, equations and check numbers."""
     from stiction.laws.overview import models as all_models
 
     rows = all_models(keys or None)

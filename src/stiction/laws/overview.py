@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from stiction.laws.registry import Limit, Record, records
+from stiction.laws.registry import Limit, Record, records, text_of
 from stiction.laws.sources import bibliography, bibtex
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import nearest
@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 
 def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
     """One dict for each record of the registry, with at least key, kind, title, grade, source, validity, needs, options,
-    verified and notes; texts and lists of texts. Those of kind "not available" say under `unknown` what is missing.
+    verified, notes and text; texts and lists of texts. `text`, in Markdown, is what the file of the model says: assumptions,
+    equations, check numbers. Those of kind "not available" say under `unknown` what is missing.
 
     keys: only records with these keys. Raises InputError for one that is not known.
     """
@@ -42,6 +43,7 @@ def _row(record: Record) -> dict[str, Any]:
         "verified": record.verified,
         "limits": [_limit(limit) for limit in record.limits],
         "notes": record.notes,
+        "text": text_of(record),
     }
     return row | {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}
 

@@ -7,6 +7,7 @@ command line, citations and contract tests are made from the record.
 
 import importlib
 import importlib.util
+import inspect
 import pkgutil
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -365,3 +366,20 @@ def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) 
             nothing = f"nothing: {' and '.join(record.key for record in known)} have no such option"
             raise InputError(name, value, ", ".join(allowed.get(name, ())) or nothing)
     return {name: options.get(name) or values[0] for name, values in allowed.items()}
+
+
+def text_of(record: Record) -> str:
+    """What the file of a record says of it: equations with their source, assumptions, what was reconstructed; Markdown.
+
+    It is the docstring of the module in which the record stands, of this package or of the project that brought it; "" if that
+    has none.
+    """
+    name = f"{_package(type(record))}.{record.key}"
+    if record.key.isidentifier() and importlib.util.find_spec(name) is not None:
+        module = importlib.import_module(name)
+        if getattr(module, "RECORD", None) is record:
+            return inspect.getdoc(module) or ""
+    for entry in entry_points(group="stiction"):
+        if entry.load() is record:
+            return inspect.getdoc(importlib.import_module(entry.module)) or ""
+    return ""

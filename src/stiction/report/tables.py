@@ -1,5 +1,6 @@
 """What the command line prints: rich tables and text, made from results and records."""
 
+import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -262,6 +263,8 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
     return Group(*tables)
 
 
+# The ends of lines inside a paragraph of Markdown: the terminal breaks lines itself.
+_LINE_ENDS = re.compile(r"(?<=\S)(?<!\$\$)\n(?!\$\$)(?=[^\s|-])")
 # What a record says in full, besides its options: the name of the entry and how it is called.
 _IN_FULL = {
     "source": "source", "unknown": "not known", "nearest": "nearest to it", "verified": "checked against", "jumps": "jumps",
@@ -269,8 +272,8 @@ _IN_FULL = {
 }  # fmt: skip
 
 
-def model_in_full(row: Mapping[str, Any]) -> Table:
-    """All that one record says."""
+def model_in_full(row: Mapping[str, Any]) -> Group:
+    """All that one record says, and what its file says of assumptions and equations."""
     pairs = [(row["key"], f"{row['title']} ({row['kind']}, grade {row['grade']})")]
     for name, head in _IN_FULL.items():
         value = row.get(name) or []
@@ -278,7 +281,7 @@ def model_in_full(row: Mapping[str, Any]) -> Table:
         pairs += [(head if number == 0 else "", line) for number, line in enumerate(lines)]
     pairs += [("only with", f"asperity laws marked {trait}: {why}") for trait, why in row.get("wants", {}).items()]
     pairs += [("option", f"{name}: {', '.join(values)}") for name, values in row["options"].items()]
-    return facts(pairs)
+    return Group(facts(pairs), Text("\n" + _LINE_ENDS.sub(" ", row["text"])))
 
 
 def grades() -> Table:

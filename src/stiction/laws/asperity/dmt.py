@@ -1,5 +1,16 @@
-"""One elastic asperity with adhesion around the contact: Derjaguin, Muller & Toporov 1975, as Maugis 1992 states it:
-Hertz's contact, with the load less the constant 2 pi gamma R."""
+r"""One elastic asperity, adhesion around the contact: Derjaguin, Muller & Toporov 1975.
+
+*Assumes*: the adhesion acts around the contact and leaves its shape Hertz's. *Source*:
+[derjaguin_muller_toporov_1975], in the form that [maugis_1992] gives it: the load less the constant $2\pi\gamma R$.
+
+$$
+P=w^{3/2}-\frac{2\pi}\theta,\qquad A=w\qquad(w\ge0)
+$$
+
+It is for Tabor parameters below about 0.1. Asperities that do not touch are not pulled. *Limit*: `hertz`.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+"""
 
 import math
 

@@ -1,11 +1,43 @@
-"""One asperity without adhesion whose material hardens: Ghaednia, Brake, Berryhill & Jackson 2019.
+r"""One asperity without adhesion whose material hardens: Ghaednia, Brake, Berryhill & Jackson 2019.
 
-A sphere of bilinear strain hardening, flattened: its stress rises by Young's modulus E up to the yield stress S_y and by the
-tangent modulus E_t from there on. Hertz up to 1.9 omega_c; then area and load lie between those of the sphere that does not
-harden (Jackson & Green 2005, with another limiting hardness) and Hertz's, the nearer to these the more it hardens.
-Displacements over sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma. Coordinate: u = sqrt(w).
+*Assumes*: Jackson and Green's sphere, flattened, of a material that hardens bilinearly: its stress rises by Young's modulus
+up to the yield stress $Y$ and by the tangent modulus $E_t$ from there on (`tangent_modulus` of the softer material; the group
+is `hardening` $=e=E_t/E$). Hertz up to $1.9\,\omega_c$; then area and load lie between those of the sphere that does not
+harden and Hertz's, the nearer to these the more it hardens. *Source*: [ghaednia_2019], eqs. (1) to (6) and (23) to (31), with
+the numbers that codes of one author's group give beside their formulas.
 
-Equation numbers are those that the code of one author's group gives beside its formulas.
+$$
+a=a_e+(a_p-a_e)\exp\Upsilon,\qquad P=P_p+(P_e-P_p)\left(1-\exp(-3.3e)\right),\qquad
+\frac{H_G}Y=2.84-0.92\left(1-\cos\frac{\pi a}R\right)
+$$
+
+$$
+\Upsilon=\frac{-2se^{\,1-(\omega-\omega_c)/R}}{(4-3\exp(-2se))(1-e)},\qquad s=\sqrt{E/Y}
+$$
+
+(eqs. 25, 30, 28 and 26; the power in the last is one of $e=E_t/E$) with $a_e$, $P_e$ Hertz's (eqs. 1 and 31) and $a_p$, $P_p$
+Jackson and Green's (eqs. 23, 24, 27 and 29) with this $H_G$. $E$ is the sphere's own modulus: with `other_body="alike"`
+(default) either of two bodies alike, $E=2(1-\nu^2)E^*$, with `"rigid"` the one that is not rigid, $E=(1-\nu^2)E^*$.
+$\Upsilon=0$ for $e=0$. $H_G$ is held from $a=R$ on.
+
+*Reconstructed*, hence grade C: eq. (26) is as those codes compute it and not as printed; they quote the print, which has the
+other sign and $\omega$ in place of $\omega-\omega_c$, and call it wrong. Eq. (31) is without its factor $\pi$, which Hertz's
+force does not have.
+
+*Limits*: at $e=0$ the area of `jackson_green_2005` exactly and, for blunt asperities, its load (the limiting pressures differ
+where $a/R$ is not small); at $e\to1$ Hertz's area, and 96 % of the way to its load. *Coordinate*: $u=\sqrt w$.
+
+*Check*: thirteen rows of an independent code's regression file, radius and force, to $10^{-12}$; four of them, for $E=192$ GPa,
+$\nu=0.3$, $R=1.4$ mm, $Y=330$ MPa (in that code like spheres are flattened against the plane between them):
+
+| $E_t$ | interference (m) | contact radius (m) | force (N) |
+|---|---|---|---|
+| 620 MPa | $4.407882127871\cdot10^{-8}$ | $7.855593535195\cdot10^{-6}$ | $4.870544928015\cdot10^{-2}$ |
+| 620 MPa | $8.815764255743\cdot10^{-8}$ | $1.110948691796\cdot10^{-5}$ | $1.377598138669\cdot10^{-1}$ |
+| 620 MPa | $2.644729276723\cdot10^{-7}$ | $1.982362642132\cdot10^{-5}$ | $6.888366827256\cdot10^{-1}$ |
+| 0 | $2.644729276723\cdot10^{-7}$ | $1.989065002445\cdot10^{-5}$ | $6.885474816181\cdot10^{-1}$ |
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import math

@@ -1,7 +1,30 @@
-"""One adhesive elastic asperity: Johnson, Kendall & Roberts 1971, in the units of docs/theory.md.
+r"""One elastic asperity, adhesion inside the contact: Johnson, Kendall & Roberts 1971.
 
-The coordinate is u = x^(1/4), x = a^2/(R sigma) the apparent displacement: load and displacement are polynomials in it.
-S = sqrt(6 pi / theta) measures adhesion.
+*Assumes*: elastic; adhesion acts inside the contact only, as the energy of its edge. *Source*:
+[johnson_kendall_roberts_1971]. With $S=\sqrt{6\pi/\theta}$, the 4.34 $\theta^{-1/2}$ of eqs. (1) and (2) of the 2015 paper,
+and the coordinate $u=x^{1/4}$, $x=a^2/(R\sigma)$ being the apparent displacement:
+
+$$
+w=u^4-\tfrac23S\,u,\qquad P=u^3(u^3-S),\qquad A=u^4
+$$
+
+In SI $P=Ka^3/R-\sqrt{6\pi\gamma Ka^3}$, $\omega=a^2/R-\sqrt{8\pi\gamma a/(3K)}$. On loading contact is made at
+$w=0$, under the tension $\tfrac89P_c$; with `branch="unloading"` it is held down to where $dw/du=0$.
+
+In units of $\pi\gamma R$ for the load, $(\pi\gamma R^2/K)^{1/3}$ for $a$ and $(\pi^2\gamma^2R/K^2)^{1/3}$ for the
+displacement (Maugis's units) the landmarks are
+
+| state | $a$ | displacement | load |
+|---|---|---|---|
+| no load | $6^{1/3}=1.817121$ | 1.100642 | 0 |
+| no displacement: first touch | $(8/3)^{1/3}=1.386723$ | 0 | −4/3 |
+| largest tension: pull-off at given load | $(3/2)^{1/3}=1.144714$ | −0.436790 | −3/2 |
+| most stretched: pull-off at given displacement | $6^{-1/3}=0.550321$ | −0.908560 | −5/6 |
+
+*Valid* for Tabor parameters above about 5, and while nothing yields. *Limit*: `hertz` for $\theta\to\infty$.
+*Trap*: some codes write $6\pi\gamma R$ where $\gamma$ is the energy of one surface, half the work of adhesion.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import math

@@ -1,8 +1,25 @@
-"""One asperity without adhesion, elastic-plastic as finite elements have it: Kogut & Etsion 2002.
+r"""One asperity without adhesion, elastic-plastic as finite elements have it: Kogut & Etsion 2002.
 
-A deformable sphere against a rigid flat, elastic and perfectly plastic, in power laws of the interference over its critical
-value omega_c: elastic to 1, elastic-plastic in two pieces to 6 and to 110, then fully plastic. Displacements over sigma,
-loads over K R^(1/2) sigma^(3/2), areas over pi R sigma. Coordinate: u = sqrt(w).
+*Assumes*: elastic, perfectly plastic sphere against a rigid flat, frictionless; power laws fitted to finite
+elements. *Source*: [kogut_etsion_2002]; constants from two independent codes. Over $P_c=w_c^{3/2}$ and $A_c=w_c$,
+with the critical interference of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987),
+
+$$
+w_c=\left(\tfrac23K_H\eta\right)^2,\quad K_H=0.454+0.41\nu,\quad r=w/w_c:
+$$
+
+| $r$ | $P/P_c$ | $A/A_c$ |
+|---|---|---|
+| 0 to 1 | $r^{3/2}$ | $r$ |
+| 1 to 6 | $1.03\,r^{1.425}$ | $0.93\,r^{1.136}$ |
+| 6 to 110 | $1.40\,r^{1.263}$ | $0.94\,r^{1.146}$ |
+| above 110 | $(3/K_H)\,r$: mean pressure $H$ | $2r$ |
+
+*Jumps*: load +3 %, area −7 % at 1; +1.7 % and +2.9 % at 6; at 110 the load changes by the factor
+$0.647/K_H$ (+8 % at $\nu=0.3$, from 530.2 to 571.9; +37 % at $\nu=0$, −5 % near $\nu=\tfrac12$) and the area by
+1.071. *Trap*: a public implementation divides by $R$ in $\omega_c$ where it should multiply. *Coordinate*: $u=\sqrt w$.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import math

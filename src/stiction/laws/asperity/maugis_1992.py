@@ -1,26 +1,47 @@
-"""One elastic asperity whose adhesion acts in a ring around the contact, with a constant stress: Maugis 1992, a Dugdale zone.
+r"""One elastic asperity whose adhesion acts in a ring around the contact, with a constant stress: Maugis 1992.
 
-It passes from Derjaguin, Muller & Toporov (stiff, small spheres) to Johnson, Kendall & Roberts (soft, large ones) as the Tabor
-parameter grows. In Maugis's units - contact radius A over (pi gamma R^2/K)^(1/3), displacement D over
-(pi^2 gamma^2 R/K^2)^(1/3), load over pi gamma R - with m = c/a the radius of the attracting zone over that of the contact:
+*Assumes*: elastic; the surfaces attract with a constant stress $\sigma_0$ in a ring $a<r<c$ up to a gap $\gamma/\sigma_0$ (a
+Dugdale zone). It passes from DMT (stiff, small spheres) to JKR (soft, large ones) as the Tabor parameter grows. *Source*:
+[maugis_1992]. In Maugis's units - contact radius $\mathcal A$ over $(\pi\gamma R^2/K)^{1/3}$, displacement $D$ over
+$(\pi^2\gamma^2R/K^2)^{1/3}$, load over $\pi\gamma R$ - with $m=c/a$:
 
-    (1/2) lambda_M A^2 [sqrt(m^2 - 1) + (m^2 - 2) arctan sqrt(m^2 - 1)]
-        + (4/3) lambda_M^2 A [sqrt(m^2 - 1) arctan sqrt(m^2 - 1) - m + 1] = 1          (the gap at c ends the attraction)
-    D = A^2 - (4/3) lambda_M A sqrt(m^2 - 1)
-    P = A^3 - lambda_M A^2 [sqrt(m^2 - 1) + m^2 arctan sqrt(m^2 - 1)]
+$$
+\tfrac12\lambda_M\mathcal A^2\left[\sqrt{m^2-1}+(m^2-2)\arctan\sqrt{m^2-1}\right]
++\tfrac43\lambda_M^2\mathcal A\left[\sqrt{m^2-1}\,\arctan\sqrt{m^2-1}-m+1\right]=1
+$$
 
-For a given m the first is quadratic in A, so that everything is explicit in s = 1/sqrt(m^2 - 1) = a/sqrt(c^2 - a^2), the
-coordinate here. It grows with the contact, from 0 where the surfaces only just touch, and with B = A/s, finite there,
+$$
+D=\mathcal A^2-\tfrac43\lambda_M\mathcal A\sqrt{m^2-1},\qquad
+\frac{\text{load}}{\pi\gamma R}=\mathcal A^3-\lambda_M\mathcal A^2\left[\sqrt{m^2-1}+m^2\arctan\sqrt{m^2-1}\right]
+$$
 
-    (1/2) lambda_M F B^2 + (4/3) lambda_M^2 G B = 1,    F = s + (1 - s^2) arctan(1/s),   G = arctan(1/s) - sqrt(1 + s^2) + s
-    D = s^2 B^2 - (4/3) lambda_M B
-    P = s^3 B^3 - lambda_M B^2 [s + (1 + s^2) arctan(1/s)]
+The first says that the gap at $c$ ends the attraction. With $g=(\pi/\theta)^{1/3}$: $w=g^2D$,
+$P=g^3\cdot\text{load}/(\pi\gamma R)$, $A=g^2\mathcal A^2$. The condition is quadratic in $\mathcal A$ for a given ring, so
+that everything is explicit in $s=1/\sqrt{m^2-1}=a/\sqrt{c^2-a^2}$, the coordinate here, which grows with the contact from 0
+where the surfaces only just touch. With $B=\mathcal A/s$, finite there, all is smooth:
 
-where all is smooth. In the units of docs/theory.md, with g = (pi/theta)^(1/3): w = D g^2, load = P g^3, area = A^2 g^2.
+$$
+\tfrac12\lambda_MF\,B^2+\tfrac43\lambda_M^2G\,B=1,\quad
+F=s+(1-s^2)\arctan\tfrac1s,\quad G=\arctan\tfrac1s-\sqrt{1+s^2}+s
+$$
 
-An asperity attracts here, as JKR's and DMT's in this package, only while it touches: in loading from w = 0 on, in unloading
-until dw/ds = 0, which for small lambda_M is where the contact has shrunk to a point. The attraction of surfaces that do not
-touch is left out.
+$$
+D=s^2B^2-\tfrac43\lambda_MB,\qquad\frac{\text{load}}{\pi\gamma R}=s^3B^3-\lambda_MB^2\left[s+(1+s^2)\arctan\tfrac1s\right]
+$$
+
+$\lambda_M=2\sigma_0(R/(\pi\gamma K^2))^{1/3}=1.1570\,\mu_T$ if $\sigma_0$ is the largest stress between two
+Lennard-Jones half-spaces, $16\gamma/(9\sqrt3\,\varepsilon)$.
+
+| $\lambda_M$ | 0.01 | 0.1 | 0.3 | 1 | 3 | 10 | 100 |
+|---|---|---|---|---|---|---|---|
+| pull-off force over $\pi\gamma R$ | 1.9983 | 1.9506 | 1.8156 | 1.6007 | 1.5168 | 1.5016 | 1.5000 |
+| load at first touch over $\pi\gamma R$ | −1.9445 | −1.7494 | −1.5736 | −1.4055 | −1.3455 | −1.3345 | −1.3333 |
+
+JKR is approached as $\mu_T^{-2}$, DMT only as $\mu_T^{1/2}$. *Departure*: here, as for JKR and DMT, an asperity
+attracts only while it touches, from $w=0$ on in loading; the source's ring attracts before. On unloading the
+contact is held until $dw/ds=0$ or, for small $\lambda_M$, until it has shrunk to a point.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import math

@@ -1,26 +1,41 @@
-"""One adhesive asperity that is elastic (JKR) until its pressure reaches a limit, which then spreads: Thornton & Ning 1998.
+r"""One adhesive asperity, elastic (JKR) until its pressure reaches a limit, which then spreads: Thornton & Ning 1998.
 
-JKR's pressure over the contact is p0 q - p1/q, q = sqrt(1 - r^2/a^2), p0 = 2 E* a/(pi R), p1 = sqrt(2 gamma E*/(pi a)); it is
-largest in the centre. Where that reaches the limiting pressure p_y, at the contact radius a_y, the asperity begins to yield.
-From there on the pressure is p_y in r^2 < a^2 - a_y^2 and JKR's around, and displacement and contact radius are still related
-as in JKR. Integrated, in the units of docs/theory.md with u = (a^2/(R sigma))^(1/4), S = sqrt(6 pi/theta) and
-eta_y = pi p_y sqrt(R/sigma)/K:
+*Assumes*: JKR until the pressure in the centre of the contact reaches a limit $p_y$, which then spreads; contact
+radius and displacement stay related as in JKR. *Source*: [thornton_ning_1998], as implementations have it
+(stiffness after yield, and unloading); integrated here. With $\eta_y=\eta\,p_y/H$,
 
-    3 u_y^3 - 2 eta_y u_y - S = 0                                            (p0 - p1 = p_y in the centre)
-    P = u_y^6 - S u_y^2 u + eta_y (u^4 - u_y^4)                              (of the ring, and of the yielded centre)
+$$
+3u_y^3-2\eta_yu_y-S=0,\qquad P=u_y^6-S\,u_y^2\,u+\eta_y\,(u^4-u_y^4)\quad(u\ge u_y),\qquad w,\ A\ \text{as JKR}
+$$
 
-which is the source's stiffness, integrated,
+$$
+p_y=\frac{2E^*a_y}{\pi R}-\sqrt{\frac{2\gamma E^*}{\pi a_y}},\qquad
+\frac{dP}{d\omega}=\frac{3\pi Rp_y\sqrt{P_1}-2E^*a_y\sqrt{P_c}}{3\sqrt{P_1}-\sqrt{P_c}},\quad P_1=\frac{Ka^3}R
+$$
 
-    dP/d delta = (3 pi R p_y sqrt(P1) - 2 E* a_y sqrt(Pc))/(3 sqrt(P1) - sqrt(Pc)),   P1 = K a^3/R, Pc = (3/2) pi gamma R.
+the second line in SI. The load is that of the ring and of the yielded centre: JKR's pressure is $p_0q-p_1/q$,
+$q=\sqrt{1-r^2/a^2}$, $p_0=2E^*a/(\pi R)$, $p_1=\sqrt{2\gamma E^*/(\pi a)}$, largest in the centre; from $a_y$ on it is $p_y$
+in $r^2<a^2-a_y^2$ and JKR's around. JKR's pressure with $p_y$ as its upper bound would be another law: it falls below $p_y$ a
+little nearer to the centre, and $P$ would be a little smaller; without adhesion the two agree. Load and stiffness are
+continuous at $u_y$. Below $p_y=(2E^{*2}\gamma/(\pi^2R))^{1/3}$, JKR's central pressure at zero displacement, the asperity has
+yielded where it first touches; the same formulas hold from there on.
 
-JKR's pressure with p_y as its upper bound would be another law: it falls below p_y a little nearer to the centre, and P would
-be a little smaller; without adhesion the two agree. Load and stiffness are continuous at a_y.
+The source takes $p_y$ as given. `limiting_pressure="first_yield"`, the default, is the exact $p_0/Y$ of the table
+under [`hertz`](#hertz) times $H/k$; `"hardness"` is $H$. *Check*: at $\theta=40$, $\lambda=10$, $\nu=0.3$, $k=2.8$ it
+yields at $w=0.0776$ under the tension $P=-0.0741$ with the first, at $w=0.4116$, $P=0.1769$ with the second.
 
-If p_y is below (2 E*^2 gamma/(pi^2 R))^(1/3), JKR's central pressure at zero displacement, the asperity has yielded where it
-first touches; the same formulas then hold from there on.
+Unloading from $u_m$, $P_m$ is JKR's with a larger radius around a residual displacement:
 
-Unloading is JKR's with a larger radius, R_p = R P1/(P + 2 sqrt(Pc P1)) at the turning point, around a residual displacement.
-Summed over heights, the largest contact radius of an asperity, in U, is what it is known by.
+$$
+\frac{R_p}R=\frac{P_1}{P_m+2\sqrt{P_cP_1}}=\frac{u_m^6}{P_m+Su_m^3},\qquad w_\text{res}=u_m^4\left(1-\frac R{R_p}\right),\qquad
+P_\text{pull-off}=\tfrac32\pi\gamma R_p
+$$
+
+(used where a whole surface is [drawn apart](#letting-go); summed over heights, an asperity is known by its largest contact
+radius, in $u$). *Limit*: `jkr` for $\lambda\to\infty$. The area stays JKR's: it does not spread as plastic flow would make
+it.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import math

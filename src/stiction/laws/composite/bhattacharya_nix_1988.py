@@ -1,4 +1,26 @@
-"""Hardness of a film on a substrate against depth, fitted to finite elements (a cone): Bhattacharya & Nix 1988."""
+r"""Hardness of a film on a substrate against depth, fitted to finite elements (a cone): Bhattacharya & Nix 1988.
+
+*Assumes*: fitted to conical indentation in finite elements; the yield stresses are taken to be as the hardnesses, $n_Y=n_H$.
+*Source*: [bhattacharya_nix_1988], as restated. With $v=\omega/t$,
+
+$$
+\frac H{H_s}=1+(n_H-1)\,e^{-c\,v^m},\qquad c=\frac{n_Y}{n_E}\ (n_H<1),\quad c=\frac{n_H}{n_Y\sqrt{n_E}}\ (n_H>1)
+$$
+
+*Unknown*: secondary sources disagree on whether $m$ is 2 for soft and 1 for hard films (the default here) or the other way
+(`soft_film_exponent="1"` of [`halling_1979`](#halling_1979)). *Check*, $H/H_s$ for either:
+
+| $n_E$, $n_H$ | $m$ | $v=0$ | 0.25 | 0.5 | 1 | 2 | 4 |
+|---|---|---|---|---|---|---|---|
+| 0.5, 0.5 | 1 | 0.500 | 0.611 | 0.697 | 0.816 | 0.932 | 0.991 |
+| | 2 | 0.500 | 0.530 | 0.611 | 0.816 | 0.991 | 1.000 |
+| 0.5, 0.2 | 1 | 0.200 | 0.276 | 0.345 | 0.464 | 0.641 | 0.838 |
+| | 2 | 0.200 | 0.220 | 0.276 | 0.464 | 0.838 | 0.999 |
+| 1.5, 0.5 | 1 | 0.500 | 0.540 | 0.577 | 0.642 | 0.743 | 0.868 |
+| | 2 | 0.500 | 0.510 | 0.540 | 0.642 | 0.868 | 0.998 |
+| 2.5, 0.5 | 1 | 0.500 | 0.524 | 0.548 | 0.591 | 0.665 | 0.775 |
+| | 2 | 0.500 | 0.506 | 0.524 | 0.591 | 0.775 | 0.980 |
+"""
 
 import numpy as np
 

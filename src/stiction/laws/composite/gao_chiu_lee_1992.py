@@ -1,6 +1,19 @@
-"""Modulus of a film and its substrate together, by perturbation of the homogeneous half-space: Gao, Chiu & Lee 1992.
+r"""Modulus of a film and its substrate together, by perturbation of the homogeneous half-space: Gao, Chiu & Lee 1992.
 
-I0 weighs the moduli and I1 Poisson's ratios, both by the film's thickness over the contact radius.
+*Assumes*: perturbation of the half-space under a flat punch. *Source*: [gao_chiu_lee_1992], as restated. With $\xi=t/a$,
+$I_0$ weighs the moduli and $I_1$ Poisson's ratios:
+
+$$
+\frac{E'}{E'_s}=1+\left(\frac{E'_f}{E'_s}-1\right)I_0,\qquad
+I_0=\frac2\pi\arctan\xi+\frac1{2\pi(1-\nu)}\left[(1-2\nu)\,\xi\ln\frac{1+\xi^2}{\xi^2}-\frac\xi{1+\xi^2}\right]
+$$
+
+$$
+1-\nu=\frac{(1-\nu_s)(1-\nu_f)}{1-(1-I_1)\nu_f-I_1\nu_s},\qquad I_1=\frac2\pi\arctan\xi+\frac\xi\pi\ln\frac{1+\xi^2}{\xi^2}
+$$
+
+*Trap*: the restatement prints $1+[\ldots]$ for $\nu$, and $a/t$ for $\xi$. The graded film takes the mean of the two
+Poisson's ratios instead. Departs from numerical contact beyond a factor two of moduli.
 """
 
 import math

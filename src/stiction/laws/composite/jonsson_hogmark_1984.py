@@ -1,4 +1,13 @@
-"""Hardness of a film on a substrate by the areas on which each is felt: Joensson & Hogmark 1984."""
+r"""Hardness of a film on a substrate by the areas on which each is felt: Joensson & Hogmark 1984.
+
+*Assumes*: weights by the areas under a Vickers pyramid of diagonal $d$. *Source*: [jonsson_hogmark_1984], as restated.
+
+$$
+\frac H{H_s}=1+(n_H-1)\left[\frac{2Ct}d-\left(\frac{Ct}d\right)^2\right],\qquad C=1,\ \text{or}\ \tfrac12\ \text{for}\ n_H>6.3
+$$
+
+with $Ct/d$ at most 1. *Reconstructed*: an asperity's depth is taken for a seventh of $d$, this project's choice.
+"""
 
 import numpy as np
 

@@ -1,4 +1,13 @@
-"""Hardness of a film on a substrate from deep impressions: Kao & Byrne 1981."""
+r"""Hardness of a film on a substrate from deep impressions: Kao & Byrne 1981.
+
+*Assumes*: deep impressions. *Source*: [kao_byrne_1981], as restated. With $v=\omega/t$,
+
+$$
+\frac H{H_s}=1+(n_H-1)\min\left(\frac{0.18}v,\,1\right)
+$$
+
+*Reconstructed*: that it is held at the film's hardness nearer the surface is this project's.
+"""
 
 import numpy as np
 

@@ -1,4 +1,14 @@
-"""Modulus of a film and its substrate, fitted to the numerical contact of a coated half-space: Perriot & Barthel 2004."""
+r"""Modulus of a film and its substrate, fitted to the numerical contact of a coated half-space: Perriot & Barthel 2004.
+
+*Assumes*: a fit to numerical contact. *Source*: [perriot_barthel_2004], as restated. With $\xi=t/a$,
+
+$$
+\frac{E'}{E'_s}=\frac{E'_f}{E'_s}+\frac{1-E'_f/E'_s}{1+(k_0\xi)^{n}},\qquad
+\log_{10}k_0=-0.093+0.792\,\ell+0.05\,\ell^2,\quad\ell=\log_{10}(E'_s/E'_f)
+$$
+
+*Unknown*: the exponent $n=1.27$ is from memory; it is said to vary from 1.06 to 1.32 with the moduli.
+"""
 
 import math
 

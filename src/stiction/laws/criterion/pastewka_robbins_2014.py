@@ -1,13 +1,19 @@
-"""Pastewka & Robbins 2014: will a rough surface stick? A number, not a curve.
+r"""Will a rough surface stick? A number, not a curve: Pastewka & Robbins 2014.
 
-Attraction acts around the spots that touch, on a rim as wide as the gap there stays within the range rho of the attraction.
-The surface sticks once the attraction on the rims outweighs the repulsion in the spots, that is where
+*Assumes*: attraction acts around the spots that touch, on a rim as wide as the gap there stays within the range $\varrho$ of
+the attraction. A surface sticks where the attraction on the rims outweighs the repulsion in the spots. *Source*:
+[pastewka_robbins_2014], eq. (10), as restated by the authors' group with $\kappa=2$ and spots $4h'/h''$ wide.
+`stiction compare` prints it.
 
-    h' E* rho / (kappa w) (h'^2 / (h'' rho))^(2/3) < 1
+$$
+\frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3}<1
+$$
 
-with the root mean square gradient h' and curvature h'' of the surface, the work of adhesion w, and kappa = 2 for A/A0 = kappa
-p / (E* h'). As restated with the width of the spots, 4 h'/h'', in the public examples of the authors' group, where h'' is the
-root mean square of half the Laplacian. The range has to be short against the gaps beside the spots, (16/3) h'^2 / h''.
+$\varrho$ is taken as the equilibrium distance $\varepsilon$; $h''$ is the root mean square of half
+the Laplacian. In groups, $h'=\varsigma(\sqrt3/(64\rho))^{1/2}$, $h''\sigma=\sqrt{3\pi/32}\,\varsigma^2$,
+$\varrho/\sigma=(16/9)^{1/3}\theta^{-2/3}/\mu_T$ and $\gamma/(E^*\sigma)=\tfrac43\varsigma/\theta$: $\varsigma$ drops out.
+*Check*: 14.666 at $\theta=228.041$, $\rho=0.0408$, $\mu_T=5.19282$. The range has to be short against
+$\tfrac{16}3h'^2/h''$.
 """
 
 import math

@@ -1,14 +1,28 @@
-"""A thin elastic layer between a rigid ball and a rigid substrate: after Finkin 1969, both bounds.
+r"""A thin elastic layer between a rigid ball and a rigid substrate: after Finkin 1969, both bounds.
 
-Finkin 1969 considers an elastic layer of much less rigidity than substrate and indenter and finds friction coefficients that
-are powers of thickness and load; which powers could not be read. Both bounds are derived here, for a layer that is thin
-against the contact, in the units of docs/theory.md (a^2 = x R sigma, t = aspect sqrt(R sigma)):
-    compressible (an elastic foundation, as in Johnson, Contact Mechanics (1985)): the pressure is M times the
-        strain, M = 2 G (1 - nu)/(1 - 2 nu), so that P = pi M R delta^2/t, A = 2 pi R delta;
-    incompressible, bonded to the substrate: what is squeezed out flows like a lubricant, q = -(t^3/(k G)) dp/dr, with k = 12
-        if the ball holds the surface too and 3 if it does not. The pressure p = k G (a^2 - r^2)^2/(32 R t^3) makes the
-        volume flow vanish at the edge; it belongs to a^2 = 4 R delta, P = pi k G a^6/(96 R t^3).
-With a constant shear strength s: f = s A/P goes as t^(1/2) P^(-1/2) R^(1/2), or as t P^(-2/3) R^(1/3).
+*Assumes* (abstract of [finkin_1969]): an elastic layer much softer than substrate and indenter gives friction as powers
+of thickness and load. *Source*: [finkin_1969], its abstract; the foundation as in [johnson_1985]. *Unknown*: which powers.
+*Reconstruction*: both bounds were derived here, for a layer thin against the contact, ball and substrate rigid (in the
+units here $a^2=xR\sigma$ and $t$ is `film_aspect` times $\sqrt{R\sigma}$);
+$M=2G(1-\nu)/(1-2\nu)$ is the layer's confined modulus:
+
+| `bound` | pressure | load | area | $\mu=sA/P$ goes as |
+|---|---|---|---|---|
+| `compressible` | $M$ times the strain | $\pi MR\omega^2/t$ | $2\pi R\omega$ | $t^{1/2}P^{-1/2}R^{1/2}$ |
+| `incompressible`, $q=12$ | $qG(a^2-r^2)^2/(32Rt^3)$ | $\pi qGa^6/(96Rt^3)$ | $4\pi R\omega$ | $t\,P^{-2/3}R^{1/3}$ |
+| `incompressible_frictionless`, $q=3$ | the same | the same | the same | the same |
+
+The layer is bonded to the substrate; with $q=12$ it does not slip on the ball either, with $q=3$ the ball slips. The
+incompressible bounds are the squeezed layer's balance of volume, as in lubrication: what is squeezed out flows as
+
+$$
+-\frac{t^3}{qG}\frac{dp}{dr}
+$$
+
+and none of it passes the edge. Only laws of the interface go with it. The substrate is never felt: it is for $n_E$ below
+about 0.1. Results count what is borne by asperities narrower than the film is thick, which are outside it.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import math

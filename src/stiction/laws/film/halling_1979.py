@@ -1,11 +1,20 @@
-"""Film and substrate as one half-space whose modulus and hardness depend on how deep an asperity is pressed.
+r"""Film and substrate as one half-space whose modulus and hardness depend on depth: after Halling 1979.
 
-Halling and co-workers took a soft metal film on its substrate for a Hertz contact of an equivalent modulus (El-Sherbiney &
-Halling 1976) and its friction for the film's shear strength over an effective hardness (Halling 1979). Their own expressions
-were not available: the modulus and the hardness are chosen here from published ones. Reconstruction:
-    elastic, while the mean pressure is below the hardness at this depth: a^2 = R omega, P = (E'(t/a)/E'_s) Hertz;
-    plastic: P = H(omega/t) A, with the area of a truncated sphere of conserved volume, A = pi R (2 omega - omega_c),
-so that load and area are continuous.
+*Assumes*: Halling and co-workers took film and substrate as one half-space, with an equivalent modulus and an effective
+hardness, friction being the film's shear strength over that. *Source*: [el_sherbiney_halling_1976] for the modulus,
+[halling_1979] for the hardness. *Unknown*: their expressions. *Reconstruction*: modulus and hardness are chosen among the six
+of [film and substrate as one body](#5-film-and-substrate-as-one-body) ($\kappa$ and $\chi$ over the substrate's), with the
+plastic area of a truncated sphere of conserved volume:
+
+$$
+P=\kappa(t/a)\,w^{3/2},\ A=w\quad\text{while}\quad\kappa\sqrt w<\eta\,\chi;\qquad
+P=\eta\,\chi(w/\tau)\,A,\ A=2w-w_c\quad\text{beyond}
+$$
+
+Load and area are continuous at $w_c$. Under a soft film on a hard substrate friction rises with the film's thickness
+and falls with load towards $\tau_0$ over the substrate's hardness; it has no minimum over thickness.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import math

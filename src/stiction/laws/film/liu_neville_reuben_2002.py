@@ -1,7 +1,19 @@
-"""A plastic film on an elastic-plastic substrate, with adhesion: after Liu, Neville & Reuben 2002.
+r"""A plastic film on an elastic-plastic substrate, with adhesion: after Liu, Neville & Reuben 2002.
 
-Known of it: an improved model after Derjaguin, Muller & Toporov, together with an elastic-plastic contact with a soft coating.
-Reconstruction: the contact of chang_1997; each touching asperity is pulled by 2 pi R gamma_f, gamma_f that of the film.
+*Assumes* (abstract of [liu_neville_reuben_2002]): adhesion after Derjaguin, Muller and Toporov, together with an
+elastic-plastic soft coating. *Source*: [liu_neville_reuben_2002], its abstract. *Reconstruction*:
+[`chang_1997`](#chang_1997), and every touching asperity is pulled by the film's work of adhesion,
+
+$$
+P=P_\text{Chang}-\frac{2\pi n_g}\theta
+$$
+
+(in SI $2\pi R\gamma_f$). *Check*, against the abstract: with a shear strength of the interface, friction rises with thickness
+at plasticity indices above 0.5, and at 0.25 and light load it rises as a very thin film gets thinner; with
+`chang_etsion_bogy_1988`, where only the substrate resists, only the latter. *Unknown*: every equation. *Limit*: `chang_1997`
+without adhesion.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import math

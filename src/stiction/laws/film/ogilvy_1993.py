@@ -1,8 +1,15 @@
-"""A film that is felt in friction alone: Ogilvy 1993.
+r"""A film that is felt in friction alone: Ogilvy 1993.
 
-Of this work it is known that it leaves the film out of the normal contact. So load and area are the substrate's, whatever its
-asperity law, and the film shears over all of that area: T = s A. With plastic asperities this is Bowden and Tabor's friction
-of thin metallic films, shear strength of the film over hardness of the substrate.
+*Assumes* (known of it from the 2015 paper): the film is left out of the normal contact. *Source*: [ogilvy_1993]. So load and
+area are the substrate's, whatever its asperity law, and the film shears over all of that area, with the film's strength:
+
+$$
+P=P_s(w),\qquad A=A_s(w),\qquad T=\tau_0A
+$$
+
+Bowden and Tabor's soft film, $\mu=\tau_0/H_s$ when plastic. *Unknown*: the text, which solved given surfaces numerically.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 from stiction.contact.indices import Groups

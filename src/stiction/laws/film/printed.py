@@ -1,8 +1,18 @@
-"""The 2015 paper to the letter: bare, and with the soft film of eqs (6) and (15). Kept to reproduce the print.
+r"""The 2015 paper to the letter: bare, and with the soft film of eqs. (6) and (15). Kept to reproduce the print.
 
-Heights are weighed at the apparent displacement x (D2), the slip resistance is eq (10) (D6), the resistance lacks the
-1/sqrt(2 pi) of the density (D3). With a film: film terms in the film's own units (D4), the substrate's elastic term from
-tau + x0 with its law unshifted, its plastic term from w1 (D5).
+*Assumes*: what the print says; the film law of the published reading only. *Source*: [soft_coating_2015], eqs. (1) to (15);
+[theory, section 5](theory.md#5-coated-surface). Bare, heights are weighed at the apparent displacement $x$ (D2),
+
+$$
+\bar P(h)=\int\left(x^{3/2}-S\,x^{3/4}\right)\varphi(h+x)\,dx\quad\text{(elastic asperities)}
+$$
+
+the slip resistance is eq. (10) (D6), and the resistance lacks the $1/\sqrt{2\pi}$ of the density (D3). With a film: film
+terms in the film's own units (D4), the substrate's elastic term from $\tau+x_0$ with its law unshifted, its plastic term from
+$w_1$ (D5). *Reconstructed*: the coefficients of eq. (11), as in the corrected reading (D12), and the contact area, which the
+paper does not define as a sum over heights.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import math

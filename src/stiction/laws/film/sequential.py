@@ -1,5 +1,18 @@
-"""The corrected reading of the 2015 paper's soft film: it deforms alone until it is pressed by its own thickness; beyond,
-it keeps the load and resistance it had then, and the substrate answers the rest (docs/theory.md; D4, D5, D10).
+r"""A soft film that deforms alone until it is pressed by its own thickness: the corrected reading of the 2015 paper.
+
+*Assumes*: the film deforms alone, as a half-space, until it is pressed by its own thickness; beyond, it keeps the load and
+resistance it had then, and the substrate answers the rest. *Source*: [soft_coating_2015], eqs. (6) and (15), corrected:
+[theory, section 5](theory.md#5-coated-surface), departures D4, D5 and D10. With any asperity law, $P_c(w)$ of the film and
+$P_s(w)$ of the substrate,
+
+$$
+P=\begin{cases}n_EP_c(w)&w<\tau\\n_EP_c(\tau)+P_s(w-\tau)&w\ge\tau\end{cases},\qquad A=A_c(w)
+$$
+
+and the tangential force alike; a law of the interface counts the whole load and the outer area instead. *Reconstructed*: the
+departures named, in place of what is printed, which [`printed`](#printed) keeps.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
 import numpy as np

@@ -1,6 +1,20 @@
-"""Presliding of one elastic contact under a tangential force: Mindlin 1949 (and, before him, Cattaneo 1938).
+r"""Presliding of one elastic contact under a tangential force: Mindlin 1949 (and, before him, Cattaneo 1938).
 
-Forces over K R^(1/2) sigma^(3/2), displacements over sigma, areas over pi R sigma.
+*Assumes*: elastic contacts that act alone. How stiff they are before they slide, with `presliding="mindlin_1949"`: *Source*:
+[mindlin_1949], the stiffness at no force of each contact, summed to `tangential_stiffness`,
+
+$$
+k_t=\frac{8a}\beta\ \text{(SI)},\qquad\frac{8\sqrt A}{K\beta}\ \text{in the units here}
+$$
+
+For bodies alike $k_t/k_n=2(1-\nu)/(2-\nu)$. The module also has the partial slip of one Hertz contact under Coulomb friction
+$f$,
+
+$$
+T=fP\left[1-(1-s)^{3/2}\right],\qquad s=\frac{\delta_t}{\delta_f},\quad\delta_f=\frac{3fP\beta}{16a}
+$$
+
+Plastic contacts are counted as if they were elastic; the body behind the asperities adds no compliance.
 """
 
 import math

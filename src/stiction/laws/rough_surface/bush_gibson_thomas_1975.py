@@ -1,7 +1,27 @@
-"""Bush, Gibson & Thomas 1975: the summits of an isotropic Gaussian surface as elastic paraboloids of two curvatures.
+r"""The summits of an isotropic Gaussian surface as elastic paraboloids of two curvatures: Bush, Gibson & Thomas 1975.
 
-Each summit is pressed as Hertz's ellipse. Nayak's density of height and curvatures (surfaces.theory.summits) sums them. The
-paper's own result for the light load is that area and load become proportional, A/A0 = sqrt(2 pi) p / (E* h').
+*Assumes*: the asperities are the summits of an isotropic Gaussian surface, each an elastic paraboloid of two curvatures,
+pressed as Hertz's ellipse. *Source*: [bush_gibson_thomas_1975], and [nayak_1971] for the density of summits by height $z$,
+mean curvature $\kappa_m$ and half-difference $r$ of the curvatures, which is summed here ($\phi$ is the joint Gaussian
+density of $z$ and $\kappa_m$, variances $m_0$ and $2s^2$, covariance $m_2$, $s^2=m_4/3$):
+
+$$
+\frac1{2\pi m_2}\,\phi(z,\kappa_m)\,\frac r{s^2}e^{-r^2/(2s^2)}\,(\kappa_m^2-r^2),\qquad0<r<\kappa_m
+$$
+
+The surface is that with the same $\sigma$, $N$ and mean curvature $1/R$; below $\rho=0.01581$ there is none, and the model
+refuses. The paper's own result is that area and load become proportional: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ tends to
+$\sqrt{2\pi}=2.5066$ at light load, from below and slowly, so that they are proportional only at separations that no contact
+has. *Check*, $\kappa$ of it and of the simplified model [`greenwood_2006`](#greenwood_2006):
+
+| $\alpha$ ($\rho$) | $\kappa$ at $h=0$ | 1 | 2 | 3 | 4 |
+|---|---|---|---|---|---|
+| 2 (0.02138), Bush et al. | 2.271 | 2.375 | 2.427 | 2.453 | 2.468 |
+| 2, Greenwood | 2.336 | 2.424 | 2.462 | 2.479 | 2.487 |
+| 5 (0.04124), Bush et al. | 1.841 | 2.054 | 2.214 | 2.321 | 2.388 |
+| 5, Greenwood | 1.914 | 2.125 | 2.278 | 2.375 | 2.430 |
+| 10 (0.06142), Bush et al. | 1.560 | 1.781 | 1.970 | 2.120 | 2.232 |
+| 10, Greenwood | 1.628 | 1.852 | 2.041 | 2.187 | 2.292 |
 """
 
 import math
@@ -26,7 +46,7 @@ def ellipses() -> Shapes:
     pressure p0, and half the principal curvatures, A = (kappa - r)/2 and B = (kappa + r)/2,
         w = (p0 / E*) b K,   A = (p0 / E*) b (K - E) / (e^2 a^2),   B = (p0 / E*) b (E a^2/b^2 - K) / (e^2 a^2).
     A + B = kappa gives a^2 = w E / (K kappa b^2/a^2), hence the area pi a b and the load (2/3) pi a b p0; B - A = r gives t.
-    The ellipse grows long, and the integrand of surfaces.theory.summits falls to zero, as t goes to 1.
+    The ellipse grows long, and the integrand of stiction.surfaces.theory.summits falls to zero, as t goes to 1.
     """
     node, weight = np.polynomial.legendre.leggauss(120)
     root = (1.0 + node) / 2.0

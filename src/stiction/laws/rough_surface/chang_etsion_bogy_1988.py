@@ -1,4 +1,15 @@
-"""Chang, Etsion & Bogy: contact of elastic-plastic asperities (1987) and the static friction of those still elastic (1988)."""
+r"""Elastic-plastic asperities (1987) and the static friction of those still elastic (1988): Chang, Etsion & Bogy.
+
+*Assumes*: asperities of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987) that act alone and fail at
+[first yield](#chang_etsion_bogy_1988-tangential-law). *Source*: [chang_etsion_bogy_1988].
+
+$$
+\mu(h)=\frac{\int_0^{w_c}Q(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}
+$$
+
+*Left out*: the adhesion of 1988. *Check*: [the three models of static friction side by
+side](#the-elastic-plastic-models-of-static-friction-side-by-side).
+"""
 
 from stiction.laws.registry import Limit, RoughSurface, Validity
 from stiction.laws.sources import Source

@@ -1,6 +1,15 @@
-"""Cohen, Kligerman & Etsion 2008: asperities in full stick (Brizmer, Kligerman & Etsion) under a Gaussian of heights.
+r"""Asperities in full stick under a Gaussian of heights: Cohen, Kligerman & Etsion 2008.
 
-The authors give empirical formulas of their sums, which are not known here; the sums themselves are made in their place.
+*Assumes*: asperities of [`brizmer_kligerman_etsion_2006`](#brizmer_kligerman_etsion_2006) that act alone and slide in full
+stick, [`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007). *Source*: [cohen_kligerman_etsion_2008].
+
+$$
+\mu(h)=\frac{\int_0^\infty\mu(P)P(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}
+$$
+
+*Unknown*: the empirical formulas that the authors give of their sums; the sums themselves are made. *Left out*: the
+adhesion. *Check*: [the three models of static friction side by
+side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
 from stiction.laws.registry import RoughSurface, Validity

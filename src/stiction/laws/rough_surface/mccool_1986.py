@@ -1,7 +1,28 @@
-"""McCool 1986: Greenwood & Williamson's asperities with the radius, number and height deviation of a surface's summits.
+r"""Greenwood & Williamson's asperities with the radius, number and height deviation of a surface's summits: McCool 1986.
 
-The sum is Greenwood & Williamson's; what McCool adds is where sigma, R and N come from: the spectral moments of the surface
-(surfaces.theory.moments), after Nayak. Given sigma, R and N, the moments follow, and with them where the mean plane is.
+*Assumes*: Greenwood and Williamson's sum, with asperities from the spectral moments $m_0,m_2,m_4$ of a profile of an isotropic
+Gaussian surface. *Source*: [mccool_1986], [nayak_1971]; in `stiction.surfaces.theory.moments`:
+
+$$
+N=\frac{m_4/m_2}{6\pi\sqrt3},\quad R=\frac38\sqrt{\frac\pi{m_4}},\quad\sigma^2=\left(1-\frac{0.8968}\alpha\right)m_0,\quad
+\alpha=\frac{m_0m_4}{m_2^2},\quad\text{mean summit height}\ 4\sqrt{\frac{m_0}{\pi\alpha}}
+$$
+
+0.8968 is $1+16/\pi-3\sqrt3$. The same printed elsewhere with $NR$: $\sigma^2=m_0-3.717\cdot10^{-4}/(NR)^2$, mean summit
+height $0.045944/(NR)$; then $\alpha=768\pi\,\rho^2+0.8968$ and $h'=\sqrt{2m_2}$ is $\varsigma\,(\sqrt3/(64\rho))^{1/2}$.
+*Traps*: $m_2$ and $m_4$ are of a line, the surface's gradient has $2m_2$; the mean curvature of summits has no $m_2$ in it;
+separations from the mean plane and from the mean of the summits differ by $1/(\sqrt{48}\pi\rho)$ in units of $\sigma$.
+
+The measure of all theories at light load is $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$. *Check*: here it is not constant:
+
+| $\alpha$ | $h=1$ | 2 | 3 | 4 |
+|---|---|---|---|---|
+| 2 | 2.919 | 3.385 | 3.838 | 4.267 |
+| 5 | 2.102 | 2.438 | 2.763 | 3.072 |
+| 10 | 1.722 | 1.997 | 2.264 | 2.517 |
+| 50 | 1.130 | 1.311 | 1.486 | 1.652 |
+
+Numerical contact has about 2, so the model is off by 0.5 to 2 times, and which way depends on $\alpha$.
 """
 
 import math

@@ -1,8 +1,22 @@
-"""Persson 2001: the distribution of pressure diffuses as finer roughness comes in; elastic contact.
+r"""The distribution of pressure diffuses as finer roughness comes in, elastic contact: Persson 2001.
 
-A surface in full contact has one pressure p. Each finer wave spreads the distribution of pressures, by a diffusion in p whose
-time is G = (E* h')^2 / 8, h' being the root mean square gradient; where the pressure comes to zero, contact is lost. What is
-left is A/A0 = erf(p / (2 sqrt(G))) = erf(sqrt(2) p / (E* h')). The theory needs no asperities and knows no separation here.
+*Assumes*: no asperities. Pressure spreads by diffusion as finer roughness comes in; contact is lost where it comes
+to zero. *Source*: [persson_2001]. The time of the diffusion is $G=(E^*h')^2/8$ for the whole surface, $h'$ the root mean square
+gradient:
+
+$$
+\frac A{A_n}=\operatorname{erf}\frac p{2\sqrt G}=\operatorname{erf}\left(\sqrt2\,\frac p{E^*h'}\right),\qquad
+\kappa\to\sqrt{8/\pi}=1.5958
+$$
+
+*Check*:
+
+| $p/(E^*h')$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.5 | 1 |
+|---|---|---|---|---|---|---|
+| $A/A_n$ | 0.01596 | 0.07966 | 0.15852 | 0.31084 | 0.68269 | 0.95450 |
+
+$h'$ is that of the Gaussian surface with these summits, $h'^2=\sqrt3/(64NR^2)$. It knows no separation: results have
+none.
 """
 
 import math

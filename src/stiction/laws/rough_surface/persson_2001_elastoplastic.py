@@ -1,14 +1,25 @@
-"""Persson 2001, elastic and plastic: as persson_2001, but the pressure nowhere exceeds the hardness H.
+r"""As persson_2001, but the pressure nowhere exceeds the hardness: Persson 2001, elastic and plastic.
 
-The distribution of pressures P(p, G) obeys dP/dG = d^2P/dp^2 from a spike at the nominal pressure p0 (G = (E* h')^2 / 8 for
-all the roughness), with P = 0 at p = 0, where contact is lost, and at p = H, where it turns plastic and stays in contact. In
-sines of n pi p / H that is
+*Assumes*: as [`persson_2001`](#persson_2001), with a boundary at the hardness, where contact turns plastic and stays in
+contact; one hardness at all scales. *Source*: [persson_2001_elastoplastic]; solved again here. The distribution of pressures
+obeys $\partial P/\partial G=\partial^2P/\partial p^2$ from a spike at the nominal pressure $p_0$, with $P=0$ at $p=0$ and at
+$p=H$; in sines of $n\pi p/H$ that is
 
-    elastic  A_el/A0 = sum over odd n of (4 / (n pi)) sin(n pi p0/H) exp(-n^2 pi^2 G/H^2)
-    plastic  A_pl/A0 = p0/H + sum over all n of (-1)^n (2 / (n pi)) sin(n pi p0/H) exp(-n^2 pi^2 G/H^2)
+$$
+\frac{A_\text{el}}{A_n}=\sum_{n\ \text{odd}}\frac4{n\pi}\sin\frac{n\pi p_0}H\,e^{-n^2\pi^2G/H^2},\qquad
+\frac{A_\text{pl}}{A_n}=\frac{p_0}H+\sum_n(-1)^n\frac2{n\pi}\sin\frac{n\pi p_0}H\,e^{-n^2\pi^2G/H^2}
+$$
 
-the second from what flows out at H; both carry the load: Int p P dp + H A_pl/A0 = p0. With much roughness all contact is
-plastic and A/A0 = p0/H; with little, or without a limit H, it is elastic.
+the second from what flows out at $H$; both carry the load, $\int pP\,dp+HA_\text{pl}/A_n=p_0$. *Check*:
+
+| $H/(E^*h')$ | $p_0/H$ | elastic | plastic |
+|---|---|---|---|
+| 0.4 | 0.25 | 0.00040 | 0.24980 |
+| 1 | 0.25 | 0.26219 | 0.12120 |
+| 2 | 0.25 | 0.67999 | 0.00270 |
+| 2 | 0.75 | 0.67999 | 0.31731 |
+
+*Limits*: `persson_2001` for great hardness; $A/A_n=p_0/H$ for much roughness.
 """
 
 import math

@@ -1,4 +1,12 @@
-"""DMT asperities under Greenwood & Williamson's sum: weak adhesion of hard, sharp, not too adhesive asperities."""
+r"""DMT asperities under Greenwood & Williamson's sum: weak adhesion of hard, sharp, not too adhesive asperities.
+
+*Assumes*: [`dmt`](#dmt) asperities of one radius that act alone. *Source*: the sum of [greenwood_williamson_1966] over them,
+with $F_n$ as there,
+
+$$
+\bar P=F_{3/2}(h)-\frac{2\pi}\theta F_0(h),\qquad\bar A=F_1(h)
+$$
+"""
 
 from stiction.laws.registry import Limit, RoughSurface
 from stiction.laws.sources import Source

@@ -1,4 +1,17 @@
-"""The model this project exists for: static friction of adhesive rough surfaces, bare or with a thin soft film (2015)."""
+r"""The model this project exists for: static friction of adhesive rough surfaces, bare or with a thin soft film (2015).
+
+*Assumes*: asperities of [`roy_chowdhury_ghosh_1994`](#roy_chowdhury_ghosh_1994) that act alone and hold as [the tangential
+law of 2015](#soft_coating_2015-tangential-law) says; a film deforms alone until it is pressed by its own thickness,
+[`sequential`](#sequential). *Source*: [soft_coating_2015], eqs. (1) to (15). Bare,
+
+$$
+\mu(h)=\frac{\int T(w)\,\varphi(h+w)\,dw}{\int P(w)\,\varphi(h+w)\,dw}
+$$
+
+Every equation, and every departure from the print, is in [theory](theory.md). With `reading="published"` it is what the print
+says, [`printed`](#printed); with `transition="gradual"` an asperity turns plastic by degrees, as in [`graded`](#graded).
+*Reconstructed*: the coefficients of eq. (11), departure D12.
+"""
 
 import numpy as np
 

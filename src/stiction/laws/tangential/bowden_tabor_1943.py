@@ -1,6 +1,16 @@
-"""A constant shear strength of the interface: Bowden & Tabor 1943.
+r"""A constant shear strength of the interface: Bowden & Tabor 1943.
 
-Friction is the force that shears the real contact area, T = tau_0 A, whatever carries the load.
+*Assumes*: the interface has a shear strength $\tau_0$, whatever the pressure and whatever carries the load. *Sources*:
+[bowden_tabor_1943], [bowden_tabor_1950].
+
+$$
+T=\frac{\tau_0}H\,\eta\,A\qquad(\text{SI:}\ T=\tau_0\,\pi a^2)
+$$
+
+on every piece, elastic or not. Where all contacts are plastic, $\mu=\tau_0/H$, Bowden and Tabor's $s/p$. It needs
+`interfacial_shear_strength`.
+
+*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """
 
 from stiction.contact.indices import Groups

@@ -1,4 +1,17 @@
-"""A shear strength of the interface that grows with pressure, tau = tau_0 + alpha p: Briscoe & Tabor 1978."""
+r"""A shear strength of the interface that grows with pressure: Briscoe & Tabor 1978.
+
+*Assumes*: the strength grows with pressure, $\tau=\tau_0+\alpha p$, here with the mean pressure of each asperity.
+*Source*: [briscoe_tabor_1978].
+
+$$
+T=\frac{\tau_0}H\,\eta\,A+\alpha\max(P,0)
+$$
+
+That a tension lowers nothing is this project's. For heavy loads $\mu\to\alpha$ plus $\tau_0$ over the mean pressure.
+*Limit*: `bowden_tabor_1943` for $\alpha=0$.
+
+*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+"""
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula

@@ -1,4 +1,23 @@
-"""Static friction of an elastic-plastic sphere in full stick: Brizmer, Kligerman & Etsion 2007, fitted to finite elements."""
+r"""Static friction of an elastic-plastic sphere in full stick: Brizmer, Kligerman & Etsion 2007, fitted to finite elements.
+
+*Assumes*: full stick; sliding begins when the junction has lost its tangential stiffness (finite elements). An
+upper bound for clean metals. *Source*: [brizmer_kligerman_etsion_2007], the fit as commonly quoted.
+
+$$
+\mu=0.27\coth\left[0.27\left(P/P_c\right)^{0.35}\right]
+$$
+
+with $P_c$ of [`brizmer_kligerman_etsion_2006`](#brizmer_kligerman_etsion_2006). *Check*:
+
+| $P/P_c$ | 0.1 | 1 | 5 | 10 | 50 | 100 | 500 |
+|---|---|---|---|---|---|---|---|
+| $\mu$ | 2.2496 | 1.0242 | 0.6114 | 0.4998 | 0.3434 | 0.3086 | 0.2747 |
+
+Plastic asperities hold too: that is why rough surfaces keep $\mu\ge0.27$ at any plasticity index, against nearly
+nothing after Kogut and Etsion or Chang, Etsion and Bogy. *Unknown*: junction growth is not printed in what we saw.
+
+*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+"""
 
 import math
 

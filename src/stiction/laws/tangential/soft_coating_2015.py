@@ -1,5 +1,19 @@
-"""The tangential law of the 2015 paper: an adhesive elastic asperity resists until it peels (Savkoor & Briggs) or yields at its
-trailing edge (Hamilton, von Mises), whichever comes first; a plastic one not at all (docs/theory.md, section 3)."""
+r"""The tangential law of the 2015 paper: an adhesive elastic asperity resists until it peels or yields at its edge.
+
+*Assumes*: peeling ([`savkoor_briggs_1977`](#savkoor_briggs_1977)), or yield at the trailing edge (Hamilton's stresses, von
+Mises), whichever comes first; plastic asperities hold nothing. *Source*: [soft_coating_2015], eqs. (10) to (15); [theory,
+section 3](theory.md#3-one-asperity-under-tangential-load), equations (S3.1) to (S3.11).
+
+$$
+T=\min(T_\text{slip},\,T_\text{yield}),\qquad
+T_\text{slip}=\frac4{\sqrt{\zeta K\beta}}\sqrt{\frac{2\pi}\theta P+\frac{3\pi^2}{\theta^2}}
+$$
+
+$T_\text{yield}$ is (S3.7). $\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. *Reconstructed*: the seven
+coefficients of the paper's yield condition, eq. (11), which it does not print (departure D12).
+
+*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+"""
 
 import math
 

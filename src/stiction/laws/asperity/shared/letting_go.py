@@ -1,10 +1,23 @@
-"""What an asperity that was pressed beyond yield carries while it is let go, without adhesion.
+r"""What an asperity that was pressed beyond yield carries while it is let go, without adhesion.
 
-It unloads elastically, as a sphere that the plastic flow has flattened, to an interference that stays. Two ways to that
-residual interference: from the load and area at the turning point, so that the flattened sphere is Hertz's in both; or the fit
-of Etsion, Kligerman & Kadin 2005. Everything is a formula of scalars in the units of docs/theory.md: interferences over sigma
-(w_max the largest so far, with load_max and area_max there), loads over K R^(1/2) sigma^(3/2), areas over pi R sigma.
-`drawn_apart` makes pieces of them, for sums over heights.
+`st.unload` draws a pressed surface apart. JKR's asperities go back on their unloading branch and [Thornton and
+Ning's](#thornton_ning_1998) as their authors have it. Plastic asperities without adhesion have no published law of their own
+for it here; theirs is in this module. From the turning point $w_m$, $P_m$, $A_m$ such an asperity unloads elastically, as a
+sphere that the plastic flow has flattened: as Hertz's sphere of radius $\bar R$ around the displacement $w_\text{res}$ that
+stays,
+
+$$
+\bar R/R=A_m^{3/2}/P_m,\qquad w_\text{res}=w_m-\frac{P_m}{\sqrt{A_m}}\ \text{(not below 0)},\qquad
+P=P_m\left(\frac{w-w_\text{res}}{w_m-w_\text{res}}\right)^{3/2}
+$$
+
+so that the flattened sphere is Hertz's in load and area at the turning point. In SI $\bar R=4E^*a_m^3/(3P_m)$ and
+$\omega_\text{res}=\omega_m-3P_m/(4E^*a_m)$. Or with the fit of [etsion_kligerman_kadin_2005],
+$w_\text{res}/w_m=(1-r^{-0.28})(1-r^{-0.69})$, $r=w_m/w_c$, whose exponents are as commonly remembered (C); the two differ by
+0.11 of $w_m$ at most.
+
+*Units*: $w$ over $\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$. In the formulas `w_max` is the largest
+displacement so far, with `load_max` and `area_max` there; `drawn_apart` makes pieces of them, for sums over heights.
 """
 
 import math
