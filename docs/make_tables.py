@@ -19,9 +19,11 @@ from pathlib import Path
 import stiction as st
 from stiction.contact.materials import material_names
 from stiction.laws.asperity.shared import letting_go as unloading
-from stiction.laws.registry import GRADES, KINDS, Criterion, FilmLaw, Record, records, text_of
+from stiction.laws.finding import methods
+from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, records, text_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.surfaces.read import readers
 
 HERE = Path(__file__).parent
 REFERENCE = HERE.parent / "tests" / "reference"
@@ -35,6 +37,32 @@ def grades() -> str:
 
 def of_kind(kind: str) -> list[dict]:
     return [model for model in st.models() if model["kind"] == kind]
+
+
+def ways() -> str:
+    """One line for each way of finding asperities, in the order of pictures."""
+    rows = {model["key"]: model for model in of_kind("asperity method")}
+    return table(
+        ("key", "an asperity is", "grade", "found in profiles too", "options, the default first"),
+        [
+            (f"[`{key}`](published-models.md#{anchor(rows[key])})", one.title, one.grade, "yes" if one.of_profiles else "no",
+             "; ".join(options_of(rows[key])))
+            for key, one in methods().items()
+        ],
+    )  # fmt: skip
+
+
+def options_of(model: dict) -> list[str]:
+    """The options of a model, each with its values and, where they are not names, what they mean."""
+    means = {name: f" ({meaning})" for name, meaning in model.get("options_mean", {}).items()}
+    values = {name: ", ".join(f"`{value}`" for value in each) for name, each in model["options"].items()}
+    return [f"`{name}`: {text}{means.get(name, '')}" for name, text in values.items()]
+
+
+def formats() -> str:
+    """One line for each format of files."""
+    rows = [(", ".join(f"`{end}`" for end in one.endings) or "any other", one.holds, one.given) for one in readers()]
+    return table(("file", "what it holds", "must be given"), rows)
 
 
 def overview(kind: str) -> str:
@@ -120,13 +148,14 @@ def details(kind: str) -> str:
 def section(model: dict) -> str:
     """All that the file of one model says: its docstring, and its record."""
     record = record_of(model)
-    options = [f"`{name}`: {', '.join(f'`{value}`' for value in values)}" for name, values in model["options"].items()]
+    options = options_of(model)
     lines = [f"### {heading(model)}", "", text_of(record), "", f"- Grade {model['grade']}: {GRADES[model['grade']]}"]
     lines += [f"- Source: {source}" for source in model["source"]]
     lines += [f"- Missing: {model['unknown']}", f"- Nearest to it here: {model['nearest']}"] if "unknown" in model else []
     lines += [f"- Checked against: {model['verified']}"]
     lines += [f"- Reference values: [`{name}`](../tests/reference/{name})" for name in reference_tables(record)]
-    lines += [f"- Sums are good to: {model['accuracy']:.0e}"] if record_of(model).keyword else []
+    good = "Sigma and R of wide paraboloids" if model["kind"] == "asperity method" else "Sums"
+    lines += [f"- {good} are good to: {model['accuracy']:.0e}"] if record.keyword else []
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
     lines += [f"- Only with asperity laws marked {trait}: {why}" for trait, why in model.get("wants", {}).items()]
     lines += [f"- Marked: {', '.join(model['traits'])}"] if model.get("traits") else []
@@ -146,6 +175,10 @@ def more(record: Record) -> list[str]:
     if isinstance(record, FilmLaw) and record.tangential:
         others = "of the interface" if record.tangential == "interface" else f"`{record.tangential}`, which is built into it"
         lines.append(f"- Only with the tangential law{'s' if record.tangential == 'interface' else ''} {others}")
+    if isinstance(record, AsperityMethod):
+        lines += ["- Of maps only"] * (not record.of_profiles)
+        lines += ["- May stand for the surface: it finds the summits of a Gaussian surface"] * record.of_summits
+        lines += ["- Theories of the whole surface take its numbers: they have the moments of the surface"] * record.of_moments
     if isinstance(record, Criterion):
         lines += [f"- Below 1: {record.below}", f"- Above 1: {record.above}"]
     for limit in record.limits:
@@ -230,6 +263,7 @@ NAMES = {
     "composites": "composite",
     "stiffness before sliding": "presliding",
     "criteria": "criterion",
+    "ways of finding asperities": "asperity method",
     "models that are not available": "not available",
 }
 
@@ -239,6 +273,7 @@ TABLES = {
         **{f"formulas of {name}": partial(details, kind) for name, kind in NAMES.items()},
         "letting go": letting_go,
     },
+    "surfaces.md": {"formats": formats, "methods": ways},
     "materials.md": {"materials": materials, "sources of materials": material_sources},
     "../tests/reference/README.md": {"scripts": reference_scripts},
 }

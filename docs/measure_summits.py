@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.surfaces.asperities import METHODS, asperities
+from stiction.laws.finding import asperities, methods
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.prepare import level
 from stiction.surfaces.targets import GaussianCorrelation, SelfAffine
@@ -33,7 +33,7 @@ def measured(target, points: int, side: int) -> dict[str, np.ndarray]:
     The map is a quarter of a periodic one, levelled, so that its ends do not meet, as of a measured map.
     """
     count, size = points * side, side * WAVE
-    found: dict[str, list] = {method: [] for method in METHODS}
+    found: dict[str, list] = {method: [] for method in methods()}
     for seed in SEEDS:
         whole = gaussian_surface((2 * count, 2 * count), (2.0 * size, 2.0 * size), target, seed)
         surface = level(whole.with_heights(whole.heights[:count, :count].copy(), "a quarter", (size, size)))
@@ -51,7 +51,7 @@ def lines(target, points: int, side: int) -> list[str]:
     """The three rows of a table that are about one fineness and size."""
     found = measured(target, points, side)
     return [
-        f"| {points} | {side} | {name} | " + " | ".join(cell(*found[method][:, k]) for method in METHODS) + " |"
+        f"| {points} | {side} | {name} | " + " | ".join(cell(*found[method][:, k]) for method in methods()) + " |"
         for k, name in enumerate(NUMBERS)
     ]
 
@@ -62,9 +62,9 @@ def cell(error: float, uncertainty: float) -> str:
 
 
 def table(target) -> str:
-    head = f"| points to a wave | side | | {' | '.join(f'`{method}`' for method in METHODS)} |"
+    head = f"| points to a wave | side | | {' | '.join(f'`{method}`' for method in methods())} |"
     rows = [line for points, side in ROWS for line in lines(target, points, side)]
-    return "\n".join([head, "|---|---|---|" + "---|" * len(METHODS), *rows])
+    return "\n".join([head, "|---|---|---|" + "---|" * len(methods()), *rows])
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ from .contact.indices import Indices as Indices
 from .contact.materials import Material as Material
 from .contact.materials import material as material
 from .engine.heights import height_distribution as height_distribution
+from .laws.finding import asperities as asperities
 from .laws.overview import cite as cite
 from .laws.overview import models as models
 from .quantities.errors import InputError as InputError
@@ -22,7 +23,6 @@ from .studies.resolution import fan as fan
 from .studies.resolution import resolution_study as resolution_study
 from .studies.surface_analysis import analyse as analyse
 from .studies.surface_analysis import prepared as prepared
-from .surfaces.asperities import asperities as asperities
 from .surfaces.generate import gaussian_surface as gaussian_surface
 from .surfaces.generate import non_gaussian_surface as non_gaussian_surface
 from .surfaces.heightmap import HeightMap as HeightMap

@@ -9,13 +9,13 @@ from scipy import fft, ndimage, stats
 
 import stiction
 from stiction import InputError
-from stiction.surfaces.areal_asperities import FITS
-from stiction.surfaces.asperities import METHODS, asperities, combine, methods_for
+from stiction.laws.asperity_method.persistence import persistent_maxima
+from stiction.laws.asperity_method.shared.summits import FITS
+from stiction.laws.finding import asperities, combine, methods, methods_for
 from stiction.surfaces.asperity_set import Asperities, of_samples
 from stiction.surfaces.gaussian_asperities import of_moments
 from stiction.surfaces.height_model import exponent_of_skewness, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.persistence import persistent_maxima
 from stiction.surfaces.targets import GaussianCorrelation
 from stiction.surfaces.theory.moments import Moments
 
@@ -319,7 +319,7 @@ def test_skewness_follows_the_surface(method):
 # ---- missing points
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", methods())
 def test_missing_points_are_left_out(method):
     """A hole of missing points changes neither density nor heights by more than chance, a tenth of the map having 70 summits or
     more: 1 / (70 * 9)^(1/2) / 3; every number is finite."""
@@ -466,7 +466,7 @@ def test_what_will_not_do_is_one_clear_line(call, field):
     assert raised.value.field == field and "\n" not in str(raised.value)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", methods())
 def test_a_constant_map_has_no_asperities(method):
     with pytest.raises(InputError):
         asperities(surface_of(np.ones((16, 16))), method)
@@ -476,7 +476,7 @@ def test_a_profile_has_the_methods_of_profiles():
     rng = np.random.default_rng(0)
     profile = surface_of(1e-9 * rng.standard_normal(400), (1e-6, 1e-8))
     assert methods_for(profile) == ("three_point", "n_point", "mccool")
-    for method in METHODS:
+    for method in methods():
         if method in methods_for(profile):
             assert asperities(profile, method).density > 0.0
         else:

@@ -9,6 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 
 from stiction.contact.contact import Contact, Roughness
+from stiction.laws.finding import asperities
 from stiction.quantities.errors import InputError
 from stiction.report.surface_pictures import (
     asperity_figure,
@@ -20,7 +21,6 @@ from stiction.report.surface_pictures import (
 from stiction.solving.choice import Choice
 from stiction.solving.solve import solve
 from stiction.studies.method_spread import with_method_spread
-from stiction.surfaces.asperities import asperities
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import level

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 from stiction.quantities.errors import InputError
+from stiction.surfaces import readers as formats
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.prepare import level
-from stiction.surfaces.read import read_scan
+from stiction.surfaces.read import read_scan, readers
 
 SCANS = Path(__file__).parents[2].parent / "shared" / "scans"
 needs_scans = pytest.mark.skipif(not SCANS.is_dir(), reason="the folder of instrument files is not beside the project")
@@ -300,6 +301,52 @@ def test_profile_that_is_not_equally_spaced_is_resampled(tmp_path):
     np.testing.assert_allclose(profile.heights[0], (3.0 * np.linspace(0.0, 1.01, 200) + 1.0) * 1e-3, rtol=1e-9)
     assert profile.pitch[1] == pytest.approx(1.01e-3 / 199)
     assert any("resampled by linear interpolation" in step for step in profile.history)
+
+
+# ---- formats
+
+
+def test_formats_say_what_they_are_of():
+    """Their endings are theirs alone; one without any takes what is left."""
+    endings = [ending for one in readers() for ending in one.endings]
+    assert len(set(endings)) == len(endings) and all(ending == ending.lower() and ending[0] == "." for ending in endings)
+    assert [bool(one.endings) for one in readers()] == [True] * (len(readers()) - 1) + [False]
+    assert all(len(one.holds) > 20 and one.given for one in readers())
+
+
+A_FORMAT = """
+import numpy as np
+from stiction.surfaces.raw_scan import RawScan, Reader
+
+def read(path, channel):
+    first, *rows = path.read_text().split()
+    if first != "D":
+        return None
+    return RawScan(np.array([[float(digit) for digit in row] for row in rows]), "digits", (8.0, 8.0), "um")
+
+READER = Reader(endings=(".digits", ".csv"), read=read, holds="rows of single digits", given="nothing")
+"""
+
+
+def test_a_format_is_one_file(tmp_path, monkeypatch):
+    """In the folder of the others: it is asked for its endings, before others that it leaves a file to."""
+    (tmp_path / "a_digits.py").write_text(A_FORMAT)
+    monkeypatch.setattr(formats, "__path__", [*formats.__path__, str(tmp_path)])
+    readers.cache_clear()
+    try:
+        digits = "\n".join("".join(str(i * j % 10) for j in range(8)) for i in range(8))
+        for name in ("a.digits", "a.csv"):
+            (tmp_path / name).write_text("D\n" + digits)
+            surface = read_scan(tmp_path / name)
+            assert surface.heights[3, 7] == pytest.approx(1e-6) and surface.size == pytest.approx((8e-6, 8e-6))
+        np.savetxt(tmp_path / "b.csv", HEIGHTS)
+        assert read_scan(tmp_path / "b.csv", size="12 um", unit="nm").heights.shape == HEIGHTS.shape
+        (tmp_path / "c.digits").write_text("no heights in here")
+        with pytest.raises(InputError, match=r"^scan: "):
+            read_scan(tmp_path / "c.digits")
+    finally:
+        readers.cache_clear()
+        sys.modules.pop(f"{formats.__name__}.a_digits")
 
 
 # ---- what is refused

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from comparing import AREAS, PROFILES, near
 
+from stiction.laws.finding import asperities
 from stiction.quantities.errors import InputError
-from stiction.surfaces.asperities import asperities
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spectrum import power_spectrum

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @app.command()
 def surface(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="Scan: .npy, .csv, .xyz, or what an instrument wrote.")],
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="Scan: an array, numbers in text, or what an instrument wrote.")],
     size: Annotated[str | None, typer.Option(help='Size along x, e.g. "10 um", in place of what the file says.')] = None,
     unit: Annotated[str | None, typer.Option(help="Length unit of the numbers in the file, e.g. nm.")] = None,
     height_unit: Annotated[str | None, typer.Option(help="Length unit of the heights, if another.")] = None,
@@ -37,7 +37,7 @@ def surface(
     out: Out = None,
     json: Json = False,
 ) -> None:
-    """A measured surface: heights, slopes, curvatures, spectrum, and asperities by five methods.
+    """A measured surface: heights, slopes, curvatures, spectrum, and asperities by every method.
 
     With --out: map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study (how sigma, R and N,
     and with --case mu, change with the method and the shortest wavelength) as fan.png, fan.csv and fan.nc.

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from stiction.laws.registry import Limit, Record, records, text_of
+from stiction.laws.registry import AsperityMethod, Limit, Record, records, text_of
 from stiction.laws.sources import bibliography, bibtex
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import nearest
@@ -38,21 +38,32 @@ def _row(record: Record) -> dict[str, Any]:
         "source": [str(source) for source in record.sources],
         "validity": [f"{rule.quantity} {rule.range}: {rule.why}" for rule in record.validity],
         "needs": list(record.needs),
-        "options": {name: list(values) for name, values in record.options.items()},
+        "options": {name: list(values) for name, values in record.options.items()} | _parameters(record),
         "accuracy": record.accuracy,
         "verified": record.verified,
         "limits": [_limit(limit) for limit in record.limits],
         "notes": record.notes,
         "text": text_of(record),
     }
+    if isinstance(record, AsperityMethod):
+        row["options_mean"] = {name: option.meaning for name, option in record.parameters.items()}
     return row | {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}
+
+
+def _parameters(record: Record) -> dict[str, list[str]]:
+    """Options of a way of finding asperities, put as those of laws: the default, if there is one, then what else is allowed."""
+    said: dict[str, list[str]] = {}
+    for name, option in record.parameters.items() if isinstance(record, AsperityMethod) else ():
+        others = [str(value) for value in option.values if value != option.default] or [option.allowed]
+        said[name] = others if option.default is None else [f"{option.default}", *others]
+    return said
 
 
 def _limit(limit: Limit) -> str:
     """A limit in words."""
-    values = ", ".join(f"{name} = {value:g}" for name, value in limit.groups.items())
-    options = "".join(f", {name} {value}" for name, value in limit.options.items())
-    return f"{limit.parent} at {values}{options}: {' and '.join(limit.quantities)} within {limit.within:.0e}"
+    values = [f"{name} = {value:g}" for name, value in limit.groups.items()]
+    values += [f"{name} {value}" for name, value in limit.options.items()]
+    return f"{limit.parent} at {', '.join(values)}: {' and '.join(limit.quantities)} within {limit.within:.0e}"
 
 
 # What the kinds of records have beyond the common columns, and how it is put.
@@ -69,6 +80,11 @@ _MORE: dict[str, Callable[[Any], Any]] = {
     "below": str,
     "above": str,
     "property": str,
+    "label": str,
+    "order": int,
+    "of_profiles": bool,
+    "of_summits": bool,
+    "of_moments": bool,
     "unknown": str,
     "nearest": str,
 }

@@ -13,8 +13,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from importlib.metadata import entry_points
-from math import inf
-from typing import ClassVar, TypeVar
+from math import inf, nan
+from numbers import Real
+from typing import Any, ClassVar, TypeVar
 
 from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
@@ -67,7 +68,7 @@ class Limit:
     groups: Mapping[str, float]
     quantities: tuple[str, ...]
     within: float
-    options: Mapping[str, str] = field(default_factory=dict)
+    options: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -248,6 +249,63 @@ class Criterion(Record):
     above: str
 
 
+@dataclass(frozen=True)
+class Parameter:
+    """A number, a length or one of a few values that a user may give to a way of finding asperities.
+
+    meaning: of its value and, where `default` is None, of what is then taken. values: all that is allowed, where that is few;
+    else it is a finite number above `lower`, or from it on if lower_included. unit: "m" of a length, which may also be text
+    with its unit, "" of a plain number.
+    """
+
+    meaning: str
+    default: Any
+    values: tuple[Any, ...] = ()
+    unit: str = "m"
+    lower: float = -inf
+    lower_included: bool = False
+
+    @property
+    def allowed(self) -> str:
+        """What is allowed, in words: "5, 9", ">= 0 m, finite", "any finite length in m"."""
+        if self.values:
+            return ", ".join(map(str, self.values))
+        if self.lower == -inf:
+            return "any finite length in m" if self.unit else "any finite number"
+        return f"{'>=' if self.lower_included else '>'} {self.lower:g}{' ' * bool(self.unit)}{self.unit}, finite"
+
+    def allows(self, value: Any) -> bool:
+        """Whether a value, a length in metres, may be given."""
+        if self.values:
+            return isinstance(value, str | Real) and value in self.values
+        number: Any = value if isinstance(value, Real) else nan
+        return self.lower < number < inf or (self.lower_included and number == self.lower)
+
+
+@dataclass(frozen=True, kw_only=True)
+class AsperityMethod(Record):
+    """A way of finding the asperities of a measured surface: what is one, how high it is and how blunt.
+
+    find(surface, **parameters) -> surfaces.asperity_set.Asperities, in a levelled HeightMap; every one of the parameters is
+    handed to it, checked, lengths in metres. parameters: name -> Parameter. label: what it finds, in a few words, for pictures.
+    order: where it stands among the others in tables and pictures, which also gives its colour. of_profiles: it can be given a
+    single profile too. of_summits: of a Gaussian surface whose waves are resolved it finds sigma, R and N of Nayak's summits,
+    so that it may stand for the surface where no method is named. of_moments: its asperities have the measured moments,
+    exactly, and are what theories of the whole surface take. accuracy: of sigma and R of paraboloids 400 points wide. validity:
+    in numbers of the asperities found, which are doubted in their note outside of it. limits: without groups; the parent is
+    another method.
+    """
+
+    kind, keyword = "asperity method", "method"
+    find: Callable
+    label: str
+    order: int = 100
+    of_profiles: bool = True
+    of_summits: bool = False
+    of_moments: bool = False
+    parameters: Mapping[str, Parameter] = field(default_factory=dict)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Unavailable(Record):
     """A model that is known of but cannot be computed from what its source is known to say.
@@ -269,6 +327,7 @@ KINDS: tuple[type[Record], ...] = (
     Composite,
     Presliding,
     Criterion,
+    AsperityMethod,
     Unavailable,
 )
 _R = TypeVar("_R", bound=Record)

@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from stiction.laws.finding import methods
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
@@ -11,23 +12,19 @@ __all__ = ["look_of", "plain", "scale", "unit_for"]
 
 _COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
 _MARKERS = ("o", "s", "^", "D", "v", "P")
-_METHODS = {
-    "three_point": "three-point peaks",
-    "eight_neighbour": "eight-neighbour summits",
-    "persistence": "persistent summits",
-    "n_point": "n-point asperities",
-    "mccool": "moments (McCool)",
-}
 
 
 def look_of(method: str, at: int) -> dict[str, Any]:
     """Colour and mark of a method, the same in all pictures; of anything else, of its place among the lines."""
-    at = list(_METHODS).index(method) if method in _METHODS else at
+    known = list(methods())
+    at = known.index(method) if method in known else at
     return {"color": _COLOURS[at % len(_COLOURS)], "marker": _MARKERS[at % len(_MARKERS)], "markersize": 5}
 
 
 def plain(method: str) -> str:
-    return _METHODS.get(method, method.replace("_", " "))
+    """What a method finds, in a few words; anything else as it is."""
+    record = methods().get(method)
+    return method.replace("_", " ") if record is None else record.label
 
 
 def unit_for(quantity: str, largest: float) -> tuple[float, str]:

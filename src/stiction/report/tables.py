@@ -280,7 +280,9 @@ def model_in_full(row: Mapping[str, Any]) -> Group:
         lines = [value] if isinstance(value, str) else [", ".join(value)] if name in ("needs", "traits") else value
         pairs += [(head if number == 0 else "", line) for number, line in enumerate(lines)]
     pairs += [("only with", f"asperity laws marked {trait}: {why}") for trait, why in row.get("wants", {}).items()]
-    pairs += [("option", f"{name}: {', '.join(values)}") for name, values in row["options"].items()]
+    means = row.get("options_mean", {})
+    for name, values in row["options"].items():
+        pairs.append(("option", f"{name}: {', '.join(values)}" + (f" ({means[name]})" if name in means else "")))
     return Group(facts(pairs), Text("\n" + _LINE_ENDS.sub(" ", row["text"])))
 
 

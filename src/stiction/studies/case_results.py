@@ -75,6 +75,8 @@ def _said(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
     """With the title of the case, the program, and what was measured."""
     title = {"case": case.title} if case.title else {}
     measured = {} if case.measured is None else case.measured.attributes()
+    if case.measured is not None:
+        measured["sources"] = " ".join(dict.fromkeys([*data.attrs["sources"].split(), *case.measured.sources()]))
     if case.measured is not None and case.measured.doubts:
         data = with_doubts(data, map(Doubt, case.measured.doubts))
     return data.assign_attrs(title | measured, program=f"stiction {__version__}")

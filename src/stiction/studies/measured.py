@@ -13,14 +13,9 @@ from stiction.quantities.inputs import Input
 from stiction.quantities.units import show
 
 if TYPE_CHECKING:
-    from stiction.surfaces.asperities import Asperities
+    from stiction.laws.finding import Asperities
     from stiction.surfaces.heightmap import HeightMap
 
-# What stands for the surface unless a case says otherwise: the first of these that finds FEW or more, or has averages. Both
-# agree with Nayak's summits where the waves are resolved (docs/surfaces.md), so that they may be added for two bodies. Of a
-# profile there are averages only.
-OF_MOMENTS = "mccool"  # looks for no asperities, and keeps the moments exactly
-PREFERRED = ("eight_neighbour", OF_MOMENTS)
 # Cutoffs of two scans that differ by more than this: the sum of both is of no resolution.
 _ALIKE = 1.5
 
@@ -70,19 +65,26 @@ def _table(value) -> Mapping:
 _Body = Annotated[Scan | Roughness, BeforeValidator(_body, json_schema_input_type=Scan | Roughness)]
 
 
+def _with_methods(schema: dict[str, Any]) -> None:
+    """Says in a JSON schema which ways of finding asperities there are; they are looked up when it is asked for."""
+    from stiction.laws.finding import methods
+
+    schema["description"] = f"way of finding asperities: {', '.join(methods())}"
+
+
 class MeasuredRoughness(Input):
     """Scans of one body, the other being smooth or known by its numbers, or of both, and how asperities are found in them.
 
     first, second: a scan, or a Roughness with Gaussian heights, one of them a scan. method: key of a way of finding asperities;
-    else the first of PREFERRED that finds enough. form: order of the polynomial that is taken off, 1 for a plane. spikes:
-    robust deviations from the median beyond which points are masked. fill: how missing points are filled, if they are.
-    shortest, longest: wavelengths between which the heights are kept. heights: gaussian, weibull or empirical, the distribution
-    of the asperity heights; else the simplest that fits. Raises InputError.
+    else the first that finds enough of those whose record says `of_summits`. form: order of the polynomial that is taken off, 1
+    for a plane. spikes: robust deviations from the median beyond which points are masked. fill: how missing points are filled,
+    if they are. shortest, longest: wavelengths between which the heights are kept. heights: gaussian, weibull or empirical, the
+    distribution of the asperity heights; else the simplest that fits. Raises InputError.
     """
 
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
     second: _Body | None = Field(None, description="a table with the scan, or the numbers, of the second body")
-    method: str | None = Field(None, description="persistence, eight_neighbour, three_point, n_point or mccool")
+    method: str | None = Field(None, json_schema_extra=_with_methods)
     form: int = Field(1, ge=0, le=4, strict=True, description="order of the polynomial that is taken off, 0 to 4")
     spikes: float | None = Field(None, gt=0, description="mask points so many robust deviations from the median, e.g. 10")
     fill: str | None = Field(None, description="harmonic or nearest: fill missing points; else they are left out")
@@ -105,6 +107,7 @@ class Measured:
     history: of each scan, in words; notes: method -> what was found, and what it rests on; counts: method -> how many
     separate asperities it found, 0 where it has averages only or two bodies are taken together. mean_heights: of the
     asperities, over the mean plane [m]: separations count from them. doubts: what is to be said of two bodies taken together.
+    of_moments: the method that keeps the moments of the surface.
     """
 
     by_method: Mapping[str, Roughness]
@@ -115,6 +118,7 @@ class Measured:
     counts: Mapping[str, int]
     mean_heights: Mapping[str, float]
     doubts: tuple[str, ...] = ()
+    of_moments: str = ""
 
     def contacts(self, contact: Contact) -> dict[str, Contact]:
         """The contact with the roughness that each method finds, the chosen method first."""
@@ -123,14 +127,21 @@ class Measured:
 
     def with_surface_moments(self) -> "Measured":
         """What theories of the whole surface take of it: the moments, in the form of asperities that have them."""
-        if OF_MOMENTS not in self.by_method:
+        if self.of_moments not in self.by_method:
             return self
-        return replace(self, method=OF_MOMENTS, by_method={OF_MOMENTS: self.by_method[OF_MOMENTS]})
+        return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})
 
     def attributes(self) -> dict[str, str]:
         """What goes with a result: the method, and what was done to each scan."""
         scans = "\n".join(f"{body} body: {step}" for body, steps in self.history.items() for step in steps)
         return {"roughness_method": self.method, "scans": scans}
+
+    def sources(self) -> list[str]:
+        """Keys of the bibliography entries of the methods, each once."""
+        from stiction.laws.finding import methods
+
+        known = methods()
+        return list(dict.fromkeys(source.key for name in self.by_method for source in known[name].sources))
 
     def record(self) -> dict[str, Any]:
         """Everything as plain numbers in SI units, for JSON."""
@@ -159,7 +170,7 @@ class Measured:
 def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
     """Read the scans, prepare them, and find asperities by every method. Raises InputError for scans that cannot be read or
     where the wanted method finds nothing."""
-    from stiction.surfaces.asperities import METHODS, asperities, combine
+    from stiction.laws.finding import asperities, combine, method_of_moments, methods
     from stiction.surfaces.asperity_set import of_numbers
     from stiction.surfaces.height_model import MODELS, height_model, roughness
 
@@ -175,7 +186,7 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
     surfaces: dict[str, Roughness] = {}
     counts: dict[str, int] = {}
     failures: dict[str, str] = {}
-    for method in METHODS:
+    for method in methods():
         try:
             each = [asperities(one, method) for one in maps.values()]
             together = [*each, *known]
@@ -187,26 +198,28 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
             failures[method] = str(error)
     if not found:
         raise InputError("roughness", "no asperities by any method", "scans with asperities: see `stiction surface` of them")
-    surfaces = _with_the_surface(surfaces)
+    of_moments = method_of_moments()
+    surfaces = _with_the_surface(surfaces, surfaces.get(of_moments))
     method = wanted.method or _standing(found, counts)
     if method not in found:
         why = f"; nothing by {method}: {failures[method]}" if method in failures else ""
         raise InputError("roughness.method", method, ", ".join(found) + why)
+    doubts = _doubts(list(maps.values()), bool(known), wanted)
     return Measured(
-        {name: surfaces[name] for name in found},
-        method,
-        failures,
-        {body: one.history for body, one in maps.items()},
-        {name: one.note for name, one in found.items()},
-        counts if alone else dict.fromkeys(counts, 0),
-        {name: one.mean_height for name, one in found.items()},
-        (*_spikes(maps), *_doubts(list(maps.values()), bool(known), wanted), *_without_moments(failures)),
+        by_method={name: surfaces[name] for name in found},
+        method=method,
+        failures=failures,
+        history={body: one.history for body, one in maps.items()},
+        notes={name: one.note for name, one in found.items()},
+        counts=counts if alone else dict.fromkeys(counts, 0),
+        mean_heights={name: one.mean_height for name, one in found.items()},
+        doubts=(*_spikes(maps), *doubts, *_without_moments(failures.get(of_moments))),
+        of_moments=of_moments,
     )
 
 
-def _with_the_surface(by_method: dict[str, Roughness]) -> dict[str, Roughness]:
+def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
     """The same, each with the asperities that have the measured moments: theories of the whole surface look for none."""
-    surface = by_method.get(OF_MOMENTS)
     return {
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
@@ -222,10 +235,14 @@ def independent(found: "Asperities", surface: "HeightMap") -> int:
 
 
 def _standing(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
-    """The method that stands for the surface where none is named."""
+    """The method that stands for the surface where none is named: the first that finds enough, or has averages only, of those
+    that agree with Nayak's summits where the waves are resolved (docs/surfaces.md), so that they may be added for two bodies.
+    Of a profile there are averages only. Else the first of the others."""
+    from stiction.laws.finding import methods
     from stiction.surfaces.asperity_set import FEW
 
-    enough = [name for name in (*PREFERRED, *found) if name in found and (counts[name] >= FEW or not found[name].count)]
+    preferred = [name for name, one in methods().items() if one.of_summits]
+    enough = [name for name in (*preferred, *found) if name in found and (counts[name] >= FEW or not found[name].count)]
     return next(iter([*enough, *found]), "")
 
 
@@ -241,10 +258,10 @@ def _spikes(maps: "Mapping[str, HeightMap]") -> tuple[str, ...]:
     )
 
 
-def _without_moments(failures: Mapping[str, str]) -> tuple[str, ...]:
-    if OF_MOMENTS not in failures:
+def _without_moments(why: str | None) -> tuple[str, ...]:
+    if why is None:
         return ()
-    return (f"the moments of the surface are not known ({failures[OF_MOMENTS]}): theories of it take the asperities found",)
+    return (f"the moments of the surface are not known ({why}): theories of it take the asperities found",)
 
 
 def _doubts(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:

@@ -3,21 +3,21 @@ cutoff."""
 
 import math
 import warnings
-from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import numpy as np
 
 from stiction.contact.contact import Contact
+from stiction.laws.finding import Asperities, asperities, method_of_moments, methods_for
 from stiction.laws.registry import RoughSurface, find
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
 from stiction.solving.choice import Choice
 from stiction.solving.problem import takes_surface_moments
 from stiction.solving.solve import solve
-from stiction.studies.measured import OF_MOMENTS
 from stiction.studies.method_spread import METHOD
-from stiction.surfaces.asperities import Asperities, asperities, methods_for
 from stiction.surfaces.height_model import HeightModel, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap, in_metres
 from stiction.surfaces.prepare import filter_band
@@ -57,17 +57,64 @@ def default_cutoffs(surface: HeightMap) -> np.ndarray:
     return np.concatenate([[0.0], np.geomspace(shortest, longest, _CUTOFFS)])
 
 
+class Asked(TypedDict, total=False):
+    """What of friction may be asked of `fan`."""
+
+    contact: Contact | None
+    load: Any
+    choice: Choice | None
+
+
+@dataclass(frozen=True)
+class _Friction:
+    """The contact whose friction is wanted, at which load, by which model; nothing is where there is no contact. InputError for
+    what no asperities could make good."""
+
+    contact: Contact | None = None
+    load: Any = None
+    choice: Choice | None = None
+
+    def __post_init__(self) -> None:
+        if (self.contact is None) != (self.load is None):
+            raise InputError("contact and load", "one of the two", "both, or none")
+        if self.contact is None:
+            return
+        if not isinstance(self.contact, Contact):
+            raise InputError("contact", type(self.contact).__name__, "a stiction.Contact")
+        if (self.chosen.tangential or find(self.chosen.model, RoughSurface).tangential) == "none":  # type: ignore[attr-defined]
+            raise InputError("model", self.chosen.model, "a model of friction, or a tangential law beside it")
+        for name, array in self.contact.arrays():
+            raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
+        asked = to_si(self.load, "load")
+        if np.ndim(asked) or not asked > 0.0:
+            raise InputError("load", self.load, "one load > 0 N")
+
+    @property
+    def chosen(self) -> Choice:
+        """The model and laws that answer."""
+        return self.choice or Choice()
+
+    def coefficient(self, seen: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]) -> float:
+        """Static friction coefficient of the contact with these asperities for its rough surface. Theories of the whole surface
+        take its moments, whatever was found; options: of the methods."""
+        assert self.contact is not None
+        if takes_surface_moments(self.chosen.model):
+            key = method_of_moments()
+            found = asperities(seen, key, **options.get(key, {}))
+            heights = height_model(found)
+        other = self.contact.model_copy(update={"roughness": roughness(found, heights)})
+        return float(solve(other, load=self.load, **self.chosen.arguments())["friction_coefficient"])
+
+
 def resolution_study(
     surface: HeightMap,
     cutoffs: Iterable[float] | None = None,
     methods: Iterable[str] | None = None,
     *,
-    contact: Contact | None = None,
-    load: Any = None,
-    choice: Choice | None = None,
     options: dict[str, dict[str, Any]] | None = None,
     points_per_cutoff: float | None = None,
     progress: Callable[[Iterable], Iterable] = iter,
+    **friction: Unpack[Asked],
 ) -> "xarray.Dataset":
     """sigma, R, N and, with a contact, mu, for each method and each shortest wavelength that is left in the map.
 
@@ -88,12 +135,11 @@ def resolution_study(
 
     wanted = _cutoffs(default_cutoffs(surface) if cutoffs is None else cutoffs)
     keys = _methods(surface, methods)
-    choice = choice or Choice()
-    _check_contact(contact, load, choice)
+    asked = _Friction(**friction)
     given = options or {}
     if set(given) - set(keys):
         raise InputError("options", tuple(given), f"of the methods {', '.join(keys)}")
-    names = [*_KEPT, _FRICTION] if contact is not None else [*_KEPT]
+    names = [*_KEPT, _FRICTION] if asked.contact is not None else [*_KEPT]
     numbers = {name: np.full((len(keys), len(wanted)), math.nan) for name in names}
     words = {name: np.full((len(keys), len(wanted)), "", dtype=object) for name in ("height_distribution", "failure")}
     for j, cutoff in enumerate(progress(wanted.tolist())):
@@ -105,13 +151,10 @@ def resolution_study(
                     numbers[name][i, j] = getattr(found, attribute)
                 heights = height_model(found)
                 words["height_distribution"][i, j] = heights.name
-                if contact is not None and takes_surface_moments(choice.model):  # takes the moments, whatever was found
-                    found = asperities(seen, OF_MOMENTS, **given.get(OF_MOMENTS, {}))
-                    heights = height_model(found)
-                if contact is not None:
-                    numbers[_FRICTION][i, j] = _friction(contact, found, heights, load, choice)
+                if asked.contact is not None:
+                    numbers[_FRICTION][i, j] = asked.coefficient(seen, found, heights, given)
             except InputError as error:
-                if error.field in (*given.get(key, {}), *choice.arguments()):
+                if error.field in (*given.get(key, {}), *asked.chosen.arguments()):
                     raise  # what was asked for, not what was found
                 words["failure"][i, j] = str(error)
     return _labelled(xarray, surface, keys, wanted, numbers, words)
@@ -141,23 +184,6 @@ def _methods(surface: HeightMap, methods: Iterable[str] | None) -> tuple[str, ..
     return keys
 
 
-def _check_contact(contact: Contact | None, load: Any, choice: Choice) -> None:
-    """InputError for what no asperities could make good."""
-    if (contact is None) != (load is None):
-        raise InputError("contact and load", "one of the two", "both, or none")
-    if contact is None:
-        return
-    if not isinstance(contact, Contact):
-        raise InputError("contact", type(contact).__name__, "a stiction.Contact")
-    if (choice.tangential or find(choice.model, RoughSurface).tangential) == "none":
-        raise InputError("model", choice.model, "a model of friction, or a tangential law beside it")
-    for name, array in contact.arrays():
-        raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
-    asked = to_si(load, "load")
-    if np.ndim(asked) or not asked > 0.0:
-        raise InputError("load", load, "one load > 0 N")
-
-
 def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) -> HeightMap:
     """The map without the waves below the cutoff, with fewer points if so asked."""
     if cutoff == 0.0:
@@ -177,12 +203,6 @@ def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> Heig
     heights = np.ascontiguousarray(surface.heights[:: steps[0], :: steps[1]])
     size = tuple(n * k * pitch for n, k, pitch in zip(heights.shape, steps, surface.pitch, strict=True))
     return surface.with_heights(heights, f"every {steps[0]}th row and {steps[1]}th column", (size[0], size[1]))
-
-
-def _friction(contact: Contact, found: Asperities, heights: HeightModel, load: Any, choice: Choice) -> float:
-    """Static friction coefficient of the contact with these asperities for its rough surface."""
-    other = contact.model_copy(update={"roughness": roughness(found, heights)})
-    return float(solve(other, load=load, **choice.arguments())["friction_coefficient"])
 
 
 def _labelled(xarray, surface, keys, cutoffs, numbers, words) -> "xarray.Dataset":

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from stiction.laws.finding import Asperities, asperities, methods
 from stiction.quantities.errors import InputError
-from stiction.surfaces.asperities import METHODS, Asperities, asperities
 from stiction.surfaces.height_model import HeightModel, height_model
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.prepare import fill_missing, filter_band, level, remove_form
@@ -111,7 +111,7 @@ def analyse(surface: HeightMap, progress: Callable[[Iterable], Iterable] = iter,
         found["statistics"] = statistics(surface)
         found["by_differences"] = moments_by_differences(surface)
 
-    for step in progress([described, spectral, *map(search, METHODS)]):
+    for step in progress([described, spectral, *map(search, methods())]):
         step()
     heights = {method: height_model(one) for method, one in each.items()}
     return Analysis(surface, **found, asperities=each, heights=heights, failures=failures)

@@ -1,12 +1,15 @@
 """What every method of finding asperities hands on: how many, how high, how blunt, with the same averages for all."""
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stiction.contact.contact import Roughness
 from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
+
+if TYPE_CHECKING:
+    from stiction.contact.contact import Roughness
 
 __all__ = ["Asperities"]
 
@@ -83,7 +86,7 @@ def spread(samples: np.ndarray) -> float:
     return deviation if deviation > _ROUNDING * np.abs(samples).max() else 0.0
 
 
-def of_numbers(surface: Roughness) -> Asperities:
+def of_numbers(surface: "Roughness") -> Asperities:
     """Asperities of a body that was not measured, from its numbers; heights counted from their own mean."""
     deviation, radius, density = surface.asperity_height_deviation, surface.asperity_radius, surface.asperity_density
     return Asperities("numbers", density, deviation, radius, 0.0, 0.0, "as given")

@@ -1,27 +1,15 @@
-"""Asperities that a surface would have if it were Gaussian, isotropic but for a stretch: McCool's, from spectral moments.
+"""Asperities that a Gaussian surface has, from its spectral moments, and those of two surfaces taken together.
 
-No asperity is looked for. The mean squares of height, slope and second derivative along profiles (m0, m2, m4), put into Nayak's
-statistics (1971) as McCool (1986) does, give sigma, R and N; stiction.surfaces.theory.moments has the relations.
+McCool (1986) puts the moments m0, m2, m4 into Nayak's statistics of summits (1971); stiction.surfaces.theory.moments has the
+relations.
 """
 
 from stiction.quantities.errors import InputError
 from stiction.surfaces.asperity_set import Asperities
-from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.statistics import combine as added
-from stiction.surfaces.statistics import moments_by_differences
 from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, SUMMIT_DEFICIT, Moments
 
-
-def mccool(surface: HeightMap, cutoff: float | None = None) -> Asperities:
-    """Summits of the Gaussian surface with the moments of this one, by finite differences; isotropic, or stretched (a lay).
-
-    cutoff: [m], as of `moments_by_differences`, by default two pitches. Differences see less of the waves near the cutoff than
-    there is; for moments by the spectrum see `of_moments`. InputError as of both, and for grooves all along one line.
-    """
-    moments = moments_by_differences(surface, cutoff).equivalent
-    if moments is None:
-        raise InputError("asperities by mccool", "slopes along one line only", "a surface with summits, not grooves")
-    return of_moments("mccool", moments, "from moments by finite differences")
+LEAST = f"no isotropic Gaussian surface has alpha < {LEAST_BANDWIDTH}"
 
 
 def of_moments(method: str, moments: Moments, note: str) -> Asperities:
@@ -33,11 +21,8 @@ def of_moments(method: str, moments: Moments, note: str) -> Asperities:
     if alpha <= SUMMIT_DEFICIT:
         allowed = f"> {SUMMIT_DEFICIT:.4g}; isotropic Gaussian surfaces have 1.5 or more"
         raise InputError(f"asperities by {method}", f"alpha = {alpha:.4g}", allowed)
-    notes = [f"{note}; alpha = {alpha:.4g}"]
-    if alpha < LEAST_BANDWIDTH:
-        notes.append(f"no isotropic Gaussian surface has alpha < {LEAST_BANDWIDTH}")
     deviation, radius, density = (float(one) for one in moments.asperities())
-    return Asperities(method, density, deviation, radius, float(moments.summit_height), 0.0, "; ".join(notes))
+    return Asperities(method, density, deviation, radius, float(moments.summit_height), 0.0, f"{note}; alpha = {alpha:.4g}")
 
 
 def combine(first: Asperities, second: Asperities) -> Asperities:
@@ -48,4 +33,6 @@ def combine(first: Asperities, second: Asperities) -> Asperities:
     does so as far as Nayak's alpha is large. InputError as of `of_moments`.
     """
     one, other = (Moments.from_asperities(each.deviation, each.radius, each.density) for each in (first, second))
-    return of_moments(f"{first.method} and {second.method}", added(one, other), "two surfaces, their moments added")
+    both = added(one, other)
+    doubt = f"; {LEAST}" if float(both.alpha) < LEAST_BANDWIDTH else ""
+    return of_moments(f"{first.method} and {second.method}", both, f"two surfaces, their moments added{doubt}")

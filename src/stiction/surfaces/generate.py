@@ -20,6 +20,8 @@ A surface to look at, or to give to `stiction surface made.npy --size "10 um" --
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypedDict, Unpack
 
 import numpy as np
 from scipy.fft import irfft2, rfft2
@@ -41,6 +43,83 @@ _LEAST_POINTS = 8
 _SETTLED = 0.01  # the iteration ends when a step improves the spectrum by less than this part
 
 
+class Lay(TypedDict, total=False):
+    """What else may be asked of `gaussian_surface`."""
+
+    stretch: float
+    angle: float
+    random_amplitudes: bool
+
+
+@dataclass(frozen=True)
+class _Periodic:
+    """A Gaussian surface as it is asked for: fields as arguments of `gaussian_surface`, size in metres; raises InputError."""
+
+    shape: tuple[int, int]
+    size: tuple[float, float]
+    spectrum: Spectrum
+    seed: int
+    stretch: float = 1.0
+    angle: float = 0.0
+    random_amplitudes: bool = True
+
+    def __post_init__(self) -> None:
+        _check_grid(self.shape, self.seed)
+        require_positive(stretch=self.stretch)
+        if not math.isfinite(self.angle):
+            raise InputError("angle", self.angle, "a finite number of rad")
+        self._check_spectrum()
+
+    def heights(self) -> np.ndarray:
+        """Its heights (rows, columns) [m]."""
+        waves = rfft2(np.random.default_rng(self.seed).standard_normal(self.shape), workers=_WORKERS)
+        self._colour(waves)
+        return irfft2(waves, s=self.shape, workers=_WORKERS, overwrite_x=True)
+
+    def said(self, kind: str) -> str:
+        """What was made, in words."""
+        text = f"made: {kind} {'profile' if self.shape[0] == 1 else 'surface'}, seed {self.seed}, spectrum {self.spectrum}"
+        if self.stretch != 1.0:
+            text += f", stretched {self.stretch:g} times along {math.degrees(self.angle):g} degrees from x"
+        return text + ("" if self.random_amplitudes else ", random phases only")
+
+    def _check_spectrum(self) -> None:
+        spectrum, profile = self.spectrum, self.shape[0] == 1
+        if getattr(spectrum, "dimensions", 1 if profile else 2) != (1 if profile else 2):
+            allowed = f"one of dimensions={1 if profile else 2}, for a map of shape {self.shape}"
+            raise InputError("spectrum", str(spectrum), allowed)
+        if profile and (self.stretch != 1.0 or self.angle != 0.0):
+            raise InputError("stretch", self.stretch, "1, with angle 0: a profile has one direction")
+        if isinstance(spectrum, SelfAffine):
+            pitches = [length / count for length, count in zip(self.size, self.shape, strict=True)]
+            least = 2.0 * (pitches[1] if profile else max(pitches)) / min(self.stretch, 1.0)
+            if spectrum.shortest < least * (1.0 - 1e-9):
+                allowed = f">= {least:g} m, two pitches of the map (over the stretch, if < 1)"
+                raise InputError("shortest", spectrum.shortest, allowed)
+
+    def _colour(self, waves: np.ndarray) -> None:
+        """White noise into waves of the spectrum, in place: times sqrt(C / (dx dy)), of a profile sqrt(C / dx)."""
+        (rows, columns), size, spectrum = self.shape, self.size, self.spectrum
+        cosine, sine = math.cos(self.angle), math.sin(self.angle)
+        cell = size[1] / columns * (size[0] / rows if rows > 1 else 1.0)
+        smallest = 2.0 * math.pi / max(size)
+        for part, along_y, along_x in _blocks(self.shape, size):
+            along = self.stretch * (cosine * along_x + sine * along_y)
+            across = cosine * along_y - sine * along_x
+            q = np.hypot(along, across)
+            if part.start == 0:
+                q[0, 0] = smallest  # the mean: a power law has no value there
+            density = np.asarray(spectrum(q), dtype=float)
+            if density.shape != q.shape or not (density >= 0.0).all() or np.isinf(density).any():
+                raise InputError("spectrum", str(spectrum), "a function of an array q > 0 with finite values >= 0 of its shape")
+            if not self.random_amplitudes:
+                waves[part] *= math.sqrt(rows * columns) / np.maximum(np.abs(waves[part]), 1e-300)
+            waves[part] *= np.sqrt(density * (self.stretch / cell))
+        waves[0, 0] = 0.0
+        if not waves.any():
+            raise InputError("spectrum", str(spectrum), "one with waves between two pitches and the size of the map")
+
+
 def gaussian_surface(
     shape: tuple[int, int], size: tuple[float, float], spectrum: Spectrum, seed: int, *,
     stretch: float = 1.0, angle: float = 0.0, random_amplitudes: bool = True,
@@ -54,44 +133,35 @@ def gaussian_surface(
     has exactly the amplitude of the spectrum and only phases are random: then rms height and slope do not scatter.
     Raises InputError for a map that is too small, or a spectrum that is no density or has waves shorter than two pitches.
     """
-    size = size_in_metres(size)
-    _check_grid(shape, seed)
-    require_positive(stretch=stretch)
-    if not math.isfinite(angle):
-        raise InputError("angle", angle, "a finite number of rad")
-    _check_spectrum(shape, size, spectrum, stretch, angle)
-    waves = rfft2(np.random.default_rng(seed).standard_normal(shape), workers=_WORKERS)
-    _colour(waves, shape, size, spectrum, stretch, angle, random_amplitudes)
-    heights = irfft2(waves, s=shape, workers=_WORKERS, overwrite_x=True)
-    return HeightMap(heights, size, (_made("Gaussian", shape, spectrum, seed, stretch, angle, random_amplitudes),))
+    asked = _Periodic(shape, size_in_metres(size), spectrum, seed, stretch, angle, random_amplitudes)
+    return HeightMap(asked.heights(), asked.size, (asked.said("Gaussian"),))
 
 
 def non_gaussian_surface(
     shape: tuple[int, int], size: tuple[float, float], spectrum: Spectrum, seed: int, *, skewness: float, kurtosis: float,
-    stretch: float = 1.0, angle: float = 0.0, random_amplitudes: bool = True, steps: int = 50, exact_spectrum: bool = False,
+    steps: int = 50, exact_spectrum: bool = False, **lay: Unpack[Lay],
 ) -> HeightMap:  # fmt: skip
     """A periodic surface of given skewness and kurtosis of its heights and, nearly, of the spectrum of a Gaussian one.
 
     skewness, kurtosis (3 of a Gaussian): as `johnson` allows; steps: of the iteration at most, 0 for ranks alone;
     exact_spectrum: end on the spectrum, with heights that are nearly of the distribution, rather than on the heights. Choose
-    it where slopes and curvatures matter: what the heights add beyond the shortest wave is small in height alone. The rest as
-    in `gaussian_surface`, whose amplitudes are aimed at.
+    it where slopes and curvatures matter: what the heights add beyond the shortest wave is small in height alone. The rest,
+    also stretch, angle and random_amplitudes, as in `gaussian_surface`, whose amplitudes are aimed at.
     """
     curve = johnson(skewness, kurtosis)
     if steps < 0:
         raise InputError("steps", steps, ">= 0")
-    start = gaussian_surface(
-        shape, size, spectrum, seed, stretch=stretch, angle=angle, random_amplitudes=random_amplitudes
-    ).heights
+    asked = _Periodic(shape, size_in_metres(size), spectrum, seed, **lay)
+    start = asked.heights()
     amplitudes = np.abs(rfft2(start, workers=_WORKERS))
     wanted = curve(ndtri((np.arange(start.size) + 0.5) / start.size))
     wanted = (wanted - wanted.mean()) * (start.std() / wanted.std())
     ranked, spectral, error, taken = _alternate(start, amplitudes, wanted, steps)
-    step = _made("non-Gaussian", shape, spectrum, seed, stretch, angle, random_amplitudes)
+    step = asked.said("non-Gaussian")
     step += f", aimed at skewness {skewness:g} and kurtosis {kurtosis:g}; after {taken} steps the amplitudes of its waves "
     step += f"were {100.0 * error:.2g} % off in rms, and "
     step += "the spectrum was given back exactly" if exact_spectrum else "the heights are those of the distribution"
-    return HeightMap(spectral if exact_spectrum else ranked, size, (step,))
+    return HeightMap(spectral if exact_spectrum else ranked, asked.size, (step,))
 
 
 def with_deviation(surface: HeightMap, deviation: float) -> HeightMap:
@@ -137,20 +207,6 @@ def _check_grid(shape, seed) -> None:
         raise InputError("seed", seed, "an integer >= 0")
 
 
-def _check_spectrum(shape, size, spectrum, stretch, angle) -> None:
-    profile = shape[0] == 1
-    if getattr(spectrum, "dimensions", 1 if profile else 2) != (1 if profile else 2):
-        raise InputError("spectrum", str(spectrum), f"one of dimensions={1 if profile else 2}, for a map of shape {shape}")
-    if profile and (stretch != 1.0 or angle != 0.0):
-        raise InputError("stretch", stretch, "1, with angle 0: a profile has one direction")
-    if isinstance(spectrum, SelfAffine):
-        pitch = size[1] / shape[1] if profile else max(size[0] / shape[0], size[1] / shape[1])
-        least = 2.0 * pitch / min(stretch, 1.0)
-        if spectrum.shortest < least * (1.0 - 1e-9):
-            allowed = f">= {least:g} m, two pitches of the map (over the stretch, if < 1)"
-            raise InputError("shortest", spectrum.shortest, allowed)
-
-
 def _blocks(shape, size):
     """(slice of rows, q_y (n, 1), q_x (1, columns/2 + 1)) [rad/m] of a half-sided transform, block by block."""
     rows, columns = shape
@@ -162,28 +218,6 @@ def _blocks(shape, size):
     for first in range(0, rows, step):
         part = slice(first, min(first + step, rows))
         yield part, along_y[part], along_x
-
-
-def _colour(waves, shape, size, spectrum, stretch, angle, random_amplitudes) -> None:
-    """White noise into waves of the spectrum, in place: times sqrt(C / (dx dy)), of a profile sqrt(C / dx)."""
-    rows, columns = shape
-    cell = size[1] / columns * (size[0] / rows if rows > 1 else 1.0)
-    smallest = 2.0 * math.pi / max(size)
-    for part, along_y, along_x in _blocks(shape, size):
-        along = stretch * (math.cos(angle) * along_x + math.sin(angle) * along_y)
-        across = math.cos(angle) * along_y - math.sin(angle) * along_x
-        q = np.hypot(along, across)
-        if part.start == 0:
-            q[0, 0] = smallest  # the mean: a power law has no value there
-        density = np.asarray(spectrum(q), dtype=float)
-        if density.shape != q.shape or not (density >= 0.0).all() or np.isinf(density).any():
-            raise InputError("spectrum", str(spectrum), "a function of an array q > 0 with finite values >= 0 of its shape")
-        if not random_amplitudes:
-            waves[part] *= math.sqrt(rows * columns) / np.maximum(np.abs(waves[part]), 1e-300)
-        waves[part] *= np.sqrt(density * (stretch / cell))
-    waves[0, 0] = 0.0
-    if not waves.any():
-        raise InputError("spectrum", str(spectrum), "one with waves between two pitches and the size of the map")
 
 
 def _alternate(start, amplitudes, wanted, steps):
@@ -204,10 +238,3 @@ def _alternate(start, amplitudes, wanted, steps):
             break
         last = error
     return ranked, spectral, error, taken
-
-
-def _made(kind, shape, spectrum, seed, stretch, angle, random_amplitudes) -> str:
-    text = f"made: {kind} {'profile' if shape[0] == 1 else 'surface'}, seed {seed}, spectrum {spectrum}"
-    if stretch != 1.0:
-        text += f", stretched {stretch:g} times along {math.degrees(angle):g} degrees from x"
-    return text + ("" if random_amplitudes else ", random phases only")

@@ -1,5 +1,6 @@
-"""What a file says of a scan, before units and size are settled."""
+"""What a file says of a scan, before units and size are settled, and what reads it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -7,7 +8,7 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["FEWEST_POINTS", "RawScan", "ends_in_a_line", "no_channel", "unreadable"]
+__all__ = ["FEWEST_POINTS", "RawScan", "Reader", "ends_in_a_line", "no_channel"]
 
 FEWEST_POINTS = 8  # along a direction: fewer have no spectrum and no summits to speak of
 
@@ -28,6 +29,21 @@ class RawScan:
     notes: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True, kw_only=True)
+class Reader:
+    """A format of files, or several that are alike.
+
+    endings: of their names, in lower case and with the dot; none of one that is asked where no other takes a file. read(path,
+    channel) -> RawScan, or None where a file of that name is of another format; channel: its name or place, None for the one
+    that there is. holds: what is in such a file; given: what has to be given beside it. Both in words, for tables and errors.
+    """
+
+    endings: tuple[str, ...]
+    read: Callable[[Path, object], RawScan | None]
+    holds: str
+    given: str
+
+
 def no_channel(channel) -> None:
     """InputError if a channel is asked for in a file that has none."""
     if channel is not None:
@@ -40,10 +56,3 @@ def ends_in_a_line(path: Path) -> tuple[str, ...]:
         file.seek(max(0, path.stat().st_size - 2))
         ended = file.read().rstrip(b"\0").endswith((b"\r", b"\n"))  # the line end of UTF-16 is followed by a zero
     return () if ended else ("no line end after the last number: the file may have been cut short",)
-
-
-def unreadable(path) -> InputError:
-    """The error for a file that no reader takes."""
-    text = ".csv and .xyz (rows of heights, or columns x z or x y z, below at most one line of words)"
-    allowed = f"an undamaged file of a known format: .npy, .npz, {text} or one that SurfaceTopography reads"
-    return InputError("scan", str(path), allowed)

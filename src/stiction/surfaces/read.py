@@ -1,36 +1,29 @@
 """Reading what instruments write, into heights in metres.
 
-Arrays and numbers in text are read without any library, all else by the library SurfaceTopography, an optional extra.
+Arrays and numbers in text are read without any library, all else by the library SurfaceTopography, an optional extra. A format
+is a file in `readers` with a READER: nothing else has to know of it.
+
 Libraries and instruments disagree on the size, the unit and the height factor of one file, so all of them can be overridden,
 and the history says what was taken.
 """
 
+import pkgutil
 import re
-from collections.abc import Callable
+from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
-from stiction.surfaces.array_files import read_npy, read_npz
+from stiction.surfaces import readers as formats
 from stiction.surfaces.heightmap import HeightMap, metres
-from stiction.surfaces.instrument_files import read_instrument
-from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan
-from stiction.surfaces.text_files import read_positions, read_table, read_text
+from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan, Reader
 
 __all__ = ["FEWEST_POINTS", "read_scan"]
 
 _FLATTEST, _STEEPEST = 1e-10, 10.0  # peak to valley over size, beyond which a unit or a factor must be wrong
-_READERS: dict[str, Callable[[Path, object], RawScan]] = {
-    ".npy": read_npy,
-    ".npz": read_npz,
-    ".csv": read_table,
-    ".xyz": read_positions,
-    ".txt": read_text,
-    ".asc": read_text,
-    ".dat": read_text,
-}
 
 
 def read_scan(path, *, size=None, unit=None, height_unit=None, height_scale=None, channel=None) -> HeightMap:
@@ -47,7 +40,7 @@ def read_scan(path, *, size=None, unit=None, height_unit=None, height_scale=None
     and where size or unit are lacking.
     """
     path = _file(path)
-    raw = _READERS.get(path.suffix.lower(), read_instrument)(path, channel)
+    raw = _read(path, channel)
     _check_numbers(raw.heights, path.name)
     factor, height_factor, units = _factors(raw, size, unit, height_unit, height_scale)
     extent, override = _size(raw, size, unit, factor)
@@ -57,6 +50,28 @@ def read_scan(path, *, size=None, unit=None, height_unit=None, height_scale=None
     surface = HeightMap(heights, extent, name=path.name)
     history = (_said(surface, raw), *raw.notes, *units, *override, *_doubt(heights, extent))
     return HeightMap(heights, extent, history, path.name)
+
+
+@cache
+def readers() -> tuple[Reader, ...]:
+    """All formats in the order in which they are asked: by the names of their files, one without an ending of its own last."""
+    names = sorted(one.name for one in pkgutil.iter_modules(formats.__path__))
+    modules = [import_module(f"{formats.__name__}.{name}") for name in names]
+    found = [module.READER for module in modules if hasattr(module, "READER")]
+    return tuple(sorted(found, key=lambda one: not one.endings))
+
+
+def _read(path: Path, channel) -> RawScan:
+    """What the first reader says that takes the file; InputError if none does."""
+    ending = path.suffix.lower()
+    asked = [one for one in readers() if ending in one.endings or not one.endings]
+    for reader in asked:
+        if (raw := reader.read(path, channel)) is not None:
+            return raw
+    known = [f"with {one.holds}" if one.endings else one.holds for one in asked]
+    if len(asked) == 1:
+        known.insert(0, ", ".join(ending for one in readers() for ending in one.endings))
+    raise InputError("scan", str(path), f"an undamaged file of a known format: {', or '.join(known)}")
 
 
 def _said(surface: HeightMap, raw: RawScan) -> str:

@@ -31,13 +31,16 @@ On a surface with no shortest wave both grow without bound as the cutoff shrinks
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap, in_metres
-from stiction.surfaces.spectrum import PowerSpectrum
 from stiction.surfaces.theory.moments import Moments
+
+if TYPE_CHECKING:
+    from stiction.surfaces.spectrum import PowerSpectrum  # whose module is slow to import
 
 __all__ = ["ProfileMoments", "Statistics", "combine", "moments_by_differences", "moments_by_spectrum", "statistics"]
 
@@ -144,7 +147,7 @@ def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> P
     return ProfileMoments(x, y, _mean(x, y), equivalent, reached, "finite differences")
 
 
-def moments_by_spectrum(spectrum: PowerSpectrum, cutoff: float | None = None) -> ProfileMoments:
+def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) -> ProfileMoments:
     """Spectral moments by integration of the power spectrum over all waves not shorter than the cutoff.
 
     cutoff: wavelength [m], >= 0, by default two (of the larger) pitches, Nyquist's; 0 takes every wave on the grid, the
@@ -290,7 +293,7 @@ _POWERS = np.array([0, 1, 2, 4])
 _EVEN = [0, 2, 3]  # their places of 0, 2 and 4
 
 
-def _powers(spectrum: PowerSpectrum, highest: float) -> np.ndarray:
+def _powers(spectrum: "PowerSpectrum", highest: float) -> np.ndarray:
     """(4, 4): sum_q C q_y^i q_x^j / A over the waves 0 < |q| <= highest, for i and j of _POWERS."""
     qy, qx = spectrum.wavevectors
     columns = spectrum.waves[:, None] * qx[:, None] ** _POWERS

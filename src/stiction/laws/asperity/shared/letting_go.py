@@ -12,9 +12,9 @@ P=P_m\left(\frac{w-w_\text{res}}{w_m-w_\text{res}}\right)^{3/2}
 $$
 
 so that the flattened sphere is Hertz's in load and area at the turning point. In SI $\bar R=4E^*a_m^3/(3P_m)$ and
-$\omega_\text{res}=\omega_m-3P_m/(4E^*a_m)$. Or with the fit of [etsion_kligerman_kadin_2005],
-$w_\text{res}/w_m=(1-r^{-0.28})(1-r^{-0.69})$, $r=w_m/w_c$, whose exponents are as commonly remembered (C); the two differ by
-0.11 of $w_m$ at most.
+$\omega_\text{res}=\omega_m-3P_m/(4E^*a_m)$. The fit of [etsion_kligerman_kadin_2005] is left out: the exponents that are
+commonly remembered, $w_\text{res}/w_m=(1-r^{-0.28})(1-r^{-0.69})$, $r=w_m/w_c$, could not be looked up; with them 0.11 of $w_m$
+more stays at most.
 
 *Units*: $w$ over $\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$. In the formulas `w_max` is the largest
 displacement so far, with `load_max` and `area_max` there; `drawn_apart` makes pieces of them, for sums over heights.
@@ -35,12 +35,6 @@ from stiction.laws.piece import NormalPiece
 
 
 @formula
-def radius(load_max, area_max):
-    """Radius of the flattened sphere over R: 4 E* a^3/(3 P), Hertz's for the load and contact radius at the turning point."""
-    return area_max * math.sqrt(area_max) / load_max
-
-
-@formula
 def residual(w_max, load_max, area_max):
     """Interference that stays: omega_max - 3 P/(4 E* a) at the turning point; not below zero.
 
@@ -53,32 +47,16 @@ def residual(w_max, load_max, area_max):
 
 
 @formula
-def residual_etsion(w_max, w_c):
-    """The fit of Etsion, Kligerman & Kadin 2005: omega_res/omega_max = (1 - r^-0.28)(1 - r^-0.69), r = omega_max/omega_c.
-
-    The exponents are as commonly remembered, not looked up. Zero where nothing has yielded (r <= 1).
-    """
-    shrink = math.log(min(w_c / w_max, 1.0)) if w_max > 0.0 else 0.0
-    return w_max * math.expm1(0.28 * shrink) * math.expm1(0.69 * shrink)
-
-
-@formula
 def let_go(w, w_max, w_res, load_max, area_max):
     """Load and area at w <= w_max: P_max s^(3/2) and A_max s, s = (w - w_res)/(w_max - w_res); nothing below w_res.
 
-    With `residual` above zero this is P = (4/3) E* R'^(1/2) (omega - omega_res)^(3/2) on the flattened radius R'. Both are
+    With `residual` above zero this is P = (4/3) E* R'^(1/2) (omega - omega_res)^(3/2) on R' = 4 E* a_max^3/(3 P_max). Both are
     continuous with loading at w_max whatever the residual is.
     """
     if w <= w_res:
         return 0.0, 0.0
     share = min((w - w_res) / (w_max - w_res), 1.0)
     return load_max * share * math.sqrt(share), area_max * share
-
-
-@formula
-def recovered(w_max, w_res, load_max):
-    """Work done by the asperity from w_max to w_res, Int P dw: the elastic energy that it gives back."""
-    return 0.4 * load_max * (w_max - w_res)
 
 
 _STEP = 1e-6  # to the side, for a slope: the coordinates of pieces are of the order of one, or of their own first value

@@ -1,4 +1,4 @@
-"""Reading numbers in text: a matrix of heights, columns x y z, or columns x z of a profile.
+"""Numbers in text: a matrix of heights, columns x y z, or columns x z of a profile.
 
 How columns are parted and decimals are marked is found from the file. Tables with two or three columns are positions and
 heights: a map that narrow would be too small anyway. One line of words above the columns is passed over and told of, not
@@ -14,35 +14,20 @@ from pathlib import Path
 import numpy as np
 
 from stiction.quantities.errors import InputError
-from stiction.surfaces.instrument_files import read_instrument
-from stiction.surfaces.positions import equally_spaced, gridded
 from stiction.surfaces.raw_scan import RawScan, ends_in_a_line, no_channel
+from stiction.surfaces.readers.shared.positions import equally_spaced, gridded
 
-__all__ = ["read_positions", "read_table", "read_text"]
-
-
-def read_table(path: Path, channel) -> RawScan:
-    """A .csv file: rows of heights along x, or columns x z or x y z. Others, that begin with words, are an instrument's."""
-    return _read(path, channel, _matrix)
+__all__ = ["matrix", "read_text"]
 
 
-def read_positions(path: Path, channel) -> RawScan:
-    """An .xyz file: columns x z or x y z. Others, that begin with words, are an instrument's."""
-    return _read(path, channel, _no_positions)
+def read_text(path: Path, channel, otherwise: Callable[[np.ndarray, tuple[str, ...], str], RawScan]) -> RawScan | None:
+    """Positions and heights, by the number of columns; None of a file that begins with words, but for one line of them.
 
-
-def read_text(path: Path, channel) -> RawScan:
-    """A .txt, .asc or .dat file: as .csv, but with remarks at its head an instrument's, which may say size and unit there."""
-    with path.open("rb") as file:
-        remarks = file.read(1) == b"#"
-    return read_instrument(path, channel) if remarks else read_table(path, channel)
-
-
-def _read(path: Path, channel, otherwise: Callable[[np.ndarray, tuple[str, ...], str], RawScan]) -> RawScan:
-    """Positions and heights, by the number of columns; otherwise(table, notes, name of the file): of any other number."""
+    otherwise(table, notes, name of the file): of any other number of columns. InputError for tables that cannot be read.
+    """
     layout = _layout(path)
     if layout is None:
-        return read_instrument(path, channel)
+        return None
     no_channel(channel)
     table, notes = _numbers(path, layout)
     columns = _COLUMNS.get(table.shape[1])
@@ -65,13 +50,10 @@ def _map(table: np.ndarray, notes: tuple[str, ...]) -> RawScan:
 _COLUMNS = {2: _profile, 3: _map}
 
 
-def _matrix(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
+def matrix(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
+    """A table of heights, rows along x; one column is a profile. InputError if it has numbers of its rows and columns."""
     _no_numbering(table, name)
     return RawScan(table.T if table.shape[1] == 1 else table, "matrix of heights", notes=notes)
-
-
-def _no_positions(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
-    raise InputError("scan", f"{name} with {table.shape[1]} columns", "columns x y z, or x z of a profile")
 
 
 def _no_numbering(table: np.ndarray, name: str) -> None:

@@ -10,10 +10,8 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.errors import InputError
-from stiction.surfaces.positions import equally_spaced
-from stiction.surfaces.raw_scan import RawScan, ends_in_a_line, unreadable
-
-__all__ = ["read_instrument"]
+from stiction.surfaces.raw_scan import RawScan, Reader, ends_in_a_line
+from stiction.surfaces.readers.shared.positions import equally_spaced
 
 # Formats without a mark of their own, which the library sees in any file of a fitting length, and arrays, which it takes with
 # the first index along x: to be told by the ending of the name, or not at all.
@@ -21,8 +19,9 @@ _BY_NAME = ("hgt", "nms", "npy", "npz")
 _DENSEST = 32  # points per byte of a file, beyond which its header is wrong: compressed heights have about one
 
 
-def read_instrument(path: Path, channel) -> RawScan:
-    """A file in an instrument's format; channel: name or place of one, without it the library's choice if that is heights."""
+def read(path: Path, channel) -> RawScan | None:
+    """A file in an instrument's format, None of no known one; channel: name or place of one, without it the library's choice if
+    that is heights."""
     with _quiet():
         try:
             from SurfaceTopography.Exceptions import CannotDetectFileFormat
@@ -35,7 +34,7 @@ def read_instrument(path: Path, channel) -> RawScan:
         except InputError:
             raise
         except CannotDetectFileFormat:
-            raise unreadable(path) from None
+            return None
         except Exception as error:  # of a damaged file the 42 readers raise anything
             problem = " ".join(str(error).split())[:120] or type(error).__name__
             raise InputError("scan", str(path), f"an undamaged file (its reader says: {problem})") from None
@@ -54,10 +53,10 @@ def _quiet():
         logging.disable(before)
 
 
-def _library(reader, channel, path: Path) -> RawScan:
+def _library(reader, channel, path: Path) -> RawScan | None:
     form = reader.format()
     if form in _BY_NAME and path.suffix.lower() != f".{form}":
-        raise unreadable(path)
+        return None
     chosen = _channel(reader, channel)
     points = math.prod(chosen.nb_grid_pts or ())
     if points > _DENSEST * path.stat().st_size:
@@ -107,3 +106,12 @@ def _channel(reader, wanted):
         if each in with_heights and (wanted in (each.name, each.channel_id) or str(wanted) == str(place)):
             return each
     raise InputError("channel", wanted, f"a channel with heights: {names}")
+
+
+READER = Reader(
+    endings=(),
+    read=read,
+    holds="what instruments write (.di, .sur, .al3d, .opdx, .stp and many more), as the library SurfaceTopography reads it, "
+    "whatever its name",
+    given="nothing, mostly",
+)

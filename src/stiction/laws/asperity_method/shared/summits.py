@@ -1,0 +1,80 @@
+"""Summits of a map: the mean curvature of the paraboloid through the points around each, and how many there are per area.
+
+The curvature of a summit is that of the paraboloid z = a + b x + c y + d x^2 + e x y + f y^2 that fits the points around it
+best (least squares), half the sum of its two principal curvatures: -(d + f). On a grid this is a weighted sum of the heights.
+What a grid sees depends on its pitch (Greenwood 1984): where waves are short of points, summits are missed and those found are
+too low and too blunt. Fitting more points, or a threshold, trades one bias for another; docs/surfaces.md has their sizes.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.surfaces.asperity_set import Asperities, of_samples, over_mean_plane
+from stiction.surfaces.heightmap import HeightMap
+
+__all__ = ["FITS", "areal", "fitted"]
+
+
+def areal(surface: HeightMap) -> np.ndarray:
+    """Heights over the mean plane [m]; InputError for a map without inner points."""
+    if min(surface.heights.shape) < 3:
+        shape = f"shape {surface.heights.shape}"
+        raise InputError("heights", shape, "a map of 3 or more rows and columns: a profile has no summits")
+    return over_mean_plane(surface)
+
+
+def fitted(
+    method: str, surface: HeightMap, heights: np.ndarray, tops: tuple[np.ndarray, ...], fit_points: int, note: str, **more
+) -> Asperities:
+    """The summits at the points `tops` (rows, columns) whose fitted points are there, with their curvatures, per area where
+    they could be. heights: over the mean plane [m]; fit_points: a key of FITS; note, and more: as of `of_samples`."""
+    row, column = tops
+    dy, dx = surface.pitch
+    stencil = FITS[fit_points](dy, dx)
+    reach = len(stencil) // 2
+    whole = _whole_windows(heights, reach, surface.complete)
+    kept = whole[row, column]
+    row, column = row[kept], column[kept]
+    curvatures = np.zeros(len(row))
+    for i, j in zip(*np.nonzero(stencil), strict=True):
+        curvatures += stencil[i, j] * heights[row + i - reach, column + j - reach]
+    area = max(int(np.count_nonzero(whole)), 1) * dy * dx
+    return of_samples(method, heights[row, column], curvatures, len(row) / area, note, **more)
+
+
+def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarray:
+    """Where the square of points up to `reach` away is on the map and known; booleans like the heights."""
+    known = np.ones(heights.shape, dtype=bool) if complete else np.isfinite(heights)
+    if complete:
+        for border in (known, known.T):
+            border[:reach] = border[-reach:] = False
+        return known
+    from scipy.ndimage import minimum_filter  # slow to import
+
+    return minimum_filter(known, size=2 * reach + 1, mode="constant", cval=0)
+
+
+def _square(reach: int) -> Callable[[float, float], np.ndarray]:
+    """Weights of the least-squares paraboloid over the (2 reach + 1)^2 points around.
+
+    x^2 less its mean is orthogonal to every other term but a, to which it adds nothing: so d = sum(w z) / sum(w^2) with it.
+    """
+
+    def weights(dy: float, dx: float) -> np.ndarray:
+        offset = np.arange(-reach, reach + 1.0)
+        apart = np.broadcast_to(offset**2 - np.mean(offset**2), (len(offset), len(offset)))
+        return -(apart / (dx * dx) + apart.T / (dy * dy)) / np.sum(apart**2)
+
+    return weights
+
+
+def _cross(dy: float, dx: float) -> np.ndarray:
+    """Weights of the paraboloid through a point and its four nearest neighbours."""
+    along = np.array([[0.0, 0.0, 0.0], [1.0, -2.0, 1.0], [0.0, 0.0, 0.0]]) / 2.0
+    return -(along / (dx * dx) + along.T / (dy * dy))
+
+
+# Mean curvature [1/m] as a sum over heights [m], by the number of points: a function of the pitch (dy, dx) [m].
+FITS: dict[int, Callable[[float, float], np.ndarray]] = {5: _cross, 9: _square(1), 25: _square(2), 49: _square(3)}

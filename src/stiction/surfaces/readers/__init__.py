@@ -1,0 +1,1 @@
+"""Formats of files that are read, one file each, with its READER."""

@@ -1,0 +1,26 @@
+"""Arrays of heights in .npy files."""
+
+from pathlib import Path
+
+from numpy.lib.format import open_memmap
+
+from stiction.quantities.errors import InputError
+from stiction.surfaces.raw_scan import RawScan, Reader, no_channel
+from stiction.surfaces.readers.shared.arrays import checked, quiet
+
+
+def read(path: Path, channel) -> RawScan:
+    """The array of a .npy file: (rows, columns) along y and x, or (points,) of a profile.
+
+    Mapped rather than loaded: a damaged header that claims more than the file holds takes no memory.
+    """
+    no_channel(channel)
+    try:
+        with quiet():
+            heights = open_memmap(path, mode="r")
+    except Exception:  # the header is read as Python text, which fails in as many ways as that can be damaged
+        raise InputError("scan", str(path), "an undamaged .npy file with an array of numbers") from None
+    return RawScan(checked(heights, path.name), "npy")
+
+
+READER = Reader(endings=(".npy",), read=read, holds="an array of heights, rows along y", given="size and unit")

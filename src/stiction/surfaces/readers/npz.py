@@ -1,0 +1,30 @@
+"""Arrays of heights in .npz files: the one that there is, or the one that is named as channel."""
+
+from pathlib import Path
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.surfaces.raw_scan import RawScan, Reader
+from stiction.surfaces.readers.shared.arrays import checked, quiet
+
+
+def read(path: Path, channel) -> RawScan:
+    """One array of a .npz file, laid out as in .npy; channel: its name, needed if there are several."""
+    try:
+        with quiet(), path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
+            names = ", ".join(archive.files) or "it has none"
+            if channel not in archive and (channel is not None or len(archive) != 1):
+                raise InputError("channel", channel, f"the name of an array of {path.name}: {names}")
+            name = channel or archive.files[0]
+            heights = archive[name]
+    except InputError:
+        raise
+    except Exception:  # of a damaged archive the unpacking raises anything, a MemoryError of a false header included
+        raise InputError("scan", str(path), "an undamaged .npz file with arrays of numbers") from None
+    return RawScan(checked(heights, path.name), f"npz, array {name!r} of {names}")
+
+
+READER = Reader(
+    endings=(".npz",), read=read, holds="arrays of heights, rows along y, of which `channel` names one", given="size and unit"
+)

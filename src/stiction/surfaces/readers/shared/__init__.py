@@ -1,0 +1,1 @@
+"""What formats of files have in common: arrays, numbers in text, heights that come with their positions."""

@@ -1,0 +1,26 @@
+"""Heights with their positions in .xyz files. Those that begin with words are an instrument's."""
+
+from pathlib import Path
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.surfaces.raw_scan import RawScan, Reader
+from stiction.surfaces.readers.shared.text import read_text
+
+
+def read(path: Path, channel) -> RawScan | None:
+    """Columns x z or x y z."""
+    return read_text(path, channel, _no_positions)
+
+
+def _no_positions(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
+    raise InputError("scan", f"{name} with {table.shape[1]} columns", "columns x y z, or x z of a profile")
+
+
+READER = Reader(
+    endings=(".xyz",),
+    read=read,
+    holds="columns x z of a profile, or x y z of points on a grid, below at most one line of words",
+    given="unit",
+)
