@@ -3,9 +3,7 @@
 Writes benchmarks/results.md and benchmarks/results.json, with machine and versions. Nothing here is a test.
 """
 
-import itertools
 import json
-import math
 import os
 import platform
 import resource
@@ -13,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 # One processor for everything that is called "per core".
@@ -20,14 +19,13 @@ for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
     os.environ[name] = "1"
 
 import numpy as np  # noqa: E402
+from peers import nodes_a_point, quad_loop, seconds_of_exponential  # noqa: E402
 from rich.console import Console  # noqa: E402
 from rich.progress import track  # noqa: E402
 from scans import scan_rows  # noqa: E402
-from scipy.integrate import quad  # noqa: E402
-from scipy.optimize import brentq  # noqa: E402
 
 import stiction as st  # noqa: E402
-from stiction.contact.indices import Groups  # noqa: E402
+from stiction.contact.indices import Groups, stiffness_group  # noqa: E402
 from stiction.engine.heights import gaussian  # noqa: E402
 from stiction.engine.summation import totals_on_grid  # noqa: E402
 from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, incompatibility, of_kind  # noqa: E402
@@ -38,14 +36,14 @@ HERE = Path(__file__).parent
 SEPARATIONS = np.linspace(-4.0, 4.0, 100)
 
 
-def best(action, repeats: int = 5) -> float:
-    """Least seconds of processor time of this thread, over some repeats after a first that is not counted."""
+def best(action: Callable, repeats: int = 5, clock: Callable[[], float] = time.thread_time) -> float:
+    """Least seconds, of processor time of this thread, over some repeats after a first that is not counted."""
     action()
     times = []
     for _ in range(repeats):
-        start = time.thread_time()
+        start = clock()
         action()
-        times.append(time.thread_time() - start)
+        times.append(clock() - start)
     return min(times)
 
 
@@ -53,63 +51,6 @@ def draw(count: int, seed: int = 1) -> dict[str, np.ndarray]:
     """Random laws over the range of the paper's interest."""
     rng = np.random.default_rng(seed)
     return {"theta": 10 ** rng.uniform(0, 3, count), "lam": 10 ** rng.uniform(-2, 3, count)}
-
-
-def quad_loop(h: float, theta: float, lam: float, nu: float = 0.3, k: float = 2.8) -> tuple[float, float, float]:
-    """The bare corrected model by scipy.integrate.quad, clipped where the density is negligible and split at kinks."""
-    S = math.sqrt(6 * math.pi / theta)
-    eta = math.sqrt(math.pi) * 18**0.25 * lam**0.25 / math.sqrt(theta)
-    K_beta = 8 / 3 * (2 - nu) / (1 - nu)
-    n, p, q = (1 - 2 * nu) / (2 * math.pi), 3 * (4 + nu) / 16, 9 * nu / 16
-    d = p * p + q * q - p * q
-
-    def load(u):
-        return u**6 - S * u**3
-
-    def slip_limited(u):
-        return 4 * math.sqrt(max(2 * math.pi / theta * load(u) + 3 * (math.pi / theta) ** 2, 0) / K_beta)
-
-    def yield_limited(u):
-        P, strength = load(u), eta * u**4 / (math.pi * k)
-        root = 4 * d * strength**2 - 3 * n**2 * (p + q) ** 2 * P**2
-        return max((math.sqrt(root) - 3 * n * (p - q) * P) / (2 * d), 0.0) if root > 0 else 0.0
-
-    def displacement(u):
-        return u**4 - 2 / 3 * S * u
-
-    def weight(u):
-        z = h + displacement(u)
-        return math.exp(-z * z / 2) / math.sqrt(2 * math.pi) * (4 * u**3 - 2 / 3 * S)
-
-    first = (2 / 3 * S) ** (1 / 3)
-    last = brentq(lambda u: u**3 - eta * u - S, first, 2 + 2 * S ** (1 / 3) + 2 * math.sqrt(eta), xtol=1e-15)
-    reach = math.sqrt(max(h, 0) ** 2 + 72) - h
-    cut = last if displacement(last) <= reach else brentq(lambda u: displacement(u) - reach, first, last, xtol=1e-15)
-    scan = np.linspace(first, cut, 25)
-    sign = [slip_limited(u) < yield_limited(u) for u in scan]
-    alive = [yield_limited(u) > 0 for u in scan]
-    kinks = [
-        brentq(lambda u: slip_limited(u) - yield_limited(u), a, b, xtol=1e-15)
-        for a, b, s, t, on, still in zip(scan, scan[1:], sign, sign[1:], alive, alive[1:], strict=False)
-        if s != t and on and still
-    ]
-    for a, b, on, still in zip(scan, scan[1:], alive, alive[1:], strict=False):
-        while on != still and b - a > 1e-14 * b:
-            middle = (a + b) / 2
-            a, b = (middle, b) if (yield_limited(middle) > 0) == on else (a, middle)
-        if on != still:
-            kinks.append(b)
-    edges = [first, *sorted(kinks), cut]
-
-    def integral(integrand):
-        pieces = [(a, b) for a, b in itertools.pairwise(edges) if b > a]
-        return sum(quad(lambda u: integrand(u) * weight(u), a, b, epsabs=0, epsrel=1e-11, limit=200)[0] for a, b in pieces)
-
-    sums = [integral(integrand) for integrand in (load, lambda u: u**4, lambda u: min(slip_limited(u), yield_limited(u)))]
-    z = h + displacement(last)
-    upper, dense = math.erfc(z / math.sqrt(2)) / 2, math.exp(-z * z / 2) / math.sqrt(2 * math.pi)
-    first_moment = dense - h * upper
-    return sums[0] + 2 * eta * first_moment - 2 * math.pi / theta * upper, sums[1] + 2 * first_moment, sums[2]
 
 
 def speed_of_quad() -> tuple[float, float]:
@@ -133,6 +74,40 @@ def speed_on_grid(**extra) -> float:
     count = 10_000
     laws = {name: values[:, None] for name, values in draw(count).items()}
     return count * SEPARATIONS.size / best(lambda: st.evaluate(SEPARATIONS, **laws, **extra))
+
+
+def exponentials_alone() -> dict[str, float]:
+    """Evaluations per second if all that had to be done were the exponentials of a direct sum, by NumPy."""
+    rng, each = np.random.default_rng(3), seconds_of_exponential()
+    laws, nu = draw(20_000), np.full(20_000, 0.3)
+    groups = Groups(**laws, nu=nu, hardness_to_yield=np.full(nu.size, 2.8), K_beta=stiffness_group(nu))
+    regimes = problem_of(groups, Choice()).regimes
+    ranges = {"scattered": (-6.0, 8.0), "grid": (SEPARATIONS[0], SEPARATIONS[-1])}
+    return {name: 1.0 / float(each * nodes_a_point(regimes, rng.uniform(*ends, nu.size))) for name, ends in ranges.items()}
+
+
+def elapsed_rates(points: int, *inputs, **laws) -> tuple[float, float]:
+    """Evaluations per elapsed second with one thread and with two."""
+
+    def rate(threads: int) -> float:
+        return points / best(lambda: st.evaluate(*inputs, **laws, threads=threads), clock=time.perf_counter)
+
+    return rate(1), rate(2)
+
+
+def thread_rows() -> list[tuple[str, float]]:
+    """One thread and two; only an otherwise idle machine shows what there is to gain."""
+    count, rows = 40_000, []
+    laws, h = draw(10 * count), np.random.default_rng(3).uniform(-6, 8, 10 * count)
+    of_grid = {name: values[:count, None] for name, values in laws.items()}
+    rates = {
+        "scattered": elapsed_rates(h.size, h, **laws),
+        "grid": elapsed_rates(count * SEPARATIONS.size, SEPARATIONS, **of_grid),
+    }
+    for name, (one, two) in rates.items():
+        rows += [(f"{name}, 1 thread, evaluations per elapsed s", one), (f"{name}, 2 threads, the same", two)]
+        rows += [(f"{name}, ratio of 2 threads to 1", two / one)]
+    return rows
 
 
 def speed_of_model(choice: Choice, film: bool) -> float:
@@ -267,45 +242,57 @@ def machine() -> dict[str, str]:
     }
 
 
-def main() -> None:
+FILM = {"n_E": 0.5, "n_H": 0.5, "tau": 3.0}
+
+
+def peer_rows() -> list[tuple[str, float]]:
+    """The bare corrected model scattered and on a grid, beside scipy.quad and NumPy's exponentials."""
     quad_rate, difference = speed_of_quad()
-    scattered_rate, grid_rate = speed_scattered(), speed_on_grid()
-    film = {"n_E": 0.5, "n_H": 0.5, "tau": 3.0}
-    command = str(Path(sys.executable).with_name("stiction"))
-    with tempfile.TemporaryDirectory() as folder:
-        case = str(HERE.parent / "examples" / "silver_on_steel.toml")
-        figures = [
-            ("scipy.quad, clipped and split, evaluations/s", quad_rate),
-            ("largest difference of that loop from evaluate (area, friction), relative", difference),
-            ("scattered, bare corrected, evaluations/s", scattered_rate),
-            ("scattered, ratio to scipy.quad", scattered_rate / quad_rate),
-            ("grid of 100 separations, bare corrected, evaluations/s", grid_rate),
-            ("grid, ratio to scipy.quad", grid_rate / quad_rate),
-            (
-                "scattered, every input its own nu, evaluations/s",
-                speed_scattered(nu=np.random.default_rng(5).uniform(0, 0.499, 200_000)),
-            ),
-            ("scattered, published, evaluations/s", speed_scattered(reading="published")),
-            ("scattered, sequential film, evaluations/s", speed_scattered(**film)),
-            ("grid, sequential film, evaluations/s", speed_on_grid(**film)),
-            ("solved at one load each, bare corrected, contacts/s", designs_at_a_load()),
-            ("solved at one load each, sequential film, contacts/s", designs_at_a_load(**film)),
-            *((f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()),
-            *comparison_rows(),
-            *scan_rows(folder),
-            ("stiction --help, processor s", processor_seconds(command, "--help")),
-            ("stiction run, fresh process, kernels cached, processor s", processor_seconds(command, "run", case)),
-            (
-                "stiction run --out, fresh process, processor s",
-                processor_seconds(command, "run", case, "--out", folder + "/out"),
-            ),
-            ("10^7 scattered evaluations, peak memory, GB", peak_memory()),
-        ]
+    scattered_rate, grid_rate, alone = speed_scattered(), speed_on_grid(), exponentials_alone()
+    return [
+        ("scipy.quad, clipped and split, evaluations/s", quad_rate),
+        ("largest difference of that loop from evaluate (area, friction), relative", difference),
+        ("scattered, bare corrected, evaluations/s", scattered_rate),
+        ("scattered, ratio to scipy.quad", scattered_rate / quad_rate),
+        ("the exponentials of that alone, by NumPy, evaluations/s", alone["scattered"]),
+        ("scattered, ratio to NumPy's exponentials alone", scattered_rate / alone["scattered"]),
+        ("grid of 100 separations, bare corrected, evaluations/s", grid_rate),
+        ("grid, ratio to scipy.quad", grid_rate / quad_rate),
+        ("the exponentials of every pair of that alone, by NumPy, evaluations/s", alone["grid"]),
+        ("grid, ratio to NumPy's exponentials alone", grid_rate / alone["grid"]),
+    ]
+
+
+def other_rows() -> list[tuple[str, float]]:
+    """Other readings and films, and designs at a load."""
+    own_nu = np.random.default_rng(5).uniform(0, 0.499, 200_000)
+    return [
+        ("scattered, every input its own nu, evaluations/s", speed_scattered(nu=own_nu)),
+        ("scattered, published, evaluations/s", speed_scattered(reading="published")),
+        ("scattered, sequential film, evaluations/s", speed_scattered(**FILM)),
+        ("grid, sequential film, evaluations/s", speed_on_grid(**FILM)),
+        ("solved at one load each, bare corrected, contacts/s", designs_at_a_load()),
+        ("solved at one load each, sequential film, contacts/s", designs_at_a_load(**FILM)),
+    ]
+
+
+def command_rows(folder: str) -> list[tuple[str, float]]:
+    """The command line in fresh processes."""
+    command, case = str(Path(sys.executable).with_name("stiction")), str(HERE.parent / "examples" / "silver_on_steel.toml")
+    run = command, "run", case
+    return [
+        ("stiction --help, processor s", processor_seconds(command, "--help")),
+        ("stiction run, fresh process, kernels cached, processor s", processor_seconds(*run)),
+        ("stiction run --out, fresh process, processor s", processor_seconds(*run, "--out", folder + "/out")),
+    ]
+
+
+def write(figures: list[tuple[str, float]]) -> None:
     about = machine()
     lines = [
         "# Benchmarks",
         "",
-        "Made by `make bench`; processor time of one core. Absolute figures move with the machine, ratios hold.",
+        "Made by `make bench`; processor time of one core, if not said. Absolute figures move with the machine, ratios hold.",
         "",
     ]
     lines += [f"- {name}: {value}" for name, value in about.items()]
@@ -313,6 +300,14 @@ def main() -> None:
     (HERE / "results.md").write_text("\n".join(lines))
     (HERE / "results.json").write_text(json.dumps({"machine": about, "figures": dict(figures)}, indent=2) + "\n")
     print("\n".join(lines))
+
+
+def main() -> None:
+    figures = peer_rows() + thread_rows() + other_rows()
+    figures += [(f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()]
+    with tempfile.TemporaryDirectory() as folder:
+        figures += comparison_rows() + scan_rows(folder) + command_rows(folder)
+    write([*figures, ("10^7 scattered evaluations, peak memory, GB", peak_memory())])
 
 
 if __name__ == "__main__":

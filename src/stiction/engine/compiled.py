@@ -9,10 +9,10 @@ and, in turn, of all that it names or closes over: a kernel is compiled anew whe
 
 import contextlib
 import hashlib
-import os
 import pickle
 import sys
 import types
+import uuid
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -85,7 +85,7 @@ class _KernelCache(NullCache):
         if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted):
             return
         file = self._file(sig, data.codegen)
-        part = file.with_suffix(f".{os.getpid()}")
+        part = file.with_suffix(f".{uuid.uuid4().hex}")
         with contextlib.suppress(OSError):  # a folder that cannot be written to costs time, and nothing else
             file.parent.mkdir(parents=True, exist_ok=True)
             part.write_bytes(dumps(data._reduce()))

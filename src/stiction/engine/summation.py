@@ -101,7 +101,7 @@ def scattered(
 
 # Less than this many pairs of a law and a separation are cheaper one by one than the matrix.
 _MANY = 4000
-_BLOCK = 256  # laws at a time: their nodes stay in the processor's cache
+_BLOCK = 128  # laws at a time: their nodes stay in the processor's cache
 
 
 def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads: int = 1) -> np.ndarray:

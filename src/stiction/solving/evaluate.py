@@ -15,7 +15,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.solving.problem import Sum, problem_of
 
-_POINTS, _LAWS = 8192, 2048  # at a time, scattered or on a grid: bounds the memory
+_POINTS, _LAWS = 16384, 4096  # at a time, scattered or on a grid: bounds the memory
 
 
 class Evaluation(NamedTuple):

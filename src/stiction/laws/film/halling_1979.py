@@ -37,35 +37,48 @@ ELASTIC = 9  # parameters before the displacement at which it flows
 
 
 @formula
-def elastic_coordinate(w, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
+def elastic_coordinate(w, *row):
     return max(w, 0.0) ** 0.5
 
 
 @formula
-def plastic_coordinate(w, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
+def plastic_coordinate(w, *row):
     return w
 
 
 @cache
 def _compiled(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
-    """Formulas of the elastic and the plastic asperity, and the kernel that finds where one gives way to the other."""
+    """Formulas of the elastic and the plastic asperity, and the kernel that finds where one gives way to the other. row: the
+    ELASTIC parameters, as `pieces` gives them, and the displacement at which the asperity flows."""
     modulus, hardness = composites_of("modulus")[modulus_key].value, composites_of("hardness")[hardness_key].value
 
     @formula
-    def elastic(u, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
+    def stiffened(u, row):
+        """Load over that of the substrate's Hertz contact."""
+        n_E, aspect, nu_film, nu = row[0], row[3], row[5], row[6]
+        return modulus(n_E, aspect / u, nu_film, nu)
+
+    @formula
+    def hardened(w, row):
+        """The hardness at the depth w, in the unit of the mean pressure."""
+        n_H, eta, tau, constant, exponent = row[1], row[2], row[4], row[7], row[8]
+        return eta * hardness(n_H, w / tau, constant, exponent)
+
+    @formula
+    def elastic(u, *row):
         """At u = sqrt(w), where a/sqrt(R sigma) is u too."""
         w = u * u
-        return w, 2.0 * u, modulus(n_E, aspect / u, nu_film, nu) * w * u, w
+        return w, 2.0 * u, stiffened(u, row) * w * u, w
 
     @formula
-    def plastic(w, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent, w_c):
-        area = 2.0 * w - w_c
-        return w, 1.0, eta * hardness(n_H, w / tau, constant, exponent) * area, area
+    def plastic(w, *row):
+        area = 2.0 * w - row[ELASTIC]
+        return w, 1.0, hardened(w, row) * area, area
 
     @formula
-    def flows(u, n_E, n_H, eta, aspect, tau, nu_film, nu, constant, exponent):
+    def flows(u, row):
         """Whether the mean pressure of the elastic asperity is the hardness, or more."""
-        return modulus(n_E, aspect / u, nu_film, nu) * u >= eta * hardness(n_H, u * u / tau, constant, exponent)
+        return stiffened(u, row) * u >= hardened(u * u, row)
 
     @kernel
     def onset(table, out):
@@ -79,14 +92,14 @@ def _compiled(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
             step = (high / low) ** (1.0 / CELLS)
             u = low
             for _ in range(CELLS):
-                if flows(u, *row):
+                if flows(u, row):
                     break
                 low = u
                 u *= step
             high = u
             for _ in range(HALVINGS):
                 u = 0.5 * (low + high)
-                if flows(u, *row):
+                if flows(u, row):
                     high = u
                 else:
                     low = u

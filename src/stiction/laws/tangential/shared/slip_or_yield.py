@@ -124,7 +124,7 @@ def _crossing(low, high, level, shape, printed):
             high = v
         step = 4.0 * v * value * (1.0 - math.sqrt(math.sqrt(power / value))) / (3.0 * slope * v3 - 8.0 * value)
         if abs(step) <= 4e-15 * v:
-            break
+            return v - step
         v = v - step if low < v - step < high else 0.5 * (low + high)
     return v
 
