@@ -19,6 +19,7 @@ for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
     os.environ[name] = "1"
 
 import numpy as np  # noqa: E402
+from loads import load_rows  # noqa: E402
 from peers import nodes_a_point, quad_loop, seconds_of_exponential  # noqa: E402
 from rich.console import Console  # noqa: E402
 from rich.progress import track  # noqa: E402
@@ -306,7 +307,7 @@ def main() -> None:
     figures = peer_rows() + thread_rows() + other_rows()
     figures += [(f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()]
     with tempfile.TemporaryDirectory() as folder:
-        figures += comparison_rows() + scan_rows(folder) + command_rows(folder)
+        figures += load_rows() + comparison_rows() + scan_rows(folder) + command_rows(folder)
     write([*figures, ("10^7 scattered evaluations, peak memory, GB", peak_memory())])
 
 

@@ -192,7 +192,9 @@ class RoughSurface(Record):
 
     It sums an asperity law over heights, with a tangential law (keys; the defaults of the options of these names: any that
     suit each other may be taken), bare or, if default_film is given, with any film. tangential "none": contact only. Or,
-    where asperity is "": curve(h, groups, **own options) -> load and area (n, H) in closed form at the separations h (H,); or
+    where asperity is "": curve(h, groups, **own options) -> load and area (n, H) in closed form at the separations h (H,), and
+    with it, or None, separation_near(load, groups, **own options) -> separations (n, H), about where the loads (n, H) are
+    carried, not a number where that is not known: curve then takes separations (n, H), too, and does not adhere; or
     area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation.
     of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
     found. regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
@@ -207,6 +209,7 @@ class RoughSurface(Record):
     takes_surface_moments: bool = False
     regimes: Callable | None = None
     curve: Callable | None = None
+    separation_near: Callable | None = None
     area_at_load: Callable | None = None
 
 

@@ -1,20 +1,27 @@
 """From a load to the mean separation that carries it, and the largest tension that a contact carries."""
 
+import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from stiction.engine.at_loads import NO_TENSION, NOTHING, starts
+from stiction.engine.heights import gaussian_density
 from stiction.engine.summation import FARTHEST
-from stiction.solving.problem import Problem
+from stiction.quantities.errors import InputError
+from stiction.solving.problem import ClosedForm, Problem, Sum
 
 # Separations searched first, the last far beyond any model's claim; and on, where heights or adhesion reach farther, by
 # factors: twelve steps double.
 _FIRST = np.linspace(10.0, -10.0, 161)
 _BEYOND = 2.0 ** (np.arange(1, 13) / 12.0)
 _AT_ONCE = 10_000  # laws at once: bounds the memory
-# Out of touch: less than this share of the largest load. No tension: less than this share, as of heights beyond nine sigma.
-_NOTHING, _NO_TENSION = 1e-12, 1e-20
+# A root needs no further step if what it leaves of the load is this share of that, or of the sizes of its parts; it is good if
+# it is so many times this. No more steps than that.
+_LEFT, _ROUNDING, _GOOD, _STEPS = 1e-14, 5e-16, 10.0, 3
+# A theory's rate of separation by load is taken between loads in this ratio; evaluations at most.
+_RATIO, _MOST = 1.01, 7
 
 
 class Unreachable(Exception):
@@ -47,28 +54,128 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 
     On the branch of the problem. Source: the minimum of the load over separation (Fuller & Tabor 1975).
     """
-    ways = [_approach(problem.with_groups(rows), None) for rows in _blocks(problem)]
-    return np.concatenate([way.tension for way in ways]), np.concatenate([way.where for way in ways])
+    found = separations_at(problem, np.empty((len(problem.groups), 0)))
+    return found.tension, found.where
 
 
 def separations_at(problem: Problem, targets: np.ndarray) -> Inversion:
     """The separations at which each law carries each load (n, m), per asperity and normalised.
 
     Of several, the first that is met when the surfaces approach from their largest tension (from afar, if there is none):
-    that is the stable branch under a given load. The root is bracketed on a grid and found by Chandrupatla's method.
+    that is the stable branch under a given load. Where the way of approach is plain, a root is begun from its nodes and ended
+    with the sums of the engine; else it is bracketed on a grid and found by Chandrupatla's method.
     Raises Unreachable for a load that is nowhere carried.
     """
     parts = []
     for rows in _blocks(problem):
-        way = _approach(problem.with_groups(rows), targets[rows])
         try:
-            parts.append(_inverted(way, targets[rows]))
+            parts.append(_of_block(problem.with_groups(rows), targets[rows]))
         except Unreachable as error:
             raise Unreachable(rows.start + error.law, error.at, error.low, error.high) from None
     h, residual, tension, where = (
         np.concatenate([getattr(part, name) for part in parts]) for name in ("h", "residual", "tension", "where")
     )
     return Inversion(h, residual, max(part.evaluations for part in parts), tension, where)
+
+
+def _of_block(problem: Problem, targets: np.ndarray) -> Inversion:
+    """As `separations_at`: the quick way for all laws that it suits, and the robust one for the others."""
+    if isinstance(problem, ClosedForm):
+        if problem.record.separation_near is None:
+            return _robustly(problem, targets)
+        quick, good = _from_tables(problem, targets)
+    elif isinstance(problem, Sum) and problem.heights.density is gaussian_density:
+        quick, good = _quickly(problem, targets)
+    else:
+        return _robustly(problem, targets)
+    rest = np.flatnonzero(~good)
+    if not rest.size:
+        return quick
+    try:
+        slow = _robustly(problem.with_groups(rest), targets[rest])
+    except Unreachable as error:
+        raise Unreachable(rest[error.law], error.at, error.low, error.high) from None
+    for name in ("h", "residual", "tension", "where"):
+        getattr(quick, name)[rest] = getattr(slow, name)
+    return replace(quick, evaluations=max(quick.evaluations, slow.evaluations))
+
+
+def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
+    """As `separations_at`, and for which laws (n,) it is good."""
+    start = starts(_load_alone(problem).regimes, targets)
+    tension, where = np.zeros_like(start.tension), start.where
+    adheres = np.flatnonzero(start.tension > 0.0)
+    tension[adheres] = -problem.loads(where[adheres], adheres)
+    carried = np.where((tension > 0.0)[:, None], targets >= -tension[:, None], targets > 0.0)
+    known = carried & np.isfinite(start.h) & (start.plain & (tension >= 0.0))[:, None]
+    h, excess, law = start.h, np.full(targets.shape, np.nan), np.nonzero(known)[0]
+    target, slope = targets[known], start.slope[known]
+    enough = np.maximum(_LEFT * np.abs(target), _ROUNDING * start.size[known])
+    x, left, evaluations = _polished(problem, law, start.h[known], target, slope, enough)
+    h[known], excess[known] = x, left
+    good = start.plain & (tension >= 0.0) & ~np.isnan(excess).any(axis=1)
+    return Inversion(h, _relative(excess, targets, tension), evaluations, tension, where), good
+
+
+def _polished(problem, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, int]:
+    """Separations (k,) nearer to where the engine's load is the target than `h`, by Newton's method with a slope that is known,
+    and what is left of the load there: not a number unless it is enough. And the number of sums."""
+    h, excess, sums = h.copy(), problem.loads(h, law) - target, 1
+    while sums <= _STEPS and (some := np.flatnonzero(np.abs(excess) > enough)).size:
+        ahead = np.divide(excess[some], slope[some], where=slope[some] != 0.0, out=np.zeros(some.size))
+        further = h[some] - ahead
+        left = problem.loads(further, law[some]) - target[some]
+        better = np.abs(left) < np.abs(excess[some])
+        h[some[better]], excess[some[better]] = further[better], left[better]
+        sums += 1
+    return h, np.where(np.abs(excess) <= _GOOD * enough, excess, np.nan), sums
+
+
+def _from_tables(problem: ClosedForm, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
+    """The same of a theory that knows about where it carries a load, and does not adhere: the secant method from there, on the
+    logarithm of the load."""
+    laws = len(targets)
+    near, nearer = problem.near(targets), problem.near(targets * _RATIO)
+    law, at = np.nonzero(np.isfinite(near) & np.isfinite(nearer) & (targets > 0.0))
+    target, x = targets[law, at], near[law, at]
+    rate = (nearer[law, at] - x) / math.log(_RATIO)
+    left = _log_of(problem.loads(x, law) / target)
+    best, least, evaluations = x.copy(), left.copy(), 1
+    while evaluations < _MOST and (some := np.flatnonzero(np.isfinite(left) & (np.abs(least) > 2.0 * _LEFT))).size:
+        before, was = x[some], left[some]
+        x[some] = before - np.clip(rate[some] * was, -1.0, 1.0)
+        left[some] = _log_of(problem.loads(x[some], law[some]) / target[some])
+        rise = left[some] - was
+        rate[some] = np.divide(x[some] - before, rise, where=np.abs(rise) > _GOOD * _LEFT, out=rate[some])
+        better = np.abs(left) < np.abs(least)
+        best[better], least[better] = x[better], left[better]
+        evaluations += 1
+    h, residual = np.full((2, *targets.shape), np.nan)
+    found = (np.abs(least) <= _GOOD * _LEFT) & (best >= _FIRST[-1])
+    h[law[found], at[found]], residual[law[found], at[found]] = best[found], np.expm1(least[found])
+    return Inversion(h, residual, evaluations, np.zeros(laws), np.full(laws, np.nan)), ~np.isnan(h).any(axis=1)
+
+
+def _log_of(share: np.ndarray) -> np.ndarray:
+    """The logarithm, minus infinity where the share is nothing."""
+    with np.errstate(divide="ignore"):
+        return np.log(share)
+
+
+def _load_alone(problem: Sum) -> Sum:
+    """The problem without its tangential law, whose kinks cut pieces short; itself where the model is nothing without."""
+    alone = replace(problem, chosen=replace(problem.chosen, tangential=None))
+    try:
+        return alone if alone.regimes else problem
+    except InputError:
+        return problem
+
+
+def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> np.ndarray:
+    """Residuals (n, m). A load that is nothing beside the largest tension is as good as that."""
+    tension = tension[:, None]
+    scale = np.where(np.abs(targets) > NOTHING * tension, np.abs(targets), np.where(tension > 0.0, tension, 1.0))
+    return excess / scale
 
 
 def _blocks(problem: Problem) -> list[slice]:
@@ -86,7 +193,15 @@ class _Approach:
     where: np.ndarray
 
 
-def _approach(problem: Problem, targets: np.ndarray | None) -> _Approach:
+def _robustly(problem: Problem, targets: np.ndarray) -> Inversion:
+    """As `separations_at`, whatever the way of approach."""
+    way = _approach(problem, targets)
+    if targets.size:
+        return _inverted(way, targets)
+    return Inversion(targets.copy(), targets.copy(), 0, way.tension, way.where)
+
+
+def _approach(problem: Problem, targets: np.ndarray) -> _Approach:
     """The way together, from farther than where the smallest of the loads `targets` (n, m) is carried."""
     h, loads, size = _loads_past(problem, targets)
     load = _load_of(problem)
@@ -96,7 +211,7 @@ def _approach(problem: Problem, targets: np.ndarray | None) -> _Approach:
         more, at = largest_tension(load, near, load(near, np.arange(len(near))[:, None]))
         larger = more > tension
         tension[larger], where[larger] = more[larger], at[larger]
-    nothing = tension <= _NO_TENSION * size
+    nothing = tension <= NO_TENSION * size
     tension[nothing], where[nothing] = 0.0, np.nan
     return _Approach(problem, h, loads, tension, where)
 
@@ -141,16 +256,14 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
     return tension, where
 
 
-def _loads_past(problem: Problem, targets: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Separations (H,), descending, and loads (n, H): from where next to nothing touches, and less than the smallest of the
     targets is carried, to far beyond any model's claim, and where compression outweighs all tension; and the size (n,) of
     loads, which does not depend on how far that is."""
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
     load, laws = _load_of(problem), np.arange(len(loads))[:, None]
-    smallest = np.full(len(loads), np.inf)
-    if targets is not None:
-        smallest = np.where(targets > 0.0, targets, np.inf).min(axis=1, initial=np.inf)
+    smallest = np.where(targets > 0.0, targets, np.inf).min(axis=1, initial=np.inf)
 
     def more(ends: np.ndarray) -> np.ndarray:
         return load(np.broadcast_to(ends, (len(laws), ends.size)), laws)
@@ -167,8 +280,8 @@ def _loads_past(problem: Problem, targets: np.ndarray | None) -> tuple[np.ndarra
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
     """Where (n,) something worth mention touches at the farthest separation, or the largest tension may lie beyond."""
     farthest = loads[:, 0]
-    tension = (farthest < -_NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)
-    return (np.abs(farthest) > _NOTHING * size) | tension | (farthest >= smallest)
+    tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)
+    return (np.abs(farthest) > NOTHING * size) | tension | (farthest >= smallest)
 
 
 def _inverted(way: _Approach, targets: np.ndarray) -> Inversion:
@@ -194,7 +307,4 @@ def _inverted(way: _Approach, targets: np.ndarray) -> Inversion:
     found = find_root(excess, (h[first], left), args=(law.astype(float), targets))
     if not found.success.all():
         raise ArithmeticError(f"{np.sum(~found.success)} of {targets.size} separations did not converge")
-    # A load that is nothing beside the largest tension is as good as that.
-    least = _NOTHING * way.tension[:, None]
-    scale = np.where(np.abs(targets) > least, np.abs(targets), np.where(adheres, way.tension, 1.0)[:, None])
-    return Inversion(found.x, found.f_x / scale, int(np.max(found.nfev)), way.tension, way.where)
+    return Inversion(found.x, _relative(found.f_x, targets, way.tension), int(np.max(found.nfev)), way.tension, way.where)

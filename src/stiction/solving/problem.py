@@ -64,9 +64,10 @@ class Problem(ABC):
         """The records of all that answers."""
         return self.chosen.records()
 
-    def with_groups(self, rows: slice) -> "Problem":
-        """The same for some of the contacts."""
-        return replace(self, groups=self.groups[rows])
+    def with_groups(self, rows: slice | np.ndarray) -> "Problem":
+        """The same for some of the contacts; itself for all of them."""
+        groups = self.groups[rows]
+        return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
 
     @property
     @abstractmethod
@@ -235,7 +236,14 @@ class ClosedForm(Problem):
     def on_branch(self, branch: str) -> "ClosedForm":
         return self
 
+    def near(self, load: np.ndarray) -> np.ndarray:
+        """Separations (n, m), about where the normalised loads (n, m) are carried, of a theory that knows that."""
+        assert self.record.separation_near is not None
+        return self.record.separation_near(load, self.groups, **select_options(self.record, self.options))
+
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        if self.record.separation_near is not None:
+            return self._curve(h[:, None], self.groups[law])[0][:, 0]
         result = np.empty(h.size)
         for one in np.unique(law):
             chosen = law == one
@@ -249,6 +257,8 @@ class ClosedForm(Problem):
         return self._results(*self._curve(h, self.groups))
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
+        if self.record.separation_near is not None:
+            return self._results(*self._curve(h, self.groups))
         rows = [self._curve(one, self.groups[i : i + 1]) for i, one in enumerate(h)]
         return self._results(*(np.concatenate(parts) for parts in zip(*rows, strict=True)))
 

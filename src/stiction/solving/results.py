@@ -23,14 +23,27 @@ def labelled(
     coords: Mapping[str, Any],
 ) -> "xarray.Dataset":
     """Tables (shape of dims or broadcasting to it) as a dataset, times the factor of the scale of each, if it has one."""
-    import xarray
+    return as_dataset(as_variables(subject, tables, factors, dims), coords)
 
-    data = xarray.Dataset(coords=coords)
-    shape = tuple(dims.values())
+
+def as_variables(
+    subject: Subject, tables: Mapping[str, np.ndarray], factors: Mapping[str, Any], dims: Mapping[str, int]
+) -> dict[str, tuple]:
+    """The same as dimensions, values and attributes of each table."""
+    shape, variables = tuple(dims.values()), {}
     for name, table in tables.items():
         scale = aligned(factors.get(QUANTITIES[name].scale, 1.0), dims)
-        data[name] = (tuple(dims), np.broadcast_to(table * scale, shape).copy(), subject.attributes(name))
-    return data
+        variables[name] = (tuple(dims), np.broadcast_to(table * scale, shape).copy(), subject.attributes(name))
+    return variables
+
+
+def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xarray.Dataset":
+    """A dataset, all at once: every single assignment to one aligns all that is there."""
+    import xarray
+
+    data = xarray.Dataset({name: variable for name, variable in variables.items() if name not in coords}, coords=coords)
+    again = {name: variable for name, variable in variables.items() if name in coords}
+    return data.assign(again) if again else data
 
 
 def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:

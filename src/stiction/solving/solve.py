@@ -15,7 +15,7 @@ from stiction.quantities.units import axis
 from stiction.solving.choice import Choice, without_old_names
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.problem import Problem, as_asked, make_problem
-from stiction.solving.results import labelled, summary_of
+from stiction.solving.results import as_dataset, as_variables, summary_of
 
 if TYPE_CHECKING:
     import xarray
@@ -84,30 +84,32 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
             raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
         h = aligned(point, dims) / aligned(factors["m"], dims)  # not broadcast: separations that all share are a grid
         tables = {"mean_separation": h} | _sum(problem, h, wanted.shape)
-    data = labelled(subject, tables, factors, dims, problem.coords | point_coordinates(point))
+    variables = as_variables(subject, tables, factors, dims)
+    variables |= {} if found is None else _convergence(found, dims)
     if "mean_separation" in tables:
-        data = data.merge(_pull_off(problem, factors, found))
+        variables |= _pull_off(problem, factors, found)
+    coords = problem.coords | point_coordinates(point)
     if given in getattr(point, "dims", ()):
-        data = data.drop_vars(given).assign_coords({given: (given, point.values, data[given].attrs)})
-    data = data.assign_attrs(summary_of(subject, problem, tables))
-    return data if found is None else _with_convergence(data, found, dims)
+        coords[given] = (given, point.values, variables.pop(given)[2])
+    data = as_dataset(variables, coords).assign_attrs(summary_of(subject, problem, tables))
+    if found is None:
+        return data
+    return data.assign_attrs(convergence=f"all separations converged in at most {found.evaluations} evaluations")
 
 
-def _with_convergence(data: "xarray.Dataset", found: Inversion, dims: Mapping[str, int]) -> "xarray.Dataset":
+def _convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:
     meaning = "load found less load asked for, over the latter, or over the pull-off force if it is nothing beside that"
-    residual = (tuple(dims), found.residual.reshape(tuple(dims.values())), {"long_name": meaning})
-    said = f"all separations converged in at most {found.evaluations} evaluations"
-    return data.assign(load_residual=residual).assign_attrs(convergence=said)
+    return {"load_residual": (tuple(dims), found.residual.reshape(tuple(dims.values())), {"long_name": meaning})}
 
 
-def _pull_off(problem: Problem, factors: Mapping[str, Any], found: Inversion | None) -> "xarray.Dataset":
+def _pull_off(problem: Problem, factors: Mapping[str, Any], found: Inversion | None) -> dict[str, tuple]:
     """The largest tension of each contact, and where it is; found: of the problem itself, if it is known already."""
     apart = problem.on_branch("unloading")
     tension, where = (found.tension, found.where) if found and apart is problem else pull_off(apart)
     dims = all_dims(problem, factors.values())
     each = problem.shape + (1,) * (len(dims) - len(problem.shape))
     tables = {"pull_off_force": tension.reshape(each), "pull_off_separation": where.reshape(each)}
-    return labelled(problem.subject, tables, factors, dims, {})
+    return as_variables(problem.subject, tables, factors, dims)
 
 
 def _at_load(problem: Problem, given: str, load: np.ndarray, unit: np.ndarray) -> dict[str, np.ndarray]:

@@ -35,6 +35,7 @@ from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.sources import Source
 from stiction.surfaces.theory import summits
 from stiction.surfaces.theory.moments import LEAST_DENSITY
+from stiction.surfaces.theory.start_table import separation_of_summits
 from stiction.surfaces.theory.summits import Shapes
 
 
@@ -67,8 +68,13 @@ def ellipses() -> Shapes:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Load and area (n, H) at separations h (H,) from the mean of the summits."""
+    """Load and area (n, H) at separations h (H,) or (n, H) from the mean of the summits."""
     return summits.curve(h, groups.roughness_parameter, ellipses)
+
+
+def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Separations (n, H), about where the loads (n, H) are carried."""
+    return separation_of_summits(load, groups.roughness_parameter, ellipses)
 
 
 RECORD = RoughSurface(
@@ -81,6 +87,7 @@ RECORD = RoughSurface(
         Source("johnson_1985", "section 4.2(c), Hertz's ellipse"),
     ),
     curve=curve,
+    separation_near=separation_near,
     takes_surface_moments=True,
     verified="adaptive integrals over height and both curvatures; A/A0 = sqrt(2 pi) p/(E* h') at light load",
     needs=("roughness_parameter",),

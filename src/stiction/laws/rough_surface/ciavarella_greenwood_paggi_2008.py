@@ -22,6 +22,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.laws.registry import Limit, RoughSurface, Validity
 from stiction.laws.sources import Source
+from stiction.surfaces.theory.start_table import lone_separation
 from stiction.surfaces.theory.summits import truncated_mean
 
 # Mean displacement of a square of side L under the uniform pressure p, over p L / E*: Love's solution, averaged.
@@ -46,14 +47,19 @@ def shifted_separation(h: np.ndarray, compliance: np.ndarray) -> np.ndarray:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Load and area (n, H) at separations h (H,) of the mean of the asperities, undeformed, from the flat.
-
-    u / sigma = SINKING (p / E*) sqrt(A_n) / sigma with p / E* = (4/3) N R sigma sqrt(sigma/R) F_3/2.
-    """
-    compliance = SINKING * 4.0 / 3.0 * groups.roughness_parameter * groups.sharpness * groups.nominal_width
-    given, compliance = np.broadcast_arrays(h[None, :], compliance[:, None])
-    x = shifted_separation(given, compliance)
+    """Load and area (n, H) at separations h (H,) or (n, H) of the mean of the asperities, undeformed, from the flat."""
+    x = shifted_separation(*np.broadcast_arrays(h, _compliance(groups)))
     return truncated_mean(1.5, x), truncated_mean(1.0, x)
+
+
+def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Separations (n, H) where the loads (n, H) are carried: as far from that of lone asperities as the area sinks."""
+    return lone_separation(load) - _compliance(groups) * load
+
+
+def _compliance(groups: Groups) -> np.ndarray:
+    """u / (sigma F_3/2) (n, 1): u = SINKING (p / E*) sqrt(A_n) with p / E* = (4/3) N R sigma sqrt(sigma/R) F_3/2."""
+    return (SINKING * 4.0 / 3.0 * groups.roughness_parameter * groups.sharpness * groups.nominal_width)[:, None]
 
 
 RECORD = RoughSurface(
@@ -71,6 +77,7 @@ RECORD = RoughSurface(
         Source("johnson_1985", "chapter 3, uniform pressure on a rectangle (Love)"),
     ),
     curve=curve,
+    separation_near=separation_near,
     verified="the load at the shifted separation against independent integrals; no shift for small areas; the mean "
     "displacement of a square by numerical integration",
     needs=("roughness_parameter", "sharpness", "nominal_width"),

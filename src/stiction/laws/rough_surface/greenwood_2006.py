@@ -22,6 +22,7 @@ from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.sources import Source
 from stiction.surfaces.theory import summits
 from stiction.surfaces.theory.moments import LEAST_DENSITY
+from stiction.surfaces.theory.start_table import separation_of_summits
 from stiction.surfaces.theory.summits import Shapes
 
 
@@ -36,8 +37,13 @@ def spheres() -> Shapes:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Load and area (n, H) at separations h (H,) from the mean of the summits."""
+    """Load and area (n, H) at separations h (H,) or (n, H) from the mean of the summits."""
     return summits.curve(h, groups.roughness_parameter, spheres)
+
+
+def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Separations (n, H), about where the loads (n, H) are carried."""
+    return separation_of_summits(load, groups.roughness_parameter, spheres)
 
 
 RECORD = RoughSurface(
@@ -49,6 +55,7 @@ RECORD = RoughSurface(
         Source("nayak_1971", "", "joint density of height and curvatures of the summits"),
     ),
     curve=curve,
+    separation_near=separation_near,
     takes_surface_moments=True,
     verified="double integrals of the closed density of height and geometric mean curvature; A/A0 = sqrt(2 pi) p/(E* h') "
     "at light load",

@@ -40,6 +40,7 @@ the reconstruction's cannot be said.
 """
 
 import math
+from functools import cache
 
 import numpy as np
 
@@ -49,6 +50,7 @@ from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
 from stiction.surfaces.theory import n_point
 from stiction.surfaces.theory.moments import Moments, bandwidth, density_of_bandwidth, summit_height
+from stiction.surfaces.theory.start_table import tabulated
 
 LEAST_DENSITY = float(density_of_bandwidth(n_point.LEAST_BANDWIDTH))
 LARGEST_DENSITY = float(density_of_bandwidth(n_point.LARGEST_BANDWIDTH))
@@ -69,8 +71,11 @@ def correlation_of(density: np.ndarray) -> np.ndarray:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Load and area (n, H) at separations h (H,) from the mean of the summits."""
-    density = groups.roughness_parameter
+    """Load and area (n, H) at separations h (H,) or (n, H) from the mean of the summits."""
+    return _sums(h, groups.roughness_parameter)
+
+
+def _sums(h: np.ndarray, density: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     correlation = correlation_of(density)[:, None]
     surface = Moments.from_groups(density, np.ones_like(density))  # in sigma; R = sigma, of which nothing depends here
     deviation = np.sqrt(surface.m0)[:, None]
@@ -80,6 +85,18 @@ def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
     # per asperity: over N K R^(1/2) sigma^(3/2), K = (4/3) E*, and over N pi R sigma
     load = math.sqrt(2.0) / 4.0 * rate * n_point.mean_height(level, correlation) * deviation / spacing / density[:, None]
     return load, (n_point.points_above(level) + rate) / (8.0 * density[:, None])
+
+
+def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Separations (n, H), about where the loads (n, H) are carried, on the farther side of the largest load."""
+    return _near()(load, np.log(groups.roughness_parameter))
+
+
+@cache
+def _near():
+    along = np.linspace(math.log(LEAST_DENSITY), math.log(LARGEST_DENSITY), 40)
+    density = np.clip(np.exp(along), LEAST_DENSITY, LARGEST_DENSITY)
+    return tabulated(lambda h, groups: _sums(h, groups)[0], density, along)
 
 
 RECORD = RoughSurface(
@@ -96,6 +113,7 @@ RECORD = RoughSurface(
         Source("nayak_1971", "", "peaks of a profile of the isotropic Gaussian surface with the same sigma, R and N"),
     ),
     curve=curve,
+    separation_near=separation_near,
     takes_surface_moments=True,
     verified="simulated profiles of 1e8 points, and rates of rows in closed form; none of the paper's own numbers is known",
     needs=("roughness_parameter",),

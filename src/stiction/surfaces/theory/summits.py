@@ -22,6 +22,8 @@ import numpy as np
 from numpy.polynomial.chebyshev import chebinterpolate, chebval
 from numpy.polynomial.legendre import leggauss
 
+from stiction.engine.compiled import formula, kernel
+from stiction.engine.vectorised import exponential
 from stiction.surfaces.theory.moments import SUMMIT_DEFICIT, require_gaussian, summit_height
 
 _ROOT_2PI = math.sqrt(2.0 * math.pi)
@@ -30,6 +32,7 @@ _FAR = 39.0  # above, exp(-h^2/2) is zero to double precision
 _DEGREE = 64
 _REACH = 9.0  # a Gaussian is neglected this many deviations from its peak
 _STEP, _NODES = 1.25, 12  # panels of 1.25 deviations, with 12 Gauss points each
+_MOST_PANELS = 200
 
 
 # ---- F_n(h), the mean of (z - h)^n over a standard Gaussian's z > h
@@ -60,9 +63,12 @@ def _truncated_tables(n: float) -> tuple[np.ndarray, np.ndarray]:
     return chebinterpolate(above, _DEGREE), chebinterpolate(below, _DEGREE)
 
 
-def _fold(h: np.ndarray, last: float = _FAR) -> np.ndarray:
-    """0..last to -1..1, dense near zero: h/(h + 3), stretched."""
+def _fold(h, last):
+    """0..last to -1..1, dense near zero: h/(h + 3), stretched. Arrays."""
     return 2.0 * (last + 3.0) / last * h / (h + 3.0) - 1.0
+
+
+_fold_one = formula(_fold)  # the same of a number, for kernels
 
 
 def _unfold(x: np.ndarray, last: float = _FAR) -> np.ndarray:
@@ -77,7 +83,7 @@ def truncated_mean(n: float, h: np.ndarray) -> np.ndarray:
     value = np.zeros_like(h)
     high = (h >= 0.0) & (h < _FAR)
     x = h[high]
-    value[high] = chebval(_fold(x), above) * np.exp(-0.5 * x * x) * (1.0 + x) ** (-n - 1.0)
+    value[high] = chebval(_fold(x, _FAR), above) * np.exp(-0.5 * x * x) * (1.0 + x) ** (-n - 1.0)
     low = (h < 0.0) & (h >= _DEEP)
     x = h[low]
     value[low] = chebval(1.0 - 2.0 * x / _DEEP, below) * (1.0 - x) ** n
@@ -86,14 +92,16 @@ def truncated_mean(n: float, h: np.ndarray) -> np.ndarray:
     return value
 
 
-def _asymptotic(n: float, depth: np.ndarray) -> np.ndarray:
-    """The mean of (depth + z)^n over all z, by its moments."""
-    total, term = np.ones_like(depth), np.ones_like(depth)
+def _asymptotic(n, depth):
+    """The mean of (depth + z)^n over all z, by its moments. Arrays."""
+    total = term = 1.0
     for k in range(1, 12):  # binomial(n, 2k) (2k - 1)!! / depth^(2k)
         term = term * (n - 2 * k + 2) * (n - 2 * k + 1) / (2 * k) / (depth * depth)
         total = total + term
     return depth**n * total
 
+
+_asymptotic_one = formula(_asymptotic)
 
 # ---- sums over the summits
 
@@ -132,49 +140,143 @@ def _over_shapes(shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
 def curve(h: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> tuple[np.ndarray, np.ndarray]:
     """Load over K R^(1/2) sigma^(3/2) and area over pi R sigma, per asperity, at separations h over sigma.
 
-    h: (H,), from the mean of the summits; density: N R sigma (n,). Returns two arrays (n, H).
-    InputError where no isotropic Gaussian surface has this density.
+    h: (H,), or (n, H) if each surface has its own, from the mean of the summits; density: N R sigma (n,). Returns two arrays
+    (n, H). InputError where no isotropic Gaussian surface has this density.
     """
     require_gaussian(density)
-    load, area = np.empty((2, len(density), len(h)))
-    for row, one in enumerate(density):
-        load[row], area[row] = _one_curve(h, float(one), shapes())
-    return load, area
-
-
-def _one_curve(h: np.ndarray, density: float, shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
     # Lengths in sigma, heights from the mean plane. A summit of curvature q has the mean height `rise` q and deviation `rest`.
     rise = 1.0 / (32.0 * math.sqrt(math.pi) * density)  # (sqrt(3)/2) m2 / sqrt(m4)
-    rest = math.sqrt(max(1.0 - (1.5 - SUMMIT_DEFICIT) / (768.0 * math.pi * density * density), 1e-12))  # m0 - (3/2) m2^2/m4
-    d = h + summit_height(density)
-    q, weight = _panels(d, rise, rest)
-    overlap = (d[:, None] - rise * q) / rest
-    g_load, g_area = (chebval(_fold(q, _LARGEST_Q), table) / (1.0 + q * q) for table in _over_shapes(shapes))
-    weight = weight * np.exp(-0.25 * q * q) * q**3  # q: Gaussian of variance 2; from (1), q^4 / q in the area
+    variance = 1.0 - (1.5 - SUMMIT_DEFICIT) / (768.0 * math.pi * density * density)  # m0 - (3/2) m2^2/m4
+    rest = np.sqrt(np.maximum(variance, 1e-12))
+    d = np.ascontiguousarray(h + summit_height(density)[:, None])
+    shared = h.ndim == 1 and h.size > 1  # these are computed alike, on panels that reach as far for all
+    farthest = np.repeat(d.max(axis=1, keepdims=True), h.size, axis=1) if shared else d
+    load, area = np.empty((2, *d.shape))
+    series = np.stack(_over_shapes(shapes())), *_tables_of_means()
+    _fill_curves((d, farthest), (rise, rest), series, _gauss(), (load, area))
     size = math.sqrt(3.0 * math.pi) / 8.0  # s R
     common = math.sqrt(3.0) / (2.0 * math.sqrt(math.pi))  # s^2 / (2 pi m2 N), and the Gaussian's own factor
-    load = np.sum(weight * np.sqrt(q) * g_load * truncated_mean(1.5, overlap), axis=1)
-    area = np.sum(weight * g_area * truncated_mean(1.0, overlap), axis=1)
+    rest = rest[:, None]
     return common / math.sqrt(size) * rest**1.5 * load, common / size * rest * area
 
 
-def _panels(d: np.ndarray, rise: float, rest: float) -> tuple[np.ndarray, np.ndarray]:
-    """Gauss points and weights (H, m) over q: panels as fine as the summits' scatter, graded away from q = d / rise, where the
-    mean height is the separation."""
-    whole = math.hypot(rest, math.sqrt(2.0) * rise)  # sqrt(m0)
+@cache
+def _tables_of_means() -> tuple[np.ndarray, np.ndarray]:
+    """Chebyshev coefficients (2, terms) of F_3/2 and F_1, above and below 0."""
+    above, below = zip(_truncated_tables(1.5), _truncated_tables(1.0), strict=True)
+    return np.stack(above), np.stack(below)
+
+
+@cache
+def _gauss() -> tuple[np.ndarray, np.ndarray]:
+    node, weight = leggauss(_NODES)
+    return node, weight
+
+
+@kernel
+def _fill_curves(separations, spread, series, gauss, sums):
+    """Integrals (n, H) over q, of load and area of the summits, at the separations d (n, H) from the mean plane; with panels
+    that reach as far as the farthest (n, H) of those that are to be computed alike.
+
+    spread: rise and rest (n,). series: Chebyshev coefficients over the shapes, and of the means above and below 0.
+    """
+    (d, farthest), (rise, rest), (node, weight), (load, area) = separations, spread, gauss, sums
+    shapes, above, below = series
+    most = _MOST_PANELS * node.size
+    q, measure, x, overlap, work = np.empty(most), np.empty(most), np.empty(most), np.empty(most), np.empty((2, 2, most))
+    shape, mean = np.empty((2, most)), np.empty((2, most))
+    ends = np.empty(_MOST_PANELS + 1)
+    for i in range(d.shape[0]):
+        for at in range(d.shape[1]):
+            count = node.size * _put_panels(d[i, at], farthest[i, at], rise[i], rest[i], ends)
+            for k in range(count):
+                first, last = ends[k // node.size], ends[k // node.size + 1]
+                root = first + (last - first) / 2.0 * (1.0 + node[k % node.size])
+                q[k] = root * root
+                measure[k] = (last - first) * weight[k % node.size] * root * q[k] ** 3  # from (1), q^4 / q in the area
+                x[k] = _fold_one(q[k], _LARGEST_Q)
+                overlap[k] = (d[i, at] - rise[i] * q[k]) / rest[i]
+            _add_series(x, 0, count, shapes, work, shape)
+            _put_means(overlap, count, above, below, x, work, mean)
+            total = cover = 0.0
+            for k in range(count):  # q: Gaussian of variance 2
+                part = measure[k] * exponential(-0.25 * q[k] * q[k]) / (1.0 + q[k] * q[k])
+                total += part * math.sqrt(q[k]) * shape[0, k] * mean[0, k]
+                cover += part * shape[1, k] * mean[1, k]
+            load[i, at], area[i, at] = total, cover
+
+
+@kernel
+def _add_series(x, first, last, coefficients, work, out):
+    """Chebyshev series out[f, k] at x[k], k from first to last, of both rows of coefficients: Clenshaw's recurrence."""
+    for f in range(coefficients.shape[0]):
+        one, two, series = work[f, 0], work[f, 1], coefficients[f]
+        one[first:last] = 0.0
+        two[first:last] = 0.0
+        for term in range(series.size - 1, 1, -2):
+            a, b = series[term], series[term - 1]
+            for k in range(first, last):
+                two[k] = a + 2.0 * x[k] * one[k] - two[k]
+                one[k] = b + 2.0 * x[k] * two[k] - one[k]
+        for k in range(first, last):
+            out[f, k] = series[0] + x[k] * one[k] - two[k]
+
+
+@kernel
+def _put_means(h, count, above, below, x, work, mean):
+    """mean[f, k]: F_3/2 and F_1 of h[k], which fall with k from 0 to count. x, work: scratch."""
+    high = 0
+    while high < count and h[high] >= _FAR:
+        high += 1
+    low = high
+    while low < count and h[low] >= 0.0:
+        low += 1
+    deep = low
+    while deep < count and h[deep] >= _DEEP:
+        deep += 1
+    mean[:, :high] = 0.0
+    for k in range(high, low):
+        x[k] = _fold_one(h[k], _FAR)
+    _add_series(x, high, low, above, work, mean)
+    for k in range(high, low):
+        square = 1.0 / ((1.0 + h[k]) * (1.0 + h[k]))
+        falls = exponential(-0.5 * h[k] * h[k]) * square
+        mean[0, k] *= falls * math.sqrt(math.sqrt(square))
+        mean[1, k] *= falls
+    for k in range(low, deep):
+        x[k] = 1.0 - 2.0 * h[k] / _DEEP
+    _add_series(x, low, deep, below, work, mean)
+    for k in range(low, deep):
+        mean[0, k] *= (1.0 - h[k]) * math.sqrt(1.0 - h[k])
+        mean[1, k] *= 1.0 - h[k]
+    for k in range(deep, count):
+        mean[0, k], mean[1, k] = _asymptotic_one(1.5, -h[k]), _asymptotic_one(1.0, -h[k])
+
+
+@kernel
+def _put_panels(d, farthest, rise, rest, ends):
+    """Ends of panels over sqrt(q), into `ends`, and how many panels there are: as fine as the summits' scatter, graded away
+    from q = d / rise, where the mean height is the separation."""
+    whole = math.sqrt(rest * rest + 2.0 * rise * rise)  # sqrt(m0)
     width = math.sqrt(2.0) * rest / whole  # deviation of q at a given height
-    highest = max(float(d.max()), 0.0) / whole
+    highest = max(farthest, 0.0) / whole
+    if d > _FAR * whole:
+        return 0
     last = math.sqrt(2.0) * (highest + _REACH)
     # from d/rise back to well past the largest integrand, in widths
     behind = min(highest * rest / (math.sqrt(2.0) * rise) + _REACH, last / width)
-    left = -_STEP * width * np.arange(math.ceil(behind / _STEP), 0, -1)
-    right, step = [0.0], _STEP * width
-    while right[-1] < last:
-        right.append(right[-1] + step)
-        step = min(2.0 * step, _STEP)
-    start = np.clip(d / rise, 0.0, last)[:, None]
-    ends = np.sqrt(np.clip(start + np.concatenate([left, right]), 0.0, last))  # in sqrt(q), for the half powers at zero
-    node, weight = leggauss(_NODES)
-    span = np.diff(ends)[:, :, None] / 2.0
-    x = ends[:, :-1, None] + span * (1.0 + node)
-    return (x * x).reshape(len(d), -1), (span * weight * 2.0 * x).reshape(len(d), -1)
+    start = min(max(d / rise, 0.0), last)
+    back, ahead, step, count = math.ceil(behind / _STEP), 0.0, _STEP * width, 0
+    ends[0] = math.sqrt(max(start - back * step, 0.0))
+    while count < ends.size - 1 and ends[count] < math.sqrt(last):
+        if back > 0:
+            back -= 1
+            end = start - back * _STEP * width
+        else:
+            ahead += step
+            end = start + ahead
+            step = min(2.0 * step, _STEP)
+        if end > 0.0:
+            count += 1
+            ends[count] = math.sqrt(min(end, last))
+    return count

@@ -1,0 +1,331 @@
+"""Sums of the load alone, over a whole way of approach: from where separations under given loads are found.
+
+Under Gaussian heights all that a law adds to the load at a separation h is a sum over nodes of exp(-(h + w)^2 / 2), w the
+displacement there. So its nodes are placed once; on an even grid of separations every node's term is the one before times a
+factor of its own (the recurrence), and elsewhere slope and curvature of the load cost no more exponentials than the load does.
+What is found so is a start: the sums of the engine, whose nodes lie elsewhere at each separation, have the last word.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.heights import NEGLIGIBLE, gaussian_density, gaussian_window
+from stiction.engine.regime import Regime
+from stiction.engine.sum_kernels import LONGEST, SHORT, WIDEST
+from stiction.engine.summation import _arrays, _make_rules
+from stiction.engine.vectorised import exponential
+
+# Separations of the way, even: beyond either end next to nothing touches, or no model claims anything.
+WAY = np.linspace(10.0, -8.0, 73)
+_STEP = float(WAY[0] - WAY[1])
+
+# Nodes on a piece that is short or long against sigma; multiples of eight, as those of the engine.
+_COUNTS = np.array([24, 56])
+_RULES = _make_rules(_COUNTS)
+# Displacements with a part in the load anywhere on the way.
+_LOWEST, _TOP = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - WAY[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - WAY[-1]
+_BLOCK = 256  # laws at a time: their nodes stay in the processor's cache
+
+# A step of Halley's method shorter than this, cubed, is nothing; and one of Newton's, squared.
+_NEAR, _NEARER = 1e-5, 1e-7
+# Out of touch: less than this share of the largest load. No tension: less than this share, as of heights beyond nine sigma.
+NOTHING, NO_TENSION = 1e-12, 1e-20
+_MOST_STEPS = 60
+
+
+@cache
+def _placing(along: Callable, coordinate: Callable, parameters: int) -> Any:
+    """The kernel that places the nodes of one regime of so many parameters."""
+
+    @formula
+    def put(low, high, row, rule, count, x, load):
+        """Displacements at the nodes of one piece, and the load there times the weight."""
+        for node in range(count):
+            state = along(low + (high - low) * rule[0, node], *row)
+            x[node] = state[0]
+            load[node] = rule[1, node] * (high - low) * state[1] * state[2]
+
+    @kernel
+    def place(reach, laws, gauss, nodes):
+        """Append to the table of each law i the nodes of the regime.
+
+        reach: the displacements w_low and w_top between which they are, and the nearest separation: every piece ends where
+        the density there is negligible against its own left end. gauss: rules, and how many nodes each has. nodes: places[i],
+        displacements; held[i], the load there times the weight; used[i], how many there are.
+        """
+        w_low, w_top, nearest = reach
+        (table, edges), (rules, counts), (places, held, used) = laws, gauss, nodes
+        for i in range(edges.shape[0]):
+            row = unpack(table[i], parameters)
+            for piece in range(edges.shape[1] - 1):
+                left, right = edges[i, piece], edges[i, piece + 1]
+                if not right > left:
+                    continue
+                w_left, w_right = along(left, *row)[0], along(right, *row)[0]
+                if not (w_right > w_low and w_left < w_top):
+                    continue
+                w_left = max(w_left, w_low)
+                w_high = min(w_right, w_top, gaussian_window(nearest + w_left, np.inf, places[i])[1] - nearest)
+                low = left if w_left > w_low else max(left, coordinate(w_low, *row))
+                end = right if w_high == w_right else min(right, coordinate(w_high, *row))
+                if not end > low:
+                    continue
+                rule = 0 if w_high - w_left <= SHORT else 1
+                parts = 1 + int((w_high - w_left) / WIDEST)
+                step = (w_high - w_left) / parts
+                for part in range(parts):
+                    high = end if part == parts - 1 else coordinate(w_left + (part + 1) * step, *row)
+                    first = used[i]
+                    put(low, high, row, rules[rule], 8 * (counts[rule] // 8), places[i, first:], held[i, first:])
+                    used[i] += counts[rule]
+                    low = high
+
+    return place
+
+
+@kernel
+def _sample(way, w_top, nodes):
+    """Fill the way, even and falling separations h, with loads[i, at] of each law i and their slopes by separation."""
+    h, loads, slopes = way
+    place, held, used = nodes
+    step = h[0] - h[1]
+    term, factor = np.empty(place.shape[1]), np.empty(place.shape[1])
+    scale = np.empty(h.size)
+    for at in range(h.size):
+        scale[at] = math.exp(0.5 * (h[0] - h[at]) * (h[0] + h[at]) + (h[0] - h[at]) * w_top)
+    for i in range(used.size):
+        x, load = place[i], held[i]
+        count = 8 * (used[i] // 8)
+        for node in range(count):
+            term[node] = load[node] * gaussian_density(h[0] + x[node], x)
+            factor[node] = exponential(step * (x[node] - w_top))
+        for at in range(h.size):
+            total = first = 0.0
+            for node in range(count):
+                total += term[node]
+                first += x[node] * term[node]
+                term[node] *= factor[node]
+            loads[i, at] = scale[at] * total
+            slopes[i, at] = -scale[at] * (first + h[at] * total)
+
+
+@kernel
+def _sums(h, place, held, count):
+    """Load, its first two derivatives by separation, and its size, the sum of the absolute terms, of one law."""
+    total = first = second = size = 0.0
+    for node in range(8 * (count // 8)):
+        z = h + place[node]
+        term = held[node] * gaussian_density(z, place)
+        total += term
+        first += z * term
+        second += z * z * term
+        size += abs(term)
+    return total, -first, second - total, size
+
+
+@kernel
+def _turning_point(far, near, slope_far, slope_near, place, held, count):
+    """The separation between far and near where the slope of the load, of unlike signs at these ends, is nothing."""
+    x = far - (far - near) * (slope_far / (slope_far - slope_near) if slope_far != 0.0 else 0.5)
+    for _ in range(_MOST_STEPS):
+        _, slope, curvature, _ = _sums(x, place, held, count)
+        if (slope > 0.0) == (slope_far > slope_near):
+            far = x
+        else:
+            near = x
+        before = x
+        x = before - slope / curvature
+        if not near < x < far:
+            x = 0.5 * (near + far)
+        if abs(x - before) <= _NEARER:
+            break
+    return x
+
+
+@kernel
+def _find_lowest(way, lowest, nodes):
+    """Fill in the lowest point of the way: the largest tension (n,), 0 where there is none, the separation (n,) at which, else
+    not a number, and the number (n,) of the first of the separations h that is nearer."""
+    h, loads, slopes = way
+    tension, where, nearer = lowest
+    place, held, used = nodes
+    for i in range(used.size):
+        tension[i], where[i], nearer[i] = 0.0, np.nan, 1
+        least = NO_TENSION * np.max(np.abs(loads[i]))
+        for at in range(1, h.size):
+            rising, falling = slopes[i, at - 1], slopes[i, at]  # on approach the load falls, then rises
+            bound = min(loads[i, at - 1], loads[i, at]) - (h[at - 1] - h[at]) * rising
+            if not (rising > 0.0 >= falling and bound < -max(tension[i], least)):
+                continue
+            x = _turning_point(h[at - 1], h[at], rising, falling, place[i], held[i], used[i])
+            load = _sums(x, place[i], held[i], used[i])[0]
+            if load < -max(tension[i], least):
+                tension[i], where[i], nearer[i] = -load, x, at
+        if 0.0 < tension[i] < 100.0 * least and tension[i] <= NO_TENSION * abs(_sums(-h[0], place[i], held[i], used[i])[0]):
+            tension[i], where[i], nearer[i] = 0.0, np.nan, 1
+
+
+@formula
+def _between(target, far, near, load_far, load_near, slope_far, slope_near):
+    """The separation between far and near where a cubic through both loads, with these slopes, is the target; of logarithms
+    where the loads are compressive."""
+    span = far - near
+    if load_far > 0.0:
+        slope_far, slope_near = slope_far / load_far, slope_near / load_near
+        rise, wanted = math.log(load_near / load_far), math.log(target / load_far)
+    else:
+        rise, wanted = load_near - load_far, target - load_far
+    a, b = -span * slope_far, -span * slope_near  # slopes by the share t of the way from far to near
+    square, cube = 3.0 * rise - 2.0 * a - b, a + b - 2.0 * rise
+    low, high, t = 0.0, 1.0, wanted / rise
+    for _ in range(30):
+        value = t * (a + t * (square + t * cube)) - wanted
+        if value < 0.0:
+            low = t
+        else:
+            high = t
+        before = t
+        t -= value / (a + t * (2.0 * square + t * 3.0 * cube))
+        if not low < t < high:
+            t = 0.5 * (low + high)
+        if abs(t - before) <= 1e-7:
+            break
+    return far - span * t
+
+
+@kernel
+def _root(target, far, near, x, place, held, count):
+    """The separation between far and near where the load is the target, from x on by Halley's method, bracketed; and the slope
+    and the size of the load there."""
+    slope = size = 0.0
+    for _ in range(_MOST_STEPS):
+        load, slope, curvature, size = _sums(x, place, held, count)
+        excess = load - target
+        if excess < 0.0:
+            far = x
+        else:
+            near = x
+        before = x
+        x = before - excess / (slope - 0.5 * excess * curvature / slope)
+        if not near <= x <= far:
+            x = 0.5 * (near + far)
+        slope += (x - before) * curvature
+        if abs(x - before) <= _NEAR:
+            break
+    return x, slope, size
+
+
+@kernel
+def _carried(h, loads, slopes, start, first, most, could, odd):
+    """Fill, for each of the separations from number `start` on, the largest load up to there, a bound of what it may have been
+    between them, and whether what rises at both ends may fall between: where a cubic is not known to be monotonic (Fritsch &
+    Carlson 1980, region of their circle). first: separation, load and slope before these."""
+    most[:start], could[:start] = -np.inf, -np.inf
+    for at in range(start, h.size):
+        far, before, slope = first if at == start else (h[at - 1], loads[at - 1], slopes[at - 1])
+        most[at] = max(most[at - 1], loads[at])
+        steepest, rise = (far - h[at]) * max(abs(slopes[at]), -slope), loads[at] - before
+        squares = (far - h[at]) ** 2 * (slope * slope + slopes[at] * slopes[at])
+        odd[at] = slopes[at] <= 0.0 and slope <= 0.0 and not squares <= 9.0 * rise * rise
+        peaks = odd[at] or slopes[at] > 0.0 >= slope
+        could[at] = max(could[at - 1], max(before, loads[at]) + (steepest if peaks else 0.0))
+
+
+@kernel
+def _find_roots(way, lowest, targets, nodes, roots):
+    """roots[i, k] = the separation of the load targets[i, k], and slope and size of the load there; not a number where there is
+    none on the way, or where more separations than one may be too close for this grid.
+
+    Of several separations the first on approach from where[i], or, if that is not a number, from afar.
+    """
+    h, loads, slopes = way
+    tension, where, nearer = lowest
+    place, held, used = nodes
+    most, could, odd = np.empty(h.size), np.empty(h.size), np.empty(h.size, dtype=np.bool_)
+    for i in range(used.size):
+        start = nearer[i]
+        first = h[start - 1], loads[i, start - 1], slopes[i, start - 1]
+        if tension[i] > 0.0:
+            first = where[i], -tension[i], 0.0
+        _carried(h, loads[i], slopes[i], start, first, most, could, odd)
+        for k in range(targets.shape[1]):
+            target = targets[i, k]
+            roots[i, k, :] = np.nan
+            at, sooner = np.searchsorted(most, target), np.searchsorted(could, target)
+            if sooner == h.size or not target >= first[1] - _NEARER * tension[i]:
+                continue
+            near, load_near, slope_near = 0.0, -np.inf, 0.0
+            while sooner < at and load_near < target and not odd[sooner]:  # a peak between two that carry less
+                far, slope = (first[0], first[2]) if sooner == start else (h[sooner - 1], slopes[i, sooner - 1])
+                if slopes[i, sooner] > 0.0 >= slope:
+                    near = _turning_point(far, h[sooner], slope, slopes[i, sooner], place[i], held[i], used[i])
+                    load_near = _sums(near, place[i], held[i], used[i])[0]
+                sooner += 1
+            if load_near >= target:
+                at = sooner - 1
+            elif sooner >= at and at < h.size and not odd[at]:
+                near, load_near, slope_near = h[at], loads[i, at], slopes[i, at]
+            else:
+                continue
+            far, load_far, slope_far = first if at == start else (h[at - 1], loads[i, at - 1], slopes[i, at - 1])
+            x, slope, size = far, slope_far, abs(load_far)
+            if target > load_far:
+                x = _between(target, far, near, load_far, load_near, slope_far, slope_near)
+                x, slope, size = _root(target, far, near, x, place[i], held[i], used[i])
+            roots[i, k, 0], roots[i, k, 1], roots[i, k, 2] = x, slope, size
+
+
+@dataclass(frozen=True)
+class Starts:
+    """What a way of approach shows of n laws under m loads each; not a number where it does not show it.
+
+    tension (n,): the largest, 0 where there is none; where (n,): the separation at which. h, slope, size (n, m): separations of
+    the loads, and the derivative by separation and the size, the sum of the absolute parts, of the load there. plain (n,):
+    whether all of the way is within the separations looked at.
+    """
+
+    tension: np.ndarray
+    where: np.ndarray
+    h: np.ndarray
+    slope: np.ndarray
+    size: np.ndarray
+    plain: np.ndarray
+
+
+def starts(regimes: Sequence[Regime], targets: np.ndarray) -> Starts:
+    """Largest tensions of n laws under Gaussian heights, and separations of the loads `targets` (n, m): to 1e-9 or so."""
+    targets = np.ascontiguousarray(targets)
+    tables = [_arrays(regime)[:2] for regime in regimes]
+    kernels = [_placing(regime.along, regime.coordinate, len(regime.parameters)) for regime in regimes]
+    w_low = max(min(regime.lowest for regime in regimes), _LOWEST)
+    room = LONGEST * (1 + int((_TOP - w_low) / WIDEST)) * sum(edges.shape[1] - 1 for _, edges in tables)
+    place, held = np.empty((2, _BLOCK, room))
+    loads, slopes = np.empty((2, _BLOCK, WAY.size))
+    tension, where = np.empty((2, len(targets)))
+    roots, plain = np.empty((*targets.shape, 3)), np.empty(len(targets), dtype=np.bool_)
+    for start in range(0, len(targets), _BLOCK):
+        some = slice(start, min(start + _BLOCK, len(targets)))
+        used, nearer = np.zeros((2, some.stop - start), dtype=np.int64)
+        nodes, way, lowest = (place, held, used), (WAY, loads, slopes), (tension[some], where[some], nearer)
+        for put, (parameters, edges) in zip(kernels, tables, strict=True):
+            put((w_low, _TOP, WAY[-1]), (parameters[some], edges[some]), (_RULES, _COUNTS), nodes)
+        _sample(way, _TOP, nodes)
+        _find_lowest(way, lowest, nodes)
+        _find_roots(way, lowest, targets[some], nodes, roots[some])
+        plain[some] = _plain(loads[: used.size], tension[some])
+    return Starts(tension, where, roots[:, :, 0], roots[:, :, 1], roots[:, :, 2], plain)
+
+
+def _plain(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:
+    """Whether (n,) next to nothing touches at the far end of the way, where the largest tension is not, and compression
+    outweighs all tension at the near end."""
+    lowest = loads.min(axis=1)
+    size, farthest = np.maximum(loads.max(axis=1), -lowest), loads[:, 0]
+    apart = (np.abs(farthest) <= NOTHING * size) & ((farthest >= -NO_TENSION * size) | (farthest > lowest))
+    return apart & (loads[:, -1] >= tension)
