@@ -254,7 +254,7 @@ def test_parts(coated, way):
 
 def _beyond(regime, given) -> bool:
     """Whether a film regime lies beyond the film's thickness: there its force is multiplied by nothing."""
-    *_, force, _, _ = regime.parameters  # of joined regimes the last five are those of a Share
+    *_, force, _, _ = regime.parameters  # of joined regimes the last five are those of Weights
     return regime.state != "held" and not np.any(force)
 
 

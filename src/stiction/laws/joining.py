@@ -21,18 +21,18 @@ _FARTHEST = 1e100
 
 
 @dataclass(frozen=True)
-class Share:
+class Weights:
     """What of an asperity's response counts; arrays (n,) or numbers.
 
     It starts at the displacement `shift`. unit: what the forces of this body are multiplied by to be in the unit of the whole
-    contact. force, cover, grip: of its load, contact area and tangential resistance, 1 or 0 as a rule.
+    contact. load, area, friction: weights of its load, contact area and tangential resistance, 1 or 0 as a rule.
     """
 
     shift: np.ndarray | float = 0.0
     unit: np.ndarray | float = 1.0
-    force: np.ndarray | float = 1.0
-    cover: np.ndarray | float = 1.0
-    tangential_resistance: np.ndarray | float = 1.0
+    load: np.ndarray | float = 1.0
+    area: np.ndarray | float = 1.0
+    friction: np.ndarray | float = 1.0
 
 
 @formula
@@ -52,16 +52,16 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
         """The normal law, the resistance that it leaves room for, and what of both counts."""
         w, stretch, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
-        shift, unit, force, cover, tangential_resistance = row[joined:]
-        held = unit * tangential_resistance
-        return shift + w, stretch, unit * force * load, cover * area, held * slip_limited, held * yield_limited
+        shift, unit, of_load, of_area, of_friction = row[joined:]
+        held = unit * of_friction
+        return shift + w, stretch, unit * of_load * load, of_area * area, held * slip_limited, held * yield_limited
 
     @formula
     def along_interface(u, *row):
         """The same for a resistance of the interface: it sees only the load and area that count."""
         w, stretch, load, area = normal(u, *row[:parameters])
-        shift, unit, force, cover, _ = row[joined:]
-        load, area = force * load, cover * area
+        shift, unit, of_load, of_area, _ = row[joined:]
+        load, area = of_load * load, of_area * area
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
         return shift + w, stretch, unit * load, area, unit * slip_limited, unit * yield_limited
 
@@ -88,12 +88,12 @@ class Law:
     def pieces(self, groups: Groups) -> list[NormalPiece]:
         return self.asperity.pieces(groups, **select_options(self.asperity, self.options))
 
-    def regimes(self, groups: Groups, share: Share = Share(), **labels) -> list[Regime]:
+    def regimes(self, groups: Groups, weights: Weights = Weights(), **labels) -> list[Regime]:
         """Every piece of the asperity law, joined."""
-        return [self.join(piece, groups, share, **labels) for piece in self.pieces(groups)]
+        return [self.join(piece, groups, weights, **labels) for piece in self.pieces(groups)]
 
-    def join(self, piece: NormalPiece, groups: Groups, share: Share = Share(), **labels) -> Regime:
-        """One piece with the tangential law, of which `share` counts. labels: body, touching, in_half_space of the Regime."""
+    def join(self, piece: NormalPiece, groups: Groups, weights: Weights = Weights(), **labels) -> Regime:
+        """One piece with the tangential law, of which what `weights` says counts. labels: body, touching, in_half_space of the Regime."""
         tangential_resistance = None
         if self.tangential is not None:
             tangential_resistance = self.tangential.tangential_resistance(
@@ -111,11 +111,11 @@ class Law:
         parameters = (
             *piece.parameters,
             *tangential_resistance.parameters,
-            share.shift,
-            share.unit,
-            share.force,
-            share.cover,
-            share.tangential_resistance,
+            weights.shift,
+            weights.unit,
+            weights.load,
+            weights.area,
+            weights.friction,
         )
         return Regime(
             along,
@@ -124,7 +124,7 @@ class Law:
             _with_kinks(piece.edges, tangential_resistance.kinks),
             piece.state,
             branch=tangential_resistance.branch,
-            lowest=piece.lowest + float(np.min(share.shift, initial=np.inf, where=np.isfinite(share.shift))),
+            lowest=piece.lowest + float(np.min(weights.shift, initial=np.inf, where=np.isfinite(weights.shift))),
             **labels,
         )
 

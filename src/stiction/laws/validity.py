@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.subject import Subject
+from stiction.laws.claims import range_in_words
 from stiction.laws.registry import Record
 from stiction.quantities.table import QUANTITIES
 
@@ -69,13 +70,6 @@ class Doubt:
         if not self.quantity:
             return self.why
         return f"{QUANTITIES[self.quantity].symbol} = {self._values}, not {self._range}: {self.why}"
-
-
-def range_in_words(low: float, high: float) -> str:
-    """ "0 to 0.5", "5 or more"."""
-    if high == math.inf:
-        return f"{low:g} or more"
-    return f"{high:g} or less" if low == -math.inf else f"{low:g} to {high:g}"
 
 
 def doubts_about(subject: Subject, records: Iterable[Record], results: Mapping[str, np.ndarray]) -> list[Doubt]:

@@ -21,6 +21,13 @@ class Choice:
     options: Mapping[str, str | None] = field(default_factory=dict)
     presliding: str | None = None
 
+    @classmethod
+    def of(cls, model: str, given: Mapping[str, str | None]) -> "Choice":
+        """The choice of a model and of what is given by name: laws, and options, which are all that is no name of a law."""
+        words = without_old_names(given)
+        laws = {name: words.pop(name) for name in LAWS if name in words}
+        return cls(model, options=words, **laws)
+
     def with_changes(self, laws: Mapping[str, str | None], options: Mapping[str, str | None]) -> "Choice":
         """The same with those laws and options that are not None."""
         changed = {name: value for name, value in options.items() if value is not None}

@@ -12,7 +12,7 @@ from stiction.engine.summation import FARTHEST
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import axis
-from stiction.solving.choice import Choice, without_old_names
+from stiction.solving.choice import Choice
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.problem import Problem, as_asked, make_problem
 from stiction.solving.results import as_dataset, as_variables, summary_of
@@ -29,13 +29,9 @@ def solve(
     separation: Any = None,
     load: Any = None,
     model: str = "soft_coating_2015",
-    asperity: str | None = None,
-    tangential: str | None = None,
-    film: str | None = None,
-    presliding: str | None = None,
     heights: Heights | str | None = None,
     threads: int = 1,
-    **options: str | None,
+    **laws: str | None,
 ) -> "xarray.Dataset":
     """Solve a contact at given mean separations, or at given loads.
 
@@ -43,11 +39,11 @@ def solve(
     separation: mean separation, m for a Contact (text with a unit is fine), over sigma for Indices; or load: net normal
     load, N or normalised. A number, a 1-D sequence, or an xarray.DataArray with named dimensions. Any number of the
     contact may be an array with a named dimension (stiction.axis): the result carries all dimensions.
-    model: key of a rough-surface model (stiction.models()). asperity, tangential, film: keys of other laws in place of
-    those that the model takes by itself; tangential="none" for contact only. presliding: "mindlin_1949" adds
-    tangential_stiffness, that of the contact before anything slides. heights: a height distribution, or its name; by
-    default the contact's own, or Gaussian. threads: how many share the work, which changes no digit. options: those of the
-    model or of these laws, by name, such as reading="published", branch="unloading", transition="gradual"; None for a default.
+    model: key of a rough-surface model (stiction.models()). laws: keys of other laws in place of those that the model takes by
+    itself, as asperity, tangential ("none" for contact only) or film; presliding="mindlin_1949" adds tangential_stiffness,
+    that of the contact before anything slides; and options of the model or of these laws, by name, such as
+    reading="published", branch="unloading", transition="gradual"; None for a default. heights: a height distribution, or its
+    name; by default the contact's own, or Gaussian. threads: how many share the work, which changes no digit.
 
     Returns an xarray.Dataset with units and long names: load, contact_area, friction_force, friction_coefficient (not a
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
@@ -58,9 +54,7 @@ def solve(
     """
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
-    laws = without_old_names({"film": film} | options)
-    choice = Choice(model, asperity, tangential, laws.pop("film"), laws, presliding)
-    problem = make_problem(contact, choice, heights, threads)
+    problem = make_problem(contact, Choice.of(model, laws), heights, threads)
     name, given = ("load", load) if separation is None else ("mean_separation", separation)
     return _solved(problem, name, points_asked(problem.subject, name, given))
 

@@ -46,18 +46,16 @@ def unload(
     separation: Any = None,
     distance: Any = None,
     model: str = "greenwood_williamson_1966",
-    asperity: str | None = None,
-    tangential: str = "none",
     heights: Heights | str | None = None,
-    **options: str | None,
+    **laws: str | None,
 ) -> "xarray.Dataset":
     """Solve a contact that was pressed together and is being drawn apart.
 
     contact: as in `solve`, without a film. pressed_to: the nearest mean separation that was reached; or pressed_with: the load
     that was carried there. separation: mean separations on the way back, none nearer than that; or distance: how far the
     surfaces have been drawn apart since. All in m or N for a Contact, normalised for Indices; numbers, sequences, or arrays
-    with named dimensions. model, asperity, heights, options: as in `solve`; the model must be a sum over an asperity law.
-    tangential: a law of the interface, for friction; what others need is not known of a flattened asperity.
+    with named dimensions. model, heights, laws: as in `solve`; the model must be a sum over an asperity law, and tangential,
+    for friction, a law of the interface, none unless given: what others need is not known of a flattened asperity.
 
     Elastic asperities return as they came; those that adhere hold on to below zero displacement, if they had touched.
     Those that have yielded unload as their law says (thornton_ning_1998), or, without adhesion, as elastic spheres that
@@ -68,7 +66,7 @@ def unload(
     with an asperity law that adheres also pull_off_separation and zero_load_separation, where the load has fallen to nothing.
     Raises InputError for bad input, and for laws of which it is not known how they unload.
     """
-    way = _make_way(contact, Choice(model, asperity, tangential, options=options), heights)
+    way = _make_way(contact, Choice.of(model, {"tangential": "none"} | laws), heights)
     subject = way.pressed.subject
     turn = _one_of(subject, pressed_to=pressed_to, pressed_with=pressed_with)
     point = _one_of(subject, separation=separation, distance=distance)
@@ -171,6 +169,9 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     """The way apart under these laws; InputError, with the reason, where it is not known."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
+    for name in ("film", "presliding"):
+        if getattr(choice, name) is not None:
+            raise InputError(name, getattr(choice, name), "nothing: of what unloads there is no such option")
     tangential = choice.tangential or "none"
     if tangential != "none" and not find(tangential, TangentialLaw).interfacial:
         reason = f"{tangential} speaks of asperities as they are pressed"

@@ -29,7 +29,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
-from stiction.laws.joining import Share
+from stiction.laws.joining import Weights
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import FilmLaw, Validity
 from stiction.laws.sources import Source
@@ -81,7 +81,7 @@ def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
         lowest = piece.lowest + float(np.min(tau, initial=math.inf))
         rim = NormalPiece(along, back, parameters, piece.edges, "plastic", lowest)
         regimes.append(on_film.join(rim, groups, body="film"))
-        regimes.append(law.join(piece, groups, Share(shift=tau), body="substrate", touching=False))
+        regimes.append(law.join(piece, groups, Weights(shift=tau), body="substrate", touching=False))
     return regimes
 
 

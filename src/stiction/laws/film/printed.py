@@ -27,7 +27,7 @@ from stiction.laws.asperity import jkr
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import RECORD as CORRECTED
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import flow, onset
 from stiction.laws.film.shared.cut_film import film_regimes
-from stiction.laws.joining import Law, Share, within
+from stiction.laws.joining import Law, Weights, within
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import FilmLaw, Validity
 from stiction.laws.sources import Source
@@ -63,29 +63,27 @@ LAW = Law(replace(CORRECTED, pieces=pieces), replace(TANGENTIAL, tangential_resi
 
 def bare_regimes(groups: Groups) -> list[Regime]:
     """Both regimes of a surface without film."""
-    return LAW.regimes(groups, Share(tangential_resistance=_GRIP))
+    return LAW.regimes(groups, Weights(friction=_GRIP))
 
 
-def _film_shares(piece: NormalPiece) -> tuple[Share, Share]:
+def _film_weights(piece: NormalPiece) -> tuple[Weights, Weights]:
     """What of the film counts before and after x = tau: its elastic load goes on, its plastic load does not (D5, D9)."""
-    return Share(tangential_resistance=_GRIP), Share(tangential_resistance=0.0) if piece.state == "elastic" else Share(
-        force=0.0
-    )
+    return Weights(friction=_GRIP), Weights(friction=0.0) if piece.state == "elastic" else Weights(load=0.0)
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Regimes of a coated surface; `law`, the corrected one, is not used. Limits that cross make an empty integral (D9); of
     the film, only asperities with x < tau resist (D10). The area, which is not printed, is the film's own."""
     tau = groups.tau
-    film_part = film_regimes(LAW, groups, tau, _film_shares)
+    film_part = film_regimes(LAW, groups, tau, _film_weights)
     substrate = groups.substrate()
     elastic, plastic = LAW.pieces(substrate)
     from_film = within(elastic, (tau + elastic.edges[:, 0] ** 4) ** 0.25, np.inf)
     labels = {"body": "substrate", "touching": False}
     return [
         *film_part,
-        LAW.join(from_film, substrate, Share(tangential_resistance=_GRIP, cover=0.0), **labels),
-        LAW.join(plastic, substrate, Share(cover=0.0), **labels),
+        LAW.join(from_film, substrate, Weights(friction=_GRIP, area=0.0), **labels),
+        LAW.join(plastic, substrate, Weights(area=0.0), **labels),
     ]
 
 

@@ -21,7 +21,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.film.shared.cut_film import film_regimes
-from stiction.laws.joining import Law, Share, coordinates, normal_states, states
+from stiction.laws.joining import Law, Weights, coordinates, normal_states, states
 from stiction.laws.registry import FilmLaw, Validity
 from stiction.laws.sources import Source
 
@@ -44,22 +44,22 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     that area and the whole load; any other is that of the film, kept, and of the substrate.
     """
     tau, n_E = groups.tau, groups.n_E
-    before, after = Share(unit=n_E), Share(unit=n_E, force=0.0, tangential_resistance=0.0)
+    before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
     deforming = film_regimes(law, groups, tau, lambda piece: (before, after))
     load, slip_limited, yield_limited = _kept(law, groups)
     edges = np.stack([tau, np.full(len(tau), np.inf)], axis=1)
     rest = Regime(at_rest, at_rest_coordinate, (load, slip_limited, yield_limited), edges, "held", "film", touching=False)
-    below = Share(shift=tau, cover=0.0)
+    below = Weights(shift=tau, area=0.0)
     return [*deforming, rest, *law.regimes(groups.substrate(), below, body="substrate", touching=False)]
 
 
 def _kept(law: Law, groups: Groups) -> np.ndarray:
     """Load, slip- and yield-limited resistance (3, n) of the film at the displacement tau. Of a resistance of the interface,
     what goes with the area is counted where the area is."""
-    film, share = groups.film(), Share(unit=groups.n_E, cover=0.0 if law.interfacial else 1.0)
+    film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
     kept = np.zeros((3, len(groups)))
     for piece in law.pieces(film):
-        regime = law.join(piece, film, share)
+        regime = law.join(piece, film, weights)
         u = coordinates(piece, groups.tau)
         at_first, at_last = piece.edges[:, 0], piece.edges[:, -1]
         start, _, _, width = normal_states(piece, at_first).T

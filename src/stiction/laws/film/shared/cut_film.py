@@ -7,16 +7,16 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
-from stiction.laws.joining import Law, Share, coordinates, coordinates_at_area, within
+from stiction.laws.joining import Law, Weights, coordinates, coordinates_at_area, within
 from stiction.laws.piece import NormalPiece
 
 
 def film_regimes(
-    law: Law, groups: Groups, through: np.ndarray, shares: Callable[[NormalPiece], tuple[Share, Share]]
+    law: Law, groups: Groups, through: np.ndarray, weights: Callable[[NormalPiece], tuple[Weights, Weights]]
 ) -> list[Regime]:
     """The film's own law at every displacement.
 
-    through: the displacement (n,) at which it is pressed through; shares(piece): what counts before and after
+    through: the displacement (n,) at which it is pressed through; weights(piece): what counts before and after
     that.
     film_aspect = t/sqrt(R sigma), (n,): to an asperity the film is a half-space while a < t, that is x < film_aspect^2; the
     regimes beyond are marked.
@@ -28,10 +28,10 @@ def film_regimes(
     for piece in law.pieces(film):
         u_through = coordinates(piece, through)
         u_bound = coordinates_at_area(piece, groups.film_aspect**2) if bounded else np.inf
-        before, after = shares(piece)
+        before, after = weights(piece)
         stretches = (within(piece, -np.inf, u_through), before), (within(piece, u_through, np.inf), after)
-        for stretch, share in stretches:
-            joined = law.join(stretch, film, share, body="film")
+        for stretch, counts in stretches:
+            joined = law.join(stretch, film, counts, body="film")
             regimes.append(within(joined, -np.inf, u_bound))
             if bounded:
                 regimes.append(replace(within(joined, u_bound, np.inf), in_half_space=False))
