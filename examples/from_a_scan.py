@@ -2,7 +2,7 @@
 
     python examples/from_a_scan.py
 
-A made surface stands for the scan; with one of your own, give its name to st.read_scan. The picture is the resolution fan:
+A made surface stands for the scan; with one of your own, give its name to st.read_scan. The picture is the resolution study:
 sigma, R, N and mu against the shortest wavelength that is left in the scan, a line for each method.
 """
 

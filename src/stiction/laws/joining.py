@@ -93,7 +93,7 @@ class Law:
         return [self.join(piece, groups, weights, **labels) for piece in self.pieces(groups)]
 
     def join(self, piece: NormalPiece, groups: Groups, weights: Weights = Weights(), **labels) -> Regime:
-        """One piece with the tangential law, of which what `weights` says counts. labels: body, touching, in_half_space of the Regime."""
+        """One piece with the tangential law, counted as `weights` say. labels: body, touching, in_half_space of the Regime."""
         tangential_resistance = None
         if self.tangential is not None:
             tangential_resistance = self.tangential.tangential_resistance(

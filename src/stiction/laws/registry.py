@@ -79,9 +79,9 @@ class AsperityLaw(Record):
 class TangentialLaw(Record):
     """At which force one loaded asperity is sheared off.
 
-    grip(piece, groups, **own options) -> Grip, or None for a piece that resists nothing. wants: trait of the asperity law that
-    it cannot do without -> why. interfacial: it shears the interface, wherever that is: of a coated asperity, the whole load
-    and the outer contact area count, whichever body answers.
+    tangential_resistance(piece, groups, **own options) -> TangentialResistance, or None for a piece that resists nothing.
+    wants: trait of the asperity law that it cannot do without -> why. interfacial: it shears the interface, wherever that is:
+    of a coated asperity, the whole load and the outer contact area count, whichever body answers.
     """
 
     kind = keyword = "tangential"

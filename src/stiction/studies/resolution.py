@@ -58,7 +58,7 @@ def default_cutoffs(surface: HeightMap) -> np.ndarray:
 
 
 class Asked(TypedDict, total=False):
-    """What of friction may be asked of `fan`."""
+    """What of friction may be asked of a resolution study."""
 
     contact: Contact | None
     load: Any
