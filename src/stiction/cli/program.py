@@ -42,6 +42,7 @@ def _one_line() -> Iterator[None]:
     """What the user can cause is said in one line, and ends the program with its exit code; so is that a name is old."""
     try:
         with warnings.catch_warnings():
+            warnings.simplefilter("default", FutureWarning)
             warnings.showwarning = _say_what_is_old
             yield
     except InputError as error:

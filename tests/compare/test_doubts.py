@@ -1,0 +1,59 @@
+"""Doubts of a result: as text, as data, and of all that answers."""
+
+import json
+import warnings
+
+import pytest
+import xarray
+
+import stiction as st
+from stiction.laws.validity import Doubt, doubts_of
+
+BARE = {"theta": 100, "lam": 10}
+COATED = {"theta": 100, "lam": 10, "n_E": 0.5, "n_H": 20, "tau": 2, "film_aspect": 0.3, "shear_strength": 0.05}
+HALLING = {"model": "greenwood_williamson_1966", "tangential": "bowden_tabor_1943", "film": "halling_1979"}
+
+
+def test_composites_chosen_by_option_answer_too():
+    """Jonsson & Hogmark is claimed for films 1.8 to 12.9 times as hard as the substrate; its record says so."""
+    found = st.solve(st.Indices(**COATED), separation=1, hardness="jonsson_hogmark_1984", **HALLING)
+    assert "n_H" in [doubt.quantity for doubt in doubts_of(found)] and "hardness" in found.attrs["outside_validity"]
+    assert {"jonsson_hogmark_1984", "gao_chiu_lee_1992", "halling_1979"} <= set(found.attrs["sources"].split())
+    inside = st.solve(st.Indices(**COATED | {"n_H": 5}), separation=1, hardness="jonsson_hogmark_1984", **HALLING)
+    assert "n_H" not in [doubt.quantity for doubt in doubts_of(inside)]
+    other = st.solve(st.Indices(**COATED), separation=1, modulus="bec_2006", **HALLING)
+    assert "bec_2006" in other.attrs["sources"].split() and "gao_chiu_lee_1992" not in other.attrs["sources"].split()
+
+
+def test_a_doubt_is_text_and_numbers(tmp_path):
+    """The paper claims separations of -4 sigma and more; -6 is half as far again."""
+    found = st.solve(st.Indices(**BARE), separation=[0.0, -5.0, -6.0])
+    (doubt,) = doubts_of(found)
+    assert (doubt.quantity, doubt.least, doubt.most, doubt.outside, doubt.points) == ("mean_separation", -6.0, -5.0, 2, 3)
+    assert doubt.low == -4.0 and doubt.beyond == pytest.approx(0.5)
+    assert str(doubt) == found.attrs["outside_validity"]
+    (data,) = json.loads(found.attrs["doubts"])
+    assert data["quantity"] == "mean_separation" and data["beyond"] == pytest.approx(0.5) and data["high"] is None
+    found.to_netcdf(tmp_path / "found.nc", engine="h5netcdf")
+    with xarray.open_dataset(tmp_path / "found.nc") as again:
+        assert doubts_of(again) == [doubt]
+
+
+def test_how_far_beyond():
+    assert Doubt("", "theta", 2.0, 5.0, 10.0).beyond == pytest.approx(0.8)
+    assert Doubt("", "theta", 2.0, 5.0, high=1.0).beyond == pytest.approx(4.0)
+    assert Doubt("", "tau", -3.0, -1.0, 0.0).beyond == pytest.approx(3.0)
+    assert Doubt("words only").as_data() == {"why": "words only"}
+
+
+def test_old_names_go_on_working():
+    with pytest.warns(FutureWarning, match="film"):
+        old = st.solve(st.Indices(**COATED), separation=1, coating_law="ogilvy_1993", model=HALLING["model"],
+                       tangential="bowden_tabor_1943")  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        new = st.solve(st.Indices(**COATED), separation=1, **HALLING | {"film": "ogilvy_1993"})
+    assert float(old["load"]) == float(new["load"])
+    surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), st.SelfAffine(0.8, "2 um", "1 um", deviation="20 nm"), 1)
+    with pytest.warns(DeprecationWarning, match="resolution_study"):
+        assert "sigma" in st.fan(surface, [0.0], ["mccool"])
