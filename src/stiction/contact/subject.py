@@ -2,13 +2,10 @@
 
 from abc import abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
-
-if TYPE_CHECKING:
-    from stiction.contact.indices import Indices
 
 
 @dataclass(frozen=True)
@@ -39,8 +36,8 @@ class Subject(Input):
     """Two rough surfaces in contact, as far as a model asks. Numbers may be arrays with named dimensions."""
 
     @abstractmethod
-    def indices(self) -> "Indices":
-        """The dimensionless groups."""
+    def indices(self) -> Any:
+        """The dimensionless groups, as Indices."""
 
     @abstractmethod
     def scales(self) -> Scales:

@@ -1,0 +1,17 @@
+"""`stiction cite`: BibTeX of what was used."""
+
+from typing import Annotated
+
+import typer
+
+from stiction.cli.program import app
+
+
+@app.command()
+def cite(
+    keys: Annotated[list[str] | None, typer.Argument(metavar="[KEY]...", help="Models or entries; all if none.")] = None,
+) -> None:
+    """BibTeX of models, film laws and entries of the bibliography."""
+    from stiction.laws.overview import cite as bibtex_of
+
+    print(bibtex_of(keys or None), end="")

@@ -1,0 +1,31 @@
+"""`stiction models`: every model and law, and all of one."""
+
+from typing import Annotated
+
+import typer
+
+from stiction.cli.program import Json, app, console
+
+
+@app.command()
+def models(
+    keys: Annotated[list[str] | None, typer.Argument(metavar="[KEY]...", help="Say all of these; else a line of each.")] = None,
+    json: Json = False,
+) -> None:
+    """Every model and law: key, kind, provenance grade, source, range of validity; what is missing where there is none.
+    With KEY also its assumptions, equations and check numbers."""
+    from stiction.laws.overview import models as all_models
+
+    rows = all_models(keys or None)
+    if json:
+        from stiction.report.files import as_json
+
+        print(as_json(rows))
+        return
+    from stiction.report.tables import grades, model_in_full, models_tables
+
+    terminal = console()
+    for row in rows if keys else ():
+        terminal.print(model_in_full(row), "")
+    if not keys:
+        terminal.print(models_tables(rows), grades())
