@@ -4,7 +4,11 @@
 import atexit
 import gc
 
-from stiction.cli import compare, figures, lists, run, surface  # noqa: F401  the order of the help
+# isort: off
+# In the order of the help.
+from stiction.cli import run, compare, surface, figures, models, cite, schema  # noqa: F401
+
+# isort: on
 from stiction.cli.program import app
 
 __all__ = ["app", "main"]
