@@ -118,18 +118,13 @@ def _descent(low, high, law):
     return high, 0.0
 
 
-@kernel
-def _seek_fall(k, previous, places, loads, slopes, law):
-    """Whether the load, which is not held, falls at the sample k or between the last two: a place where it does and its slope
-    there, else one where the slope is not negative; and the last place known to be before the fall."""
-    turn, falling = places[k], slopes[k]
-    if falling > 0.0 and k % INNER > 1 and comes_near(slopes[k - 2], slopes[k - 1], falling, NEARER):
-        left, middle = places[k - 2], places[k - 1]
-        turn, falling = beyond_zero(SLOPE, left, slopes[k - 2], middle, slopes[k - 1], turn, falling, law)
-        previous = middle if turn > middle else left
-    if falling > 0.0 and k % INNER > 0 and loads[k] < loads[k - 1]:
-        turn, falling = _descent(max(previous, places[k - 1]), places[k], law)
-    return turn, falling, previous
+@formula
+def _first_flowing(part, count):
+    """The first of the pieces between `count` edges where the asperity flows, or the last edge."""
+    first = 0
+    while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
+        first += 1
+    return first
 
 
 @kernel
@@ -142,10 +137,7 @@ def _regained(low, high, above, law, level):
 @kernel
 def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
     """Append the ends of the plateaus of the load to the sorted edges[:count]; levels: (start, level) of each."""
-    first = 0  # the load can fall only where the asperity flows
-    while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
-        first += 1
-    out = edges[first:count]
+    out = edges[_first_flowing(part, count) : count]  # before, the load cannot fall
     _sample_loads(law, out, out.size, places, loads, slopes)
     known, at, held, level = count, 0, False, 0.0
     previous = out[0]
@@ -154,8 +146,11 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
         if not u > kink:
             continue
         turn = u
-        if not held:
-            turn, falling, previous = _seek_fall(k, previous, places, loads, slopes, law)
+        if not held and falling > 0.0 and k % INNER > 1 and comes_near(slopes[k - 2], slopes[k - 1], falling, NEARER):
+            turn, falling = beyond_zero(SLOPE, places[k - 2], slopes[k - 2], places[k - 1], slopes[k - 1], u, falling, law)
+            previous = places[k - 1] if turn > places[k - 1] else places[k - 2]
+        if not held and falling > 0.0 and k % INNER > 0 and loads[k] < loads[k - 1]:
+            turn, falling = _descent(max(previous, places[k - 1]), u, law)
         elif held and falling < 0.0 and k % INNER > 0 and slopes[k - 1] > 0.0 and loads[k] < level:
             summit = _summit(places[k - 1], places[k - 1], u, falling, law)
             above = signal(ABOVE, summit, law, level)
