@@ -181,7 +181,7 @@ def test_area_without_adhesion_is_that_of_zhao_maietta_and_chang():
 @pytest.mark.parametrize("exponents", [(2, 1), (1, 2)])
 def test_load_is_continuous_and_rises_once_it_is_compressive(exponents):
     count = 3000
-    regimes = graded.graded_regimes(*random_laws(count, 6), 1.0, *exponents)
+    regimes = graded.graded_regimes(*random_laws(count, 6), 1.0, exponents)
     parameters = np.stack(np.broadcast_arrays(*regimes[0].parameters), axis=1)
     start = np.array([graded_law.coordinate(1e-12 * row[0] ** (2 / 3), *row) for row in parameters])
     u = start[:, None] * (np.maximum(END, 2 * start) / start)[:, None] ** np.linspace(0, 1, 4000)
@@ -273,7 +273,7 @@ def test_grid_agrees_with_single_separations():
 def test_bad_input_is_refused():
     substrate, film, *others = random_laws(3, 10)
     with pytest.raises(InputError, match="m_soft: 3; allowed: 1 or 2"):
-        graded.graded_regimes(substrate, film, *others, m_soft=3)
+        graded.graded_regimes(substrate, film, *others, exponents=(3, 1))
     problem = problem_of(substrate, Choice(options={"reading": "published", "transition": "gradual"}))
     with pytest.raises(InputError, match="transition: 'gradual'; allowed: jump"):
         assert problem.regimes

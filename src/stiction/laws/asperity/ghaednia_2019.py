@@ -100,12 +100,14 @@ _radius, _hardness = radius, hardness
 
 
 @formula
-def yielding(u, w_c, C, B, sharpness, front, rate, share, wide):
-    """Beyond 1.9 omega_c; from the displacement `wide` on the hardness stays at S_y.
+def yielding(u, *row):
+    """Beyond 1.9 omega_c. row: w_c, C, B, sharpness; front, rate, as of `stiffening`; share, as of `elastic_share`; wide: from
+    this displacement on the hardness stays at S_y.
 
     The load is F_p + (F_e - F_p) share (eq 30), F_p that of Jackson and Green (eqs 27, 29), F_e Hertz's (eq 31, which is
     printed with a factor pi that Hertz's force does not have).
     """
+    w_c, C, B, sharpness, front, rate, share, wide = row
     w = u * u
     a = _radius(w, w_c, B, sharpness, front, rate)
     H = _hardness(a * sharpness) if w < wide else 1.0
@@ -114,7 +116,7 @@ def yielding(u, w_c, C, B, sharpness, front, rate, share, wide):
 
 
 @formula
-def coordinate(w, w_c, C, B, sharpness, front, rate, share, wide):
+def coordinate(w, *row):
     return math.sqrt(max(w, 0.0))
 
 

@@ -57,15 +57,14 @@ def graded_regimes(
     tau: np.ndarray,
     film_aspect: np.ndarray,
     n_g: np.ndarray | float = 1.0,
-    m_soft: int = 2,
-    m_hard: int = 1,
+    exponents: tuple[int, int] = (2, 1),
 ) -> list[Regime]:
     """Regimes of a surface with a graded film, loads and resistances in units of the substrate; arrays (n,).
 
     substrate, film: their Poisson's ratio, K beta and hardness over yield stress, and the substrate's adhesion indices; the
-    film's follow from n_E, n_H, n_g. tau = t/sigma, film_aspect = t/sqrt(R sigma), 0 to infinity both. m_soft, m_hard: the
-    exponent of (S5.13), 1 or 2. An asperity counts as film while w < tau, as plastic where its elastic mean pressure
-    exceeds the hardness at its depth.
+    film's follow from n_E, n_H, n_g. tau = t/sigma, film_aspect = t/sqrt(R sigma), 0 to infinity both. exponents: m of (S5.13)
+    of a film softer and of one harder than the substrate, each 1 or 2. An asperity counts as film while w < tau, as plastic
+    where its elastic mean pressure exceeds the hardness at its depth.
     """
     laws = len(substrate.theta)
     n_E, n_H, tau, film_aspect, n_g = (
@@ -75,20 +74,21 @@ def graded_regimes(
     n_H = np.where(tau > 0.0, n_H, 1.0)
     n_Y = n_H * substrate.hardness_to_yield / film.hardness_to_yield
     film_k = np.where(tau > 0.0, film.hardness_to_yield, substrate.hardness_to_yield)
-    linear, square = fading_rates(n_E, n_H, n_Y, tau, m_soft, m_hard)
-    parameters = _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, linear, square)
+    rates = fading_rates(n_E, n_H, n_Y, tau, *exponents)
+    parameters = _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, rates)
     return _regimes(parameters, tau, PARTS)
 
 
 def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
     """Regimes of the bare surface that turns plastic by degrees, in place of the load jump of (S2.9)."""
     one, never = np.ones(len(asperity.theta)), np.full(len(asperity.theta), np.inf)
-    parameters = _parameters(asperity, asperity, asperity.hardness_to_yield, one, one, never, one, 0.0, 0.0)
+    parameters = _parameters(asperity, asperity, asperity.hardness_to_yield, one, one, never, one, (0.0, 0.0))
     return _regimes(parameters, never, (("elastic", "bare"), ("plastic", "bare")))
 
 
-def _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, linear, square) -> np.ndarray:
-    """Parameters (n, 14) of the law, in the order that `along` takes them."""
+def _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, rates) -> np.ndarray:
+    """Parameters (n, 14) of the law, in the order that `along` takes them. film_k: the film's hardness over yield stress;
+    rates: at which its hardness fades, as `fading_rates` gives them."""
     columns = (
         math.pi * n_g / substrate.theta,
         substrate.eta,
@@ -96,8 +96,7 @@ def _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, linear, squ
         n_H,
         1.0 / np.maximum(film_aspect, 1e-100),
         (substrate.nu + film.nu) / 2.0,
-        linear,
-        square,
+        *rates,
         substrate.nu,
         film.nu,
         substrate.K_beta,

@@ -47,9 +47,9 @@ def plastic_coordinate(w, *row):
 
 
 @cache
-def _compiled(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
-    """Formulas of the elastic and the plastic asperity, and the kernel that finds where one gives way to the other. row: the
-    ELASTIC parameters, as `pieces` gives them, and the displacement at which the asperity flows."""
+def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
+    """Formulas of the elastic and the plastic asperity, and of whether the elastic one flows. row: the ELASTIC parameters, as
+    `pieces` gives them, and the displacement at which the asperity flows, which the last does without."""
     modulus, hardness = composites_of("modulus")[modulus_key].value, composites_of("hardness")[hardness_key].value
 
     @formula
@@ -80,6 +80,13 @@ def _compiled(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
         """Whether the mean pressure of the elastic asperity is the hardness, or more."""
         return stiffened(u, row) * u >= hardened(u * u, row)
 
+    return elastic, plastic, flows
+
+
+@cache
+def _onset(flows: Any) -> Any:
+    """The kernel that finds where the elastic asperity gives way to the plastic one."""
+
     @kernel
     def onset(table, out):
         """The least u = sqrt(w) at which the mean pressure reaches the hardness: (E'/E'_s) u = eta H/H_s. It lies between the
@@ -105,7 +112,7 @@ def _compiled(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
                     low = u
             out[i] = high
 
-    return elastic, plastic, onset
+    return onset
 
 
 def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarray:
@@ -127,10 +134,10 @@ def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str)
     film_hardness: Any = composites_of("hardness")[hardness]
     constant = film_hardness.constants(n_E, n_H, n_H)
     eta = groups.eta
-    elastic, plastic, onset = _compiled(modulus, hardness)
+    elastic, plastic, flows = _formulas(modulus, hardness)
     known = n_E, n_H, eta, aspect, tau, groups.film_nu, groups.nu, constant, exponent
     u_c = np.empty(laws)
-    onset(columns(known, laws), u_c)
+    _onset(flows)(columns(known, laws), u_c)
     parameters = (*known, u_c * u_c)
     widths = aspect[:, None] * np.array(
         [0.1, 0.3, 1.0, 3.0, 10.0, 40.0, 200.0, 1e3, 6e3]

@@ -187,8 +187,14 @@ def _sum_below(y, series):
 
 
 @formula
-def resistance(u, w, load, area, eta, k, nu, inside_until, below_from, end, to_inside, to_below, *series):
-    """Q = (q0/p0) P. s = p0/Y = 1.5 k P/(eta x): the mean pressure is H where P = eta x (docs/theory.md), and H = k Y."""
+def resistance(u, w, load, area, *row):
+    """Q = (q0/p0) P. s = p0/Y = 1.5 k P/(eta x): the mean pressure is H where P = eta x (docs/theory.md), and H = k Y.
+
+    row: eta, k, nu; s at which the three places take turns: inside_until, below_from, end; to_inside, to_below, which make s
+    the y of the series; and the terms of both (`series_for`).
+    """
+    eta, k, nu, inside_until, below_from, end, to_inside, to_below = row[:8]
+    series = row[8:]
     strength = eta * area / k  # the load at which the mean pressure is Y
     s = 1.5 * load / strength if area > 0.0 else 0.0
     if s >= end:

@@ -35,15 +35,17 @@ def _lesser(slip_limited, yield_limited):
 
 
 @formula
-def resistance(u, w, load, area, theta, eta, K_beta, nu, k):
-    """Slip resistance, or yield resistance where that is less."""
+def resistance(u, w, load, area, *row):
+    """Slip resistance, or yield resistance where that is less. row: theta, eta, K_beta (times the peeling), nu, k = H/Y."""
+    theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance(load, theta, K_beta)
     return _lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
 
 
 @formula
-def resistance_printed(u, w, load, area, theta, eta, K_beta, nu, k):
-    """The same with eq (10) to the letter."""
+def resistance_printed(u, w, load, area, *row):
+    """The same, of the same row, with eq (10) to the letter."""
+    theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance_printed(area, theta, K_beta)
     return _lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
 

@@ -1,7 +1,7 @@
 """Where the law of a graded film has kinks: the edges of its regimes.
 
-Each kind of kink is a zero of a function of u that is smooth but for a kink where the asperity begins to flow: they
-are sampled together, there too, sign changes are refined inside their bracket, and near misses of zero are looked
+Each kind of kink is a zero of a function of u (`graded_signals`) that is smooth but for a kink where the asperity begins to
+flow: they are sampled together, there too, sign changes are refined inside their bracket, and near misses of zero are looked
 into. Where the load would fall although it is compressive, the asperity keeps it until it is reached again (S5.19):
 that plateau has two ends more.
 """
@@ -12,9 +12,21 @@ import numpy as np
 
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.vectorised import exponential
-from stiction.laws.asperity.shared.transition import FULLY_PLASTIC, plastic_share
-from stiction.laws.film.shared.graded_law import contact, depth_coordinate, fading
-from stiction.laws.tangential.shared.edge_yield import coefficients
+from stiction.laws.film.shared.graded_law import contact, depth_coordinate
+from stiction.laws.film.shared.graded_signals import (
+    ABOVE,
+    BALANCE,
+    NEARER,
+    REAL,
+    SLOPE,
+    SQUEEZED,
+    beyond_zero,
+    comes_near,
+    load_before_plateaus,
+    signal,
+    signals,
+    zero,
+)
 
 PARAMETERS = 14  # of the law, before the plateaus
 PLATEAUS = 3
@@ -28,129 +40,11 @@ _DEEPEST = 10.0  # u; x = 10^4
 # Before these, cells are equal in ln(u - start). The first sample at the closest, where the spacing changes, cells per e-fold.
 _NEAREST, _APART, _DENSE = 1e-9, 0.2, 4.0
 NEAR = math.ceil(_DENSE * math.log(_APART / _NEAREST))
-_NEARER, _FELT = 0.3, 0.5
+_FELT = 0.5  # a signal is looked into where it is below this, though no parabola comes near to zero
 _END = 1e8  # u, in place of infinity
 _FADING, _FADED = 8.0, 40.0  # exponents at which the film's share in the hardness is small, and rounding
 
 _PLACES = np.clip((1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, INNER))) / 2.0, 1e-9, 1.0 - 1e-9)  # kinks are at the ends
-
-
-@formula
-def signals(u, law):
-    """Functions of u whose zeros are kinks: first yield, full plasticity, the yield resistance ceases to be real in tension
-    (a branch point, S3.9), it reaches zero in compression (S3.10), and slip equals yield (S3.11, over the strength)."""
-    pull, eta, n_E, n_H, per_aspect, nu, linear, square, nu_s, nu_c, Kb_s, Kb_c, yield_s, yield_c = law
-    S = math.sqrt(6.0 * pull)
-    w, _, Q, _, share = contact(u, S, n_E, per_aspect, nu)
-    film = fading(w, linear, square)
-    x = u * u * u * u
-    load, flowing = Q * (Q - S), eta * (1.0 + (n_H - 1.0) * film) * x
-    strength = eta * x * (yield_s + (yield_c - yield_s) * film)
-    ratio = load / flowing
-    n, p, q = coefficients(nu_s + (nu_c - nu_s) * share)
-    d = p * p + q * q - p * q
-    P = min(load, flowing) / strength
-    K_beta = Kb_s + (Kb_c - Kb_s) * share
-    T = 4.0 * math.sqrt(max(2.0 * pull * P + 3.0 * pull * pull / strength, 0.0) / (K_beta * strength))
-    squeeze = math.sqrt(3.0) * n * P
-    balance = squeeze * squeeze + 3.0 * n * (p - q) * P * T + d * T * T - 1.0
-    real = 2.0 * math.sqrt(d) + (p + q) * squeeze
-    return ratio - 1.0, ratio - FULLY_PLASTIC, real, 1.0 - squeeze, balance
-
-
-@formula
-def load_before_plateaus(u, law):
-    """Load, its derivative by ln u over hardness times x, and elastic mean pressure over hardness."""
-    pull, eta, n_E, n_H, per_aspect, nu, linear, square = law[:8]
-    S = math.sqrt(6.0 * pull)
-    w, slope, Q, growth, _ = contact(u, S, n_E, per_aspect, nu)
-    film = fading(w, linear, square)
-    x, dx = u * u * u * u, 4.0 * u * u * u
-    elastic, d_elastic = Q * (Q - S), (2.0 * Q - S) * Q * growth / u
-    hardness = eta * (1.0 + (n_H - 1.0) * film)
-    d_hardness = -eta * (n_H - 1.0) * film * (linear + 2.0 * square * max(w, 0.0)) * slope
-    flowing, d_flowing = hardness * x, d_hardness * x + hardness * dx
-    ratio = elastic / flowing
-    d_ratio = (d_elastic - ratio * d_flowing) / flowing
-    f, df = plastic_share(ratio)
-    full, d_full = 2.0 * (hardness * w - pull), 2.0 * (d_hardness * w + hardness * slope)
-    capped = min(elastic, flowing)
-    d_capped = d_elastic if ratio <= 1.0 else d_flowing
-    load = capped + f * (full - capped)
-    slope = d_capped + df * d_ratio * (full - capped) + f * (d_full - d_capped)
-    return load, slope * u / flowing, ratio
-
-
-# Numbers of the functions of u whose zeros are sought: the five signals, then two of the load.
-_REAL, _SQUEEZED, _BALANCE, _SLOPE, _ABOVE = 2, 3, 4, 5, 6
-
-
-@kernel
-def _value(which, u, law, level):
-    """A signal, or the slope of the load, or the load less `level`."""
-    if which < _SLOPE:
-        return signals(u, law)[which]
-    load, slope, _ = load_before_plateaus(u, law)
-    return slope if which == _SLOPE else load - level
-
-
-@kernel
-def _zero(which, low, at_low, high, at_high, law, level):
-    """A zero in a bracket: false position (Anderson & Bjorck 1973), halving now and then.
-
-    To all digits where the resistance jumps, or where pieces are so narrow that the signal, in size about 1, hardly changes."""
-    fine, small = (4e-15, 0.0) if which == _REAL or which >= _SLOPE else (1e-9, 1e-11)
-    u = last = low
-    for turn in range(90):
-        u = high - at_high * (high - low) / (at_high - at_low)
-        if turn % 8 == 7 or turn > 30 or not low < u < high:
-            u = 0.5 * (low + high)
-        value = _value(which, u, law, level)
-        step = abs(u - last) / u
-        if value == 0.0 or step <= 4e-15 or (step <= fine and abs(value) <= small):
-            break
-        if (value > 0.0) == (at_high > 0.0):
-            shrink = 1.0 - value / at_high
-            at_low *= shrink if shrink > 0.0 else 0.5
-            high, at_high = u, value
-        else:
-            shrink = 1.0 - value / at_low
-            at_high *= shrink if shrink > 0.0 else 0.5
-            low, at_low = u, value
-        last = u
-    return u
-
-
-@kernel
-def _beyond_zero(which, left, at_left, u, at, right, at_right, law):
-    """Whether a signal that comes near to zero at u, with the same sign on both sides, crosses it: the place and value of
-    opposite sign, or the least value found. Parabolas through three places."""
-    for turn in range(25):
-        p, q = (u - left) * (at - at_right), (u - right) * (at - at_left)
-        if p == q:
-            break
-        vertex = u - 0.5 * ((u - left) * p - (u - right) * q) / (p - q)
-        if not left < vertex < right or abs(vertex - u) < 1e-3 * (right - left):
-            vertex = u + 0.1 * ((right - u) if right - u > u - left else (left - u))
-        value = _value(which, vertex, law, 0.0)
-        if (value > 0.0) != (at > 0.0):
-            return vertex, value
-        if abs(value) < abs(at):
-            saved = 1.0 - value / at
-            if vertex > u:
-                left, at_left = u, at
-            else:
-                right, at_right = u, at
-            u, at = vertex, value
-            if turn > 3 and saved < 0.01:  # it turns here
-                break
-        elif vertex > u:
-            right, at_right = vertex, value
-        else:
-            left, at_left = vertex, value
-        if right - left < 1e-7 * u:
-            break
-    return u, at
 
 
 @formula
@@ -162,32 +56,22 @@ def _add(out, count, u):
     return count
 
 
-@formula
-def _comes_near(before, here, there, small):
-    """Whether three samples of one sign turn near zero: the middle one is below `small`, or a parabola through them comes well
-    nearer to zero."""
-    rise, bend = there - before, there - 2.0 * here + before
-    turns = (here - before) * (there - here) < 0.0 and bend * here > 0.0 and before * here > 0.0
-    near = rise * rise > 8.0 * _NEARER * bend * here or abs(here) < small
-    return turns and near
-
-
 @kernel
 def _add_zeros(which, places, values, law, out, count):
     """Append the zeros of one signal that was sampled at `places`."""
     before = values[0]
     # A branch point is felt from some way off, and the balance has sharp turns. Others may be constant but for rounding.
-    small = _FELT if which in (_REAL, _BALANCE) else 0.0
+    small = _FELT if which in (REAL, BALANCE) else 0.0
     for j in range(places.size - 1):
         here, there = values[j], values[j + 1]
         if (here > 0.0) != (there > 0.0):
-            count = _add(out, count, _zero(which, places[j], here, places[j + 1], there, law, 0.0))
-        elif _comes_near(before, here, there, small):
-            u, value = _beyond_zero(which, places[j - 1], before, places[j], here, places[j + 1], there, law)
+            count = _add(out, count, zero(which, places[j], here, places[j + 1], there, law, 0.0))
+        elif comes_near(before, here, there, small):
+            u, value = beyond_zero(which, places[j - 1], before, places[j], here, places[j + 1], there, law)
             if (value > 0.0) != (here > 0.0):
-                count = _add(out, count, _zero(which, places[j - 1], before, u, value, law, 0.0))
-                count = _add(out, count, _zero(which, u, value, places[j + 1], there, law, 0.0))
-            elif which == _REAL:  # there is a branch point beside the line of real u
+                count = _add(out, count, zero(which, places[j - 1], before, u, value, law, 0.0))
+                count = _add(out, count, zero(which, u, value, places[j + 1], there, law, 0.0))
+            elif which == REAL:  # there is a branch point beside the line of real u
                 count = _add(out, count, u)
         before = here
     return count
@@ -211,16 +95,16 @@ def _sample_loads(law, edges, count, places, loads, slopes):
 def _summit(low, kink, high, at_high, law):
     """Where the load stops rising, between low, where it rises, and high, where it falls; kink: an edge between, or low."""
     below, above = kink * (1.0 - 1e-13), kink * (1.0 + 1e-13)
-    at_low = _value(_SLOPE, low, law, 0.0)
+    at_low = signal(SLOPE, low, law, 0.0)
     if low < kink:
-        before, after = _value(_SLOPE, below, law, 0.0), _value(_SLOPE, above, law, 0.0)
+        before, after = signal(SLOPE, below, law, 0.0), signal(SLOPE, above, law, 0.0)
         if before < 0.0:
             high, at_high = below, before
         elif after < 0.0:
             return kink
         else:
             low, at_low = above, after
-    return low if at_low <= 0.0 else _zero(_SLOPE, low, at_low, high, at_high, law, 0.0)
+    return low if at_low <= 0.0 else zero(SLOPE, low, at_low, high, at_high, law, 0.0)
 
 
 @kernel
@@ -228,19 +112,32 @@ def _descent(low, high, law):
     """A place between low and high where the load falls, and its slope there; high if none is found."""
     for m in range(1, 64):
         u = low + (high - low) * m / 64.0
-        slope = _value(_SLOPE, u, law, 0.0)
+        slope = signal(SLOPE, u, law, 0.0)
         if slope < 0.0:
             return u, slope
     return high, 0.0
 
 
+@formula
+def _first_flowing(part, count):
+    """The first of the pieces between `count` edges where the asperity flows, or the last edge."""
+    first = 0
+    while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
+        first += 1
+    return first
+
+
+@kernel
+def _regained(low, high, above, law, level):
+    """Where a load that is held at `level` is reached again, between low and high, where it is greater by `above`."""
+    lacking = min(signal(ABOVE, low, law, level), 0.0)
+    return zero(ABOVE, low, lacking, high, above, law, level)
+
+
 @kernel
 def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
     """Append the ends of the plateaus of the load to the sorted edges[:count]; levels: (start, level) of each."""
-    first = 0  # the load can fall only where the asperity flows
-    while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
-        first += 1
-    out = edges[first:count]
+    out = edges[_first_flowing(part, count) : count]  # before, the load cannot fall
     _sample_loads(law, out, out.size, places, loads, slopes)
     known, at, held, level = count, 0, False, 0.0
     previous = out[0]
@@ -249,30 +146,28 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
         if not u > kink:
             continue
         turn = u
-        if not held and falling > 0.0 and k % INNER > 1 and _comes_near(slopes[k - 2], slopes[k - 1], falling, _NEARER):
-            turn, falling = _beyond_zero(_SLOPE, places[k - 2], slopes[k - 2], places[k - 1], slopes[k - 1], u, falling, law)
+        if not held and falling > 0.0 and k % INNER > 1 and comes_near(slopes[k - 2], slopes[k - 1], falling, NEARER):
+            turn, falling = beyond_zero(SLOPE, places[k - 2], slopes[k - 2], places[k - 1], slopes[k - 1], u, falling, law)
             previous = places[k - 1] if turn > places[k - 1] else places[k - 2]
         if not held and falling > 0.0 and k % INNER > 0 and loads[k] < loads[k - 1]:
             turn, falling = _descent(max(previous, places[k - 1]), u, law)
         elif held and falling < 0.0 and k % INNER > 0 and slopes[k - 1] > 0.0 and loads[k] < level:
             summit = _summit(places[k - 1], places[k - 1], u, falling, law)
-            above = _value(_ABOVE, summit, law, level)
+            above = signal(ABOVE, summit, law, level)
             if above > 0.0 and at < PLATEAUS:  # a peak between two samples
-                lacking = min(_value(_ABOVE, previous, law, level), 0.0)
-                previous = _zero(_ABOVE, previous, lacking, summit, above, law, level)
+                previous = _regained(previous, summit, above, law, level)
                 known, held = _add(edges, known, previous), False
         # Once to see where the load comes back, once more if it falls again before the sample.
         for _ in range(2):
             if not held and falling < 0.0 and at < PLATEAUS:
                 start = _summit(previous, max(kink, previous), turn, falling, law)
-                level = _value(_ABOVE, start, law, 0.0)
+                level = signal(ABOVE, start, law, 0.0)
                 known, held = _add(edges, known, start), True
                 levels[2 * at], levels[2 * at + 1] = start, level
                 at += 1
                 previous = max(turn, start)
             if held and loads[k] > level:
-                lacking = min(_value(_ABOVE, previous, law, level), 0.0)
-                previous = _zero(_ABOVE, previous, lacking, u, loads[k] - level, law, level)
+                previous = _regained(previous, u, loads[k] - level, law, level)
                 known, held = _add(edges, known, previous), False
             turn, falling = u, slopes[k]
         previous = u
@@ -356,13 +251,13 @@ def _fill(parameters, tau, edges, part, levels, branch):
         size = _insert(out[before:count], law, scan, samples, size)  # the load has a kink there
         count = _add_zeros(1, scan[:size], samples[1], law, out, count)
         before = count
-        count = _add_zeros(_REAL, scan[:size], samples[_REAL], law, out, count)
-        count = _add_branches(start, samples[_REAL, 0], law, out, before, count, branch[i])
+        count = _add_zeros(REAL, scan[:size], samples[REAL], law, out, count)
+        count = _add_branches(start, samples[REAL, 0], law, out, before, count, branch[i])
         grips = size - 1  # beyond the last sample that is not fully plastic nothing resists
         while grips > 0 and samples[1, grips - 1] > 0.0:
             grips -= 1
-        count = _add_zeros(_SQUEEZED, scan[: grips + 1], samples[_SQUEEZED], law, out, count)
-        count = _add_zeros(_BALANCE, scan[: grips + 1], samples[_BALANCE], law, out, count)
+        count = _add_zeros(SQUEEZED, scan[: grips + 1], samples[SQUEEZED], law, out, count)
+        count = _add_zeros(BALANCE, scan[: grips + 1], samples[BALANCE], law, out, count)
         for at in range(count):
             out[at] = min(max(out[at], start), top)
         out[:count].sort()
@@ -387,7 +282,7 @@ def _add_branches(start, at_start, law, out, first, count, branch):
         while at_low > 0.0 and below < 0.2:
             high, at_high = low, at_low
             low = start * (1.0 - below)
-            at_low, below = _value(_REAL, low, law, 0.0), 3.0 * below
+            at_low, below = signal(REAL, low, law, 0.0), 3.0 * below
         if at_low < 0.0:
             branch[0] = low - at_low * (high - low) / (at_high - at_low)  # there is no piece there: about
         elif at_start < _FELT:  # beside the line of real u

@@ -47,13 +47,17 @@ def fading(w, linear, square):
 
 
 @formula
-def along(
-    u, pull, eta, n_E, n_H, per_aspect, nu, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c,
-    start_1, level_1, start_2, level_2, start_3, level_3,
-):  # fmt: skip
-    """The asperity at u, as a Regime asks for it. pull = pi n_g/theta; per_aspect = sqrt(R sigma)/t; nu: mean of both
-    bodies; yield_s, yield_c: yield stress of substrate and film over pi H_s; from u = start_i on the load is at least
-    level_i."""
+def along(u, *row):
+    """The asperity at u, as a Regime asks for it.
+
+    row: pull = pi n_g/theta; eta, of the substrate; n_E, n_H; per_aspect = sqrt(R sigma)/t; nu, mean of both bodies; linear,
+    square, as in `fading`; nu_s, nu_c, K_beta_s, K_beta_c, of substrate and film; yield_s, yield_c, their yield stress over
+    pi H_s; and three plateaus: from u = start_i on the load is at least level_i.
+    """
+    (
+        pull, eta, n_E, n_H, per_aspect, nu, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c,
+        start_1, level_1, start_2, level_2, start_3, level_3,
+    ) = row  # fmt: skip
     S = math.sqrt(6.0 * pull)
     w, slope, Q, _, share = contact(u, S, n_E, per_aspect, nu)
     film = fading(w, linear, square)
@@ -100,11 +104,9 @@ def depth_coordinate(w, S, n_E, per_aspect, nu):
 
 
 @formula
-def coordinate(
-    w, pull, eta, n_E, n_H, per_aspect, nu, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c,
-    start_1, level_1, start_2, level_2, start_3, level_3,
-):  # fmt: skip
-    """The inverse of `along`; 0 where nothing touches."""
+def coordinate(w, *row):
+    """The inverse of `along`, of the same row; 0 where nothing touches."""
     if not w > 0.0:
         return 0.0
+    pull, _, n_E, _, per_aspect, nu = row[:6]
     return depth_coordinate(w, math.sqrt(6.0 * pull), n_E, per_aspect, nu) if w < math.inf else math.inf

@@ -1,0 +1,142 @@
+"""Functions of u whose zeros are kinks of the law of a graded film, and how one of these zeros is found.
+
+Each is smooth but for a kink where the asperity begins to flow. `law` is the tuple of the law's parameters, in the order that
+`graded_law.along` takes them, up to the plateaus.
+"""
+
+import math
+
+from stiction.engine.compiled import formula, kernel
+from stiction.laws.asperity.shared.transition import FULLY_PLASTIC, plastic_share
+from stiction.laws.film.shared.graded_law import contact, fading
+from stiction.laws.tangential.shared.edge_yield import coefficients
+
+NEARER = 0.3  # a near miss is looked into if a parabola through it comes nearer to zero by this share
+
+
+@formula
+def signals(u, law):
+    """Functions of u whose zeros are kinks: first yield, full plasticity, the yield resistance ceases to be real in tension
+    (a branch point, S3.9), it reaches zero in compression (S3.10), and slip equals yield (S3.11, over the strength)."""
+    pull, eta, n_E, n_H, per_aspect, nu, linear, square, nu_s, nu_c, Kb_s, Kb_c, yield_s, yield_c = law
+    S = math.sqrt(6.0 * pull)
+    w, _, Q, _, share = contact(u, S, n_E, per_aspect, nu)
+    film = fading(w, linear, square)
+    x = u * u * u * u
+    load, flowing = Q * (Q - S), eta * (1.0 + (n_H - 1.0) * film) * x
+    strength = eta * x * (yield_s + (yield_c - yield_s) * film)
+    ratio = load / flowing
+    n, p, q = coefficients(nu_s + (nu_c - nu_s) * share)
+    d = p * p + q * q - p * q
+    P = min(load, flowing) / strength
+    K_beta = Kb_s + (Kb_c - Kb_s) * share
+    T = 4.0 * math.sqrt(max(2.0 * pull * P + 3.0 * pull * pull / strength, 0.0) / (K_beta * strength))
+    squeeze = math.sqrt(3.0) * n * P
+    balance = squeeze * squeeze + 3.0 * n * (p - q) * P * T + d * T * T - 1.0
+    real = 2.0 * math.sqrt(d) + (p + q) * squeeze
+    return ratio - 1.0, ratio - FULLY_PLASTIC, real, 1.0 - squeeze, balance
+
+
+@formula
+def load_before_plateaus(u, law):
+    """Load, its derivative by ln u over hardness times x, and elastic mean pressure over hardness."""
+    pull, eta, n_E, n_H, per_aspect, nu, linear, square = law[:8]
+    S = math.sqrt(6.0 * pull)
+    w, slope, Q, growth, _ = contact(u, S, n_E, per_aspect, nu)
+    film = fading(w, linear, square)
+    x, dx = u * u * u * u, 4.0 * u * u * u
+    elastic, d_elastic = Q * (Q - S), (2.0 * Q - S) * Q * growth / u
+    hardness = eta * (1.0 + (n_H - 1.0) * film)
+    d_hardness = -eta * (n_H - 1.0) * film * (linear + 2.0 * square * max(w, 0.0)) * slope
+    flowing, d_flowing = hardness * x, d_hardness * x + hardness * dx
+    ratio = elastic / flowing
+    d_ratio = (d_elastic - ratio * d_flowing) / flowing
+    f, df = plastic_share(ratio)
+    full, d_full = 2.0 * (hardness * w - pull), 2.0 * (d_hardness * w + hardness * slope)
+    capped = min(elastic, flowing)
+    d_capped = d_elastic if ratio <= 1.0 else d_flowing
+    load = capped + f * (full - capped)
+    slope = d_capped + df * d_ratio * (full - capped) + f * (d_full - d_capped)
+    return load, slope * u / flowing, ratio
+
+
+# Numbers of the functions of u whose zeros are sought: the five signals, then two of the load.
+REAL, SQUEEZED, BALANCE, SLOPE, ABOVE = 2, 3, 4, 5, 6
+
+
+@kernel
+def signal(which, u, law, level):
+    """A signal, or the slope of the load, or the load less `level`."""
+    if which < SLOPE:
+        return signals(u, law)[which]
+    load, slope, _ = load_before_plateaus(u, law)
+    return slope if which == SLOPE else load - level
+
+
+@kernel
+def zero(which, low, at_low, high, at_high, law, level):
+    """A zero in a bracket: false position (Anderson & Bjorck 1973), halving now and then.
+
+    To all digits where the resistance jumps, or where pieces are so narrow that the signal, in size about 1, hardly changes."""
+    fine, small = (4e-15, 0.0) if which == REAL or which >= SLOPE else (1e-9, 1e-11)
+    u = last = low
+    for turn in range(90):
+        u = high - at_high * (high - low) / (at_high - at_low)
+        if turn % 8 == 7 or turn > 30 or not low < u < high:
+            u = 0.5 * (low + high)
+        value = signal(which, u, law, level)
+        step = abs(u - last) / u
+        if value == 0.0 or step <= 4e-15 or (step <= fine and abs(value) <= small):
+            break
+        if (value > 0.0) == (at_high > 0.0):
+            shrink = 1.0 - value / at_high
+            at_low *= shrink if shrink > 0.0 else 0.5
+            high, at_high = u, value
+        else:
+            shrink = 1.0 - value / at_low
+            at_high *= shrink if shrink > 0.0 else 0.5
+            low, at_low = u, value
+        last = u
+    return u
+
+
+@kernel
+def beyond_zero(which, left, at_left, u, at, right, at_right, law):
+    """Whether a signal that comes near to zero at u, with the same sign on both sides, crosses it: the place and value of
+    opposite sign, or the least value found. Parabolas through three places."""
+    for turn in range(25):
+        p, q = (u - left) * (at - at_right), (u - right) * (at - at_left)
+        if p == q:
+            break
+        vertex = u - 0.5 * ((u - left) * p - (u - right) * q) / (p - q)
+        if not left < vertex < right or abs(vertex - u) < 1e-3 * (right - left):
+            vertex = u + 0.1 * ((right - u) if right - u > u - left else (left - u))
+        value = signal(which, vertex, law, 0.0)
+        if (value > 0.0) != (at > 0.0):
+            return vertex, value
+        if abs(value) < abs(at):
+            saved = 1.0 - value / at
+            if vertex > u:
+                left, at_left = u, at
+            else:
+                right, at_right = u, at
+            u, at = vertex, value
+            if turn > 3 and saved < 0.01:  # it turns here
+                break
+        elif vertex > u:
+            right, at_right = vertex, value
+        else:
+            left, at_left = vertex, value
+        if right - left < 1e-7 * u:
+            break
+    return u, at
+
+
+@formula
+def comes_near(before, here, there, small):
+    """Whether three samples of one sign turn near zero: the middle one is below `small`, or a parabola through them comes well
+    nearer to zero."""
+    rise, bend = there - before, there - 2.0 * here + before
+    turns = (here - before) * (there - here) < 0.0 and bend * here > 0.0 and before * here > 0.0
+    near = rise * rise > 8.0 * NEARER * bend * here or abs(here) < small
+    return turns and near
