@@ -15,8 +15,11 @@ from stiction.laws.sources import bibliography
 MADE = [(script, table) for script, tables in make_tables.tables_made().items() for table in tables]
 PAGE = (ROOT / "docs" / make_tables.SECTIONS).read_text(encoding="utf-8")
 COMPUTED = [record for record in records() if record.kind != "not available"]
+# Ways of finding asperities are held to closed forms of surfaces (tests/contract/test_asperity_records.py), not to tables.
+TABLED = [record for record in COMPUTED if record.kind != "asperity method"]
 each_record = pytest.mark.parametrize("record", records(), ids=lambda record: f"{record.kind}-{record.key}")
 each_computed = pytest.mark.parametrize("record", COMPUTED, ids=lambda record: f"{record.kind}-{record.key}")
+each_tabled = pytest.mark.parametrize("record", TABLED, ids=lambda record: f"{record.kind}-{record.key}")
 
 # What the docstring of a model's file has, and what stands there.
 LAYOUT = {
@@ -69,7 +72,7 @@ def test_page_has_a_section_of_every_model(record):
         assert "- Missing: " in text and "- Nearest to it here: " in text
     else:
         assert text.count("- Valid for: ") == max(len(record.validity), 1)
-        assert "- Reference values: " in text
+        assert "- Reference values: " in text or record not in TABLED
 
 
 @each_record
@@ -79,7 +82,7 @@ def test_list_of_models_leads_to_the_section(record):
     assert f"| [`{record.key}`]({make_tables.SECTIONS}#{anchor}) | {record.title} |" in models
 
 
-@each_computed
+@each_tabled
 def test_model_has_a_reference_table(record):
     """tests/reference/KEY.csv, or one of which its script says that it is of this model; asperity laws have the former."""
     tables = make_tables.reference_tables(record)

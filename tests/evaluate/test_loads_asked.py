@@ -382,8 +382,8 @@ def test_theories_in_closed_form_at_loads(module):
     density = np.exp(rng.uniform(np.log(least * 1.001), np.log(largest * 0.999), count))
     ones = np.ones(count)
     groups = Groups(
-        theta=100.0 * ones, lam=10.0 * ones, nu=0.3 * ones, hardness_to_yield=2.8 * ones, K_beta=6.4762 * ones, density=density,
-        sharpness=0.03 * ones, nominal_width=30.0 * ones,
+        theta=100.0 * ones, lam=10.0 * ones, nu=0.3 * ones, hardness_to_yield=2.8 * ones, K_beta=6.4762 * ones,
+        roughness_parameter=density, sharpness=0.03 * ones, nominal_width=30.0 * ones,
     )  # fmt: skip
     load = 10.0 ** rng.uniform(-20.0, -2.5, (count, 2))
     problem = problem_of(groups, Choice(module.RECORD.key))
@@ -397,7 +397,7 @@ def test_theories_in_closed_form_at_loads(module):
 
 
 def test_a_theory_in_closed_form_refuses_what_it_carries_nowhere():
-    contact = st.Indices(theta=xarray.DataArray([100.0, 200.0, 300.0], dims="contact"), lam=10.0, density=0.05)
+    contact = st.Indices(theta=xarray.DataArray([100.0, 200.0, 300.0], dims="contact"), lam=10.0, roughness_parameter=0.05)
     load = xarray.DataArray([0.01, 1e-3, 1e4], dims="contact")
     with pytest.raises(st.InputError, match="'10000'; allowed: at most 3"):
         st.solve(contact, load=load, model="bush_gibson_thomas_1975")

@@ -230,7 +230,7 @@ def test_elastoplastic_hardness():
     groups = given(
         theta=K * sigma**1.5 / (w * math.sqrt(R)),
         lam=math.pi**2 * R * H**4 * sigma / (18 * K**2 * w**2),
-        density=N * R * sigma,
+        roughness_parameter=N * R * sigma,
     )
     slope = float(Moments.from_asperities(sigma, R, N).rms_slope)
     assert_near(persson_2001_elastoplastic.hardness_over_slope(groups), H / (E * slope), 1e-14)

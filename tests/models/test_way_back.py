@@ -19,7 +19,7 @@ def unload(contact, pressed_to, **more):
 
 
 @pytest.mark.parametrize("pressed_to", (-4.9, -9.0))
-@pytest.mark.parametrize("row", read("pull_off.csv")[3:], ids=lambda row: f"{row['inverse_delta_c']}")
+@pytest.mark.parametrize("row", read("fuller_tabor_1975.csv")[3:], ids=lambda row: f"{row['inverse_delta_c']}")
 def test_the_largest_tension_of_surfaces_pressed_deep(row, pressed_to):
     """tests/reference/pull_off.csv, of asperities on the branch of unloading: all that can still hold had touched. Where it is
     largest as little as 1e-6 of the contact area is left."""

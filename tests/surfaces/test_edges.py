@@ -7,9 +7,9 @@ import pytest
 from comparing import near
 from scipy import stats
 
+from stiction.laws.finding import asperities
 from stiction.quantities.errors import InputError
 from stiction.studies.resolution import resolution_study
-from stiction.surfaces.areal_asperities import eight_neighbour
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.johnson import johnson
@@ -117,14 +117,14 @@ def test_the_ridge_of_a_groove_has_no_summits(tilt, turned):
     along = flat.heights.T if turned else flat.heights
     assert 0.0 < np.ptp(along[:, 48]) < 1e-12 * np.ptp(along)  # the ridge is not level to the last digit
     with pytest.raises(InputError, match="'0 found'"):
-        eight_neighbour(flat)
+        asperities(flat, "eight_neighbour")
 
 
 def test_a_summit_higher_than_rounding_is_one():
     """Bumps of 1e-9 of the height of the ridge are found, each of them."""
     y, x = grid(64, 96)
     heights = 1e-7 * (np.cos(2.0 * math.pi * x / 12.0) + 1e-9 * np.cos(2.0 * math.pi * y / 8.0))
-    found = eight_neighbour(HeightMap(heights, (64e-6, 96e-6)))
+    found = asperities(HeightMap(heights, (64e-6, 96e-6)), "eight_neighbour")
     assert found.count == 7 * 7  # those at the edges are left out
 
 

@@ -1,7 +1,15 @@
-"""Summits of a map: points higher than their eight neighbours, with the curvature of a fitted paraboloid.
+r"""Summits of a map: points higher than their eight neighbours, with the curvature of a fitted paraboloid.
 
 What a grid sees depends on its pitch (Greenwood 1984): where waves are short of points, summits are missed and those found are
 too low and too blunt. Where a long summit lies aslant of the grid, several of its points are higher than their neighbours.
+
+*Assumes*: an asperity is a sampled point that is higher than its eight neighbours; its curvature is that of the least-squares
+paraboloid through five or nine points around it. *Source*: [nayak_1971] for the summits that these points stand for. With $n$
+such points of heights $z$ on the area $A$ where they could be, and the second derivatives of the paraboloid,
+
+$$
+\kappa=-\tfrac12(z_{xx}+z_{yy}),\qquad N=\frac nA,\qquad\sigma^2=\overline{(z-\bar z)^2},\qquad\frac1R=\bar\kappa
+$$
 """
 
 from itertools import product

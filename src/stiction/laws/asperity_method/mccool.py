@@ -1,7 +1,15 @@
-"""Summits that a surface would have if it were Gaussian, isotropic but for a stretch: McCool's, from spectral moments.
+r"""Summits that a surface would have if it were Gaussian, isotropic but for a stretch: McCool's, from spectral moments.
 
 No asperity is looked for. The mean squares of height, slope and second derivative along profiles (m0, m2, m4), put into Nayak's
 statistics (1971) as McCool (1986) does, give sigma, R and N; stiction.surfaces.theory.moments has the relations.
+
+*Assumes*: the surface is Gaussian, isotropic but for a stretch. *Source*: [mccool_1986], [nayak_1971]. From the mean squares
+$m_0,m_2,m_4$ of height, slope and second derivative along profiles,
+
+$$
+N=\frac{m_4/m_2}{6\pi\sqrt3},\qquad R=\frac38\sqrt{\frac\pi{m_4}},\qquad\sigma^2=\left(1-\frac{0.8968}\alpha\right)m_0,\qquad
+\alpha=\frac{m_0m_4}{m_2^2}
+$$
 """
 
 from math import inf

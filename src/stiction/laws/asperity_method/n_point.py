@@ -1,8 +1,17 @@
-"""n-point asperities: neighbouring points of a row or a column of a map that are above a level, each such row one asperity.
+r"""n-point asperities: neighbouring points of a row or a column of a map that are above a level, each such row one asperity.
 
 Hariri, Zu & Ben Mrad (2006) let the level move with the separation of the surfaces; a fixed one, as here, is a departure that a
 sum over fixed heights makes necessary. Height and radius of an asperity are a reconstruction: see
 stiction.surfaces.theory.n_point.
+
+*Assumes*: an asperity is $n$ neighbouring sampled points of a profile whose $n-2$ middle ones are above a level. *Source*:
+[hariri_zu_ben_mrad_2006], its abstract. *Unknown*: every formula. *Reconstruction*: with the highest point at $t$ above the
+level and the chord $L=(n-1)\ell$, the radius is that of the parabola, and $D$ places per length where the profile comes up
+through the level give as many per area as peaks would:
+
+$$
+R_n=\frac{L^2}{8t},\qquad N=\frac{2\pi}{3\sqrt3}D_xD_y
+$$
 """
 
 from collections.abc import Iterator

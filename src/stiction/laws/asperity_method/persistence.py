@@ -1,8 +1,17 @@
-"""Summits of a map that stand out by more than a threshold: persistence, by joining hills from the highest saddle down.
+r"""Summits of a map that stand out by more than a threshold: persistence, by joining hills from the highest saddle down.
 
 Only few points matter. Around most of them the higher neighbours hang together: whatever they belong to, the point belongs to
 as well. A maximum has no higher neighbour; a saddle has several groups of them, and may be where two hills meet. Of two points
 of the same height that with the larger flat index counts as higher, so that there is one order of all.
+
+*Assumes*: an asperity is the top of a hill from which one has to go down by more than a threshold before a higher one can be
+reached; its curvature is that of the least-squares paraboloid around it. *Source*: [iso_25178_2_2012], hills and Wolf pruning.
+*Reconstruction*: the standards were not at hand; the pruning, and its default of 5 % of $S_z$, are as remembered, and dales are
+left out. With the saddle $s$ at which a hill of the top $z$ joins a higher one, it counts where
+
+$$
+z-s>c,\qquad\kappa=-\tfrac12(z_{xx}+z_{yy}),\qquad N=\frac nA,\qquad\frac1R=\bar\kappa
+$$
 """
 
 from functools import cache

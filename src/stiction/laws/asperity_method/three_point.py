@@ -1,10 +1,18 @@
-"""Peaks of profiles: points higher than both neighbours along a row or a column of a map.
+r"""Peaks of profiles: points higher than both neighbours along a row or a column of a map.
 
 A profile hardly ever crosses a summit: it passes over its shoulders. So its peaks are lower than the summits and, on a smooth
 Gaussian surface, blunter: their mean curvature is sqrt(pi m4/2), that of the summits (8/3) sqrt(m4/pi), 1.20 times as large
 (Nayak 1971). Where there are ever smaller waves, three points see ever smaller and sharper peaks as the pitch shrinks, a fixed
 share of all points, whatever carries the load. That is Greenwood's doubt about three-point peaks (Greenwood & Wu 2001): they
 are here to be compared with.
+
+*Assumes*: an asperity is a sampled point of a profile that is higher than both neighbours. *Source*:
+[greenwood_williamson_1966] for the peaks, [nayak_1971] for the number of summits of an isotropic Gaussian surface by that of
+the peaks of its profiles, $D$ per length. With the pitch $\ell$,
+
+$$
+\kappa_i=\frac{2z_i-z_{i-1}-z_{i+1}}{\ell^2},\qquad N=\frac{2\pi}{3\sqrt3}D_xD_y,\qquad\frac1R=\bar\kappa
+$$
 """
 
 import numpy as np
