@@ -18,16 +18,13 @@ from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.heights import NEGLIGIBLE, gaussian_density, gaussian_window
 from stiction.engine.regime import Regime
 from stiction.engine.sum_kernels import LONGEST, SHORT, WIDEST
-from stiction.engine.summation import _arrays, _make_rules
+from stiction.engine.summation import _COUNTS, _RULES, _arrays
 from stiction.engine.vectorised import exponential
 
 # Separations of the way, even: beyond either end next to nothing touches, or no model claims anything.
 WAY = np.linspace(10.0, -8.0, 73)
 _STEP = float(WAY[0] - WAY[1])
 
-# Nodes on a piece that is short or long against sigma; multiples of eight, as those of the engine.
-_COUNTS = np.array([24, 56])
-_RULES = _make_rules(_COUNTS)
 # Displacements with a part in the load anywhere on the way.
 _LOWEST, _TOP = -3.0 * math.sqrt(2.0 * NEGLIGIBLE) - WAY[0], 2.5 + math.sqrt(2.0 * NEGLIGIBLE) - WAY[-1]
 _BLOCK = 256  # laws at a time: their nodes stay in the processor's cache

@@ -6,6 +6,7 @@ checked once, for all of an input together (`coordinates`).
 """
 
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -20,12 +21,13 @@ def without_indexes(array: Any) -> Any:
     return array.drop_indexes(list(array.xindexes)) if array.xindexes else array
 
 
-def dimensions(values: Iterable[Any]) -> dict[str, int]:
-    """Name -> length of every dimension of these values, numbers or arrays, in the order of first appearance.
+def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
+    """Name -> length of every dimension of these values, numbers or arrays, in the order of first appearance; those that are
+    known already stand first.
 
     Raises InputError where two of them disagree about a length.
     """
-    dims: dict[str, int] = {}
+    dims = dict(first)
     for value in values:
         for dim, size in getattr(value, "sizes", {}).items():
             if dims.setdefault(str(dim), size) != size:

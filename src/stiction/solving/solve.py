@@ -55,6 +55,8 @@ def solve(
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
     problem = make_problem(contact, Choice.of(model, laws), heights, threads)
+    if problem.needs_load and load is None:
+        raise InputError("separation", separation, f"a load in its place: {problem.record.key} knows no separation")
     name, given = ("load", load) if separation is None else ("mean_separation", separation)
     return _solved(problem, name, points_asked(problem.subject, name, given))
 
@@ -68,7 +70,7 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     wanted = np.broadcast_to(aligned(point, dims) / aligned(factors[unit], dims), tuple(dims.values()))
     found = None
     if problem.needs_load:
-        tables = _at_load(problem, given, wanted, aligned(factors["N"], dims))
+        tables = _at_load(problem, wanted, aligned(factors["N"], dims))
     elif given == "load":
         found = inverted(problem, wanted, aligned(factors["N"], dims))
         h = found.h.reshape(wanted.shape)
@@ -106,11 +108,9 @@ def _pull_off(problem: Problem, factors: Mapping[str, Any], found: Inversion | N
     return as_variables(problem.subject, tables, factors, dims)
 
 
-def _at_load(problem: Problem, given: str, load: np.ndarray, unit: np.ndarray) -> dict[str, np.ndarray]:
+def _at_load(problem: Problem, load: np.ndarray, unit: np.ndarray) -> dict[str, np.ndarray]:
     """Results of the full shape at normalised loads, of a theory that knows no separation."""
     model = problem.record.key
-    if given != "load":
-        raise InputError("separation", "given", f"a load in its place: {model} knows no separation")
     if (load < 0.0).any():
         raise InputError(
             "load", problem.subject.show(float((load * unit).min()), "load"), f"0 or more: {model} knows no adhesion"
@@ -139,15 +139,7 @@ def point_coordinates(*points: Any) -> dict[str, Any]:
 
 def all_dims(problem: Problem, others: Any) -> dict[str, int]:
     """Dimensions of the contacts first, then those that only points and scales have."""
-    return problem.dims | {dim: size for dim, size in _agreeing(problem, others).items() if dim not in problem.dims}
-
-
-def _agreeing(problem: Problem, others: Any) -> dict[str, int]:
-    dims = dimensions(others)
-    for dim, size in problem.dims.items():
-        if dims.get(dim, size) != size:
-            raise InputError(dim, f"lengths {size} and {dims[dim]}", "one length for one dimension")
-    return dims
+    return dimensions(others, problem.dims)
 
 
 def inverted(problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> Inversion:
