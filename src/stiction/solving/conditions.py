@@ -6,14 +6,13 @@ The bounds are round numbers; each says what fails beyond it. What is "impossibl
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from math import inf, isinf
+from math import inf
 
 import numpy as np
 
 from stiction.contact.subject import Subject
 from stiction.laws.claims import Validity
 from stiction.laws.validity import Doubt, doubts_about
-from stiction.quantities.table import QUANTITIES
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
 
@@ -41,19 +40,16 @@ OUT_OF_PROPORTION = (
 RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     *((rule, _any) for rule in OUT_OF_PROPORTION),
     (Validity("area_fraction", 0.0, 1.0, "the real contact area is above the nominal one", "impossible"), _any),
-    (
-        Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat: no roughness is left", "impossible"),
-        _any,
-    ),
+    (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
     (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
-    (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities that are given no friction", "effect"), _any),
-    (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with a good part of the load", "effect"), _does_not_adhere),
+    (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),
+    (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
     (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),
     (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _any),
     (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _any),
     (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _any),
-    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface: too close, or too far apart"), _any),
-    (Validity("thickness_over_radius", 0.0, 1.0, "the film is thicker than its asperities are blunt, and rounds them off"), _any),
+    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _any),
+    (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _any),
     (Validity("touching_asperities", 10.0, inf, "so few asperities make no average", "statistics"), _any),
 )  # fmt: skip
 

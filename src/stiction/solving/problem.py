@@ -18,6 +18,7 @@ from stiction.laws.registry import Record, RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
+from stiction.solving.candidates import with_interface
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import Chosen, look_up
 
@@ -343,7 +344,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
     """The problem of these groups, with one dimension, "contact". subject: what a user gave, if it was more than groups."""
-    chosen = look_up(choice, groups.has_film)
+    chosen = look_up(with_interface(choice, groups), groups.has_film)
     for record in chosen.records():
         for name in record.needs:
             if getattr(groups, name) is None:
