@@ -136,7 +136,8 @@ def test_nothing_is_recommended_where_nothing_holds():
 
 
 def said(subject, load):
-    """name -> (number of ranges left, grade, friction coefficient, those ranges) of the models that predict friction, and the dataset."""
+    """name -> (number of ranges left, grade, friction coefficient, those ranges) of the models that predict friction; and the
+    dataset."""
     data = compare(subject, load=load)
     told = {}
     for name in data["model"].values:

@@ -42,7 +42,7 @@ def without_old_names(given: Mapping[str, Any]) -> dict[str, Any]:
     """The same keywords with `film` for `coating_law`, its name until version 0.2, with a warning."""
     renamed = dict(given)
     if renamed.get("coating_law") is not None:
-        warnings.warn("coating_law is now called film", FutureWarning, stacklevel=4)
+        warnings.warn("coating_law is now called film", FutureWarning, stacklevel=3)
         renamed["film"] = renamed["coating_law"]
     renamed.pop("coating_law", None)
     return renamed
