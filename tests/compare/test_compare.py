@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import warnings
 
 import numpy as np
@@ -108,12 +109,39 @@ def test_films():
     coated = contact(coating=st.Coating(**FILM), interfacial_shear_strength="50 MPa")
     names = [one.name for one in candidates(coated)]
     assert len(names) == len(set(names))
+    assert "printed" not in names  # one reading of its model, and no answer of its own
     data = compare(coated, load="1 N")
     assert {"soft_coating_2015 + sequential", "graded"} <= set(data["model"].values)
     for film in of_kind(FilmLaw).values():
         shown = sum(str(name).endswith(film.key) for name in data["model"].values)
         assert shown > 1 if film.key == "sequential" else shown == film.interchangeable
     assert "persson_2001: " in data.attrs["left_out"] and "this contact has a film" in data.attrs["left_out"]
+
+
+def test_a_film_law_is_asked_with_the_asperity_of_its_source():
+    """Chang's film is of Chang, Etsion & Bogy's asperities."""
+    coated = contact(coating=st.Coating(**FILM), interfacial_shear_strength="50 MPa")
+    (film,) = (one for one in candidates(coated) if one.name == "chang_1997")
+    assert film.choice.asperity == "chang_etsion_bogy_1987"
+
+
+@pytest.mark.parametrize("model", ("persson_2001", "persson_2001_elastoplastic"))
+def test_a_theory_without_separations_is_asked_at_the_loads_of_a_plain_sum(data, model):
+    """Of Greenwood & Williamson's, in newtons, on a surface whose own moments are those of its asperities."""
+    plain = data.sel(model="greenwood_williamson_1966")["load"].values
+    assert_allclose(data.sel(model=model)["load"].values, plain, rtol=1e-12)
+    assert data["load"].attrs["units"] == "N"
+    assert np.isnan(data.sel(model=model)["mean_separation"].values).all()
+
+
+def test_whether_a_surface_sticks_is_told_of_its_moments():
+    """Not of the asperities that were found on it, where both are given."""
+    rough = {"asperity_height_deviation": "10 nm", "asperity_radius": "20 um", "asperity_density": "1e12 1/m^2"}
+    steel = {**STEEL, "work_of_adhesion": "1 J/m^2"}
+    both = st.Contact(**steel, roughness=st.Roughness(**SURFACE, surface=st.Roughness(**rough)))
+    moments, found = (st.Contact(**steel, roughness=st.Roughness(**one)) for one in (rough, SURFACE))
+    told = [compare(one, separations=[0.0]).attrs["criteria"] for one in (both, moments, found)]
+    assert told[0] == told[1] != told[2]
 
 
 def test_an_unreachable_load_is_said_not_computed():
@@ -135,6 +163,12 @@ def test_bad_input():
         compare("steel")
     with pytest.raises(st.InputError, match="load"):
         compare(SHEARED, load="10 m")
+
+
+@pytest.mark.parametrize("separations", ([], 1.0, np.array(1.0), [[1.0, 2.0]], [0.0, math.nan], [2e6], "abc", [1j], [None]))
+def test_separations_that_are_no_row_of_numbers_are_refused(separations):
+    with pytest.raises(st.InputError, match=r"^separations: .*; allowed: a row of numbers, over sigma, from "):
+        compare(st.Indices(theta=40, lam=10), separations=separations)
 
 
 CASE = f"""

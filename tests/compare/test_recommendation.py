@@ -76,6 +76,8 @@ def test_the_reason_says_what_decided():
     assert best.candidate.name == "a"
     assert reason.startswith("within its validity here, as 1 of the 3 models that predict friction are; ")
     assert "uses the stated shear strength of the interface" in reason and "takes account of adhesion and plasticity" in reason
+    _, reason = recommend([answer("a", 0.2), answer("b", None), answer("c", np.nan), answer("d", 0.1, 1)])
+    assert reason.startswith("within its validity here, as 1 of the 2 models that predict friction are; ")
     _, reason = recommend([answer("a", 0.2, 1), answer("b", 0.1, 2)])
     assert reason.startswith("no model is within its validity here, and this leaves the fewest ranges (1); grade B")
     _, reason = recommend([answer(name, mu) for name, mu in (("a", 0.1), ("b", 0.2), ("c", 0.3))])

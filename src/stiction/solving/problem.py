@@ -12,7 +12,7 @@ from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import Regime
-from stiction.engine.summation import on_grid, scattered, totals_on_grid
+from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
 from stiction.laws.registry import Record, RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
@@ -318,12 +318,15 @@ def takes_surface_moments(model: str) -> bool:
 
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
     """The problem of this contact under this model. Raises InputError for what the model does not know or refuses."""
+    check_threads(threads)
     subject = with_surface_moments(as_subject(subject), choice.model)
     if heights is None:
         name, parameters = subject.heights
         heights = height_distribution(name, **parameters)
     elif isinstance(heights, str):
         heights = height_distribution(heights)
+    elif not isinstance(heights, Heights):
+        raise InputError("heights", type(heights).__name__, "a height distribution, or its name")
     groups, dims = Groups.of(subject.indices())
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)
