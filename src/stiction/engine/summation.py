@@ -14,7 +14,6 @@ from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
-from numbers import Integral
 
 import numpy as np
 
@@ -59,7 +58,7 @@ def _arrays(regime: Regime) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
 
 def check_threads(threads: object) -> None:
     """InputError unless it is a number of threads."""
-    if isinstance(threads, bool) or not (isinstance(threads, Integral) and threads >= 1):
+    if isinstance(threads, bool) or not (isinstance(threads, int | np.integer) and threads >= 1):
         raise InputError("threads", threads, "a whole number, 1 or more")
 
 

@@ -63,7 +63,9 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         _refuse_parts(choice, model, tangential, coated)
         return Chosen(model, None, tangential, None, None, _options(choice, model, tangential))
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
-    film = _film(choice, model) if coated else _no_film(choice)
+    film = _film(choice, model) if coated else None
+    if choice.film and not coated:
+        find(choice.film, FilmLaw)  # one that is known waits for a contact with a film; one that nobody knows is refused
     for one in (tangential, film):
         if one is not None and (reason := incompatibility(one, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)
@@ -96,12 +98,6 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
     if not film.interchangeable:
         raise InputError("film", key, "another film law; this one belongs to one reading of its model")
     return film
-
-
-def _no_film(choice: Choice) -> None:
-    """Nothing; InputError for a film law that nobody knows. One that is known waits for a contact that has a film."""
-    if choice.film is not None:
-        find(choice.film, FilmLaw)
 
 
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
