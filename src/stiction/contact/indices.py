@@ -8,9 +8,9 @@ import numpy as np
 from pydantic import model_validator
 
 from stiction.contact.subject import Scales, Subject
-from stiction.quantities.dimensions import flattened
+from stiction.quantities.dimensions import check_names, flattened
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Number, OptionalNumber
+from stiction.quantities.inputs import Number, OptionalNumber, floats
 from stiction.quantities.table import QUANTITIES
 
 __all__ = ["Groups", "Indices", "hardness_group", "stiffness_group"]
@@ -137,12 +137,19 @@ class Indices(Subject):
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def read(self, value: Any, name: str) -> Any:
-        try:
-            array = value if hasattr(value, "dims") else np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(name, value, "numbers, normalised like the indices") from None
+        normalised, labelled = "numbers, normalised like the indices", hasattr(value, "dims")
+        array = floats(value.values if labelled else value, name, normalised)
         if not np.all(np.isfinite(array)):
             raise InputError(name, value, "finite numbers")
+        if labelled:
+            check_names(value, name)
+            if (unit := value.attrs.get("units", "1")) not in ("", "1"):
+                raise InputError(name, f"numbers in {unit}", f"{normalised}: they have no unit")
+            return value.copy(data=array) if array.ndim else float(array)
+        if array.ndim > 1:
+            raise InputError(
+                name, f"array of shape {array.shape}", "one number, one row of them, or an array with named dimensions"
+            )
         return array if array.ndim else float(array)
 
     def read_point(self, entry: Any, name: str, where: str) -> float:
