@@ -37,8 +37,8 @@ class Indices(Subject):
     Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
-    half-space to every asperity. film_friction_constant is calibrated where it is left out, and it and the last eight are needed
-    by some laws only. Raises InputError.
+    half-space to every asperity; film_friction_constant left out follows from strength and hardness. It and the last eight are
+    needed by some laws only. Raises InputError.
     """
 
     theta: Number

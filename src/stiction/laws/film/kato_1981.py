@@ -23,18 +23,19 @@ $$
 P=\pi a^2H_f+4\pi k_fR\begin{cases}a-b\arctan(a/b)&c=0\\a-c-mb^2&c>0\end{cases}
 $$
 
-and for $\omega>t$, where $b^2=-g^2$: $c=g\coth[\operatorname{arsinh}(g/\sqrt{2Rt})+mg]$. The tangential force is that of a law of the
-interface, $\tau_0$ on all of $2\pi R\omega$; $\tau_0$ above $k_f$ has no meaning, below it the film sticks less than is taken
-here, and the hill is up to half as high. $n_H$ above 1 counts as 1: all at $H$.
+and for $\omega>t$, where $b^2=-g^2$: $c=g\coth[\operatorname{arsinh}(g/\sqrt{2Rt})+mg]$. The tangential force is that of a law
+of the interface, $\tau_0$ on all of $2\pi R\omega$; $\tau_0$ above $k_f$ has no meaning, below it the film sticks less than is
+taken here, and the hill is up to half as high. $n_H$ above 1 counts as 1: all at $H$.
 
 *Limit*: a thick film is at its own hardness, $\mu=\tau_0/H_f$; one of no thickness leaves the plastic substrate,
-$\mu=\tau_0/H$. A disc of height $s$, in place of the ball, has the mean pressure $H_f+2k_fa/(3s)$. *Check*, as the abstracts say:
-$\mu$ falls with load, with the radius, and as the film gets thinner or the substrate harder; the pressure at the middle is
-many times the mean. *Unknown*: the empirical expression of part 1; of part 2 the pressure at the edge, the shear on both faces,
-and whether the ball ploughs (so says a later paper of the same group, J. Tribology 109 (1987) 545; left out here).
+$\mu=\tau_0/H$. In a shallow contact the gap is that of a disc, and the mean pressure $H_f+2k_fa/(3t)$. *Check*, as the
+abstracts say: $\mu$ falls with load, and the pressure at the middle is many times that at the edge; thickness, hardness and radius count:
+at one load $\mu$ rises with thickness and, as the gap gets wider, with the radius, and falls as the film gets harder.
+*Unknown*: the empirical expression of part 1; of part 2 the pressure at the edge, the shear on both faces, and whether the ball
+ploughs (so says a later paper of the same group, J. Tribology 109 (1987) 545; left out here).
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units). Lengths along the surface are
-over $\sqrt{R\sigma}$, so that $a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ over `film_aspect`.
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units). Lengths along the
+surface are over $\sqrt{R\sigma}$, so that $a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ over `film_aspect`.
 """
 
 import math
@@ -78,7 +79,7 @@ def tan_excess(x):
 def squeezed(u, *row):
     """The film alone, at w = tau sin(u)^2: a and b are sqrt(2 tau) times sin(u) and cos(u). row: tau, hill, bound, edge, more:
     4 k_f sqrt(R/sigma), m, H_f and H - H_f, in the unit of the load over the area."""
-    tau, hill, bound, edge, more = row
+    tau, hill, _, edge, _ = row
     sine = math.sin(u)
     w = tau * sine * sine
     return w, 2.0 * tau * sine * math.cos(u), 2.0 * edge * w + hill * math.sqrt(2.0 * tau) * arc_excess(u), 2.0 * w
@@ -87,7 +88,7 @@ def squeezed(u, *row):
 @formula
 def bounded(u, *row):
     """The same with the pressure bounded within c = b tan(u - m b)."""
-    tau, hill, bound, edge, more = row
+    tau, hill, bound, edge, _ = row
     width, sine, cosine = math.sqrt(2.0 * tau), math.sin(u), math.cos(u)
     w, a, b = tau * sine * sine, width * sine, width * cosine
     if u < 0.25 * math.pi:
@@ -192,7 +193,7 @@ RECORD = FilmLaw(
         Validity("n_H", 0.0, 1.0, "the film is soft"),
         Validity("theta", 10.0, math.inf, "adhesion is left out"),
     ),
-    notes="The load on asperities under which the substrate's hardness bounds the pressure is load_substrate: where that is most "
-    "of it, the substrate is not rigid, as the source has it, but plastic. Ploughing is left out. Without film_aspect (indices "
-    "only) the film has no hill of pressure.",
+    notes="load_substrate is the load on asperities under which the substrate's hardness bounds the pressure: where that is "
+    "most of it, the substrate is not rigid, as the source has it, but plastic. Ploughing is left out. Without film_aspect "
+    "(indices only) the film has no hill of pressure.",
 )

@@ -8,9 +8,9 @@ $$
 \mu=c\left(\frac tW\right)^{1/3}=\left(\frac{Ct}W\right)^{1/3},\qquad C=c^3\ \text{in N/m}
 $$
 
-*Reconstruction*: friction is the film's shear strength over the mean pressure, $\mu=\tau_0/p$, so that the cube root is a pressure
-that rises as $W^{1/3}$; on the area $2\pi R\omega$ of a plastic contact that is $p\propto\sqrt{\omega/t}$. The film's own
-hardness bounds it below, where the film carries the load, and the substrate's above, where that does ([bowden_tabor_1943]).
+*Reconstruction*: friction is the film's shear strength over the mean pressure, $\mu=\tau_0/p$, so that the cube root is a
+pressure that rises as $W^{1/3}$; on the area $2\pi R\omega$ of a plastic contact that is $p\propto\sqrt{\omega/t}$. The film's
+own hardness bounds it below, where the film carries the load, the substrate's above, where that does ([bowden_tabor_1943]).
 At the bounds Amontons's law holds: the abstract wants the cube root only where it fails. That friction is higher where the film
 carries the load is in the abstract of [rabinowicz_1967],
 
@@ -98,7 +98,9 @@ RECORD = FilmLaw(
     grade="C",
     sources=(
         Source(
-            "ravindran_ramasamy_laddha_1980", "abstract", "the power; the pressure that gives it and its factor are reconstructed"
+            "ravindran_ramasamy_laddha_1980",
+            "abstract",
+            "the power; the pressure that gives it and its factor are reconstructed",
         ),
         Source("bowden_tabor_1943", "", "shear strength of the film over the pressure, which the substrate bounds"),
         Source("rabinowicz_1967", "abstract", "friction is higher where the film carries the load, and not the substrate"),
@@ -115,6 +117,6 @@ RECORD = FilmLaw(
     ),
     notes="mu = (C t/W)^(1/3) of each asperity, between shear strength over film hardness and shear strength over substrate "
     "hardness. C is friction_constant of the coating; left out, it follows from strength, hardness and radius, such that the "
-    "substrate takes part from where the film is pressed by its own thickness. Where an asperity is between the bounds its load "
-    "is counted as the substrate's.",
+    "substrate takes part from where the film is pressed by its own thickness. The load of an asperity between the bounds is "
+    "counted as the substrate's.",
 )
