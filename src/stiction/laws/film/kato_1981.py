@@ -29,8 +29,9 @@ taken here, and the hill is up to half as high. $n_H$ above 1 counts as 1: all a
 
 *Limit*: a thick film is at its own hardness, $\mu=\tau_0/H_f$; one of no thickness leaves the plastic substrate,
 $\mu=\tau_0/H$. In a shallow contact the gap is that of a disc, and the mean pressure $H_f+2k_fa/(3t)$. *Check*, as the
-abstracts say: $\mu$ falls with load, and the pressure at the middle is many times that at the edge; thickness, hardness and radius count:
-at one load $\mu$ rises with thickness and, as the gap gets wider, with the radius, and falls as the film gets harder.
+abstracts say: $\mu$ falls with load, and the pressure at the middle is many times that at the edge; thickness, hardness and
+radius count: at one load $\mu$ rises with thickness and, as the gap gets wider, with the radius, and falls as the film gets
+harder.
 *Unknown*: the empirical expression of part 1; of part 2 the pressure at the edge, the shear on both faces, and whether the ball
 ploughs (so says a later paper of the same group, J. Tribology 109 (1987) 545; left out here).
 
