@@ -1,5 +1,7 @@
 """Films with a plastic asperity of their own: limits, trends that the abstracts state, and the pressure integrated anew."""
 
+import itertools
+import json
 import math
 from pathlib import Path
 
@@ -7,8 +9,10 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
+from typer.testing import CliRunner
 
 import stiction as st
+from stiction import cli
 from stiction.contact.indices import Groups
 from stiction.engine import heights, summation
 from stiction.engine.regime import columns
@@ -282,7 +286,7 @@ def test_what_katos_abstracts_say():
 
 
 @pytest.mark.parametrize("film", ["dayson_1971", "kato_1981", "ravindran_ramasamy_laddha_1980"])
-def test_they_answer_at_loads_in_comparisons_and_on_the_command_line(film, tmp_path: Path):
+def test_they_answer_at_loads_and_in_comparisons(film):
     found = at_loads(contact(), film)
     assert found["load"].values == pytest.approx([0.03, 1.0, 20.0])
     assert ((found["friction_coefficient"] > 0.005) & (found["friction_coefficient"] < 0.25)).all()
@@ -291,6 +295,45 @@ def test_they_answer_at_loads_in_comparisons_and_on_the_command_line(film, tmp_p
     assert float(beside["friction_coefficient_at_load"].sel(model=film)) == pytest.approx(
         float(found["friction_coefficient"][1])
     )
+
+
+CASE = """
+[contact]
+first = "hardened_steel_52100"
+second = "hardened_steel_52100"
+work_of_adhesion = "50 mJ/m^2"
+nominal_area = "1 mm^2"
+interfacial_shear_strength = "20 MPa"
+roughness = {asperity_height_deviation = "48 nm", asperity_radius = "50 um", asperity_density = "1.7e10 1/m^2"}
+coating = {material = "silver", thickness = "50 nm", bodies = "first", friction_constant = "FRICTION_CONSTANT"}
+[solve]
+model = "greenwood_williamson_1966"
+tangential = "bowden_tabor_1943"
+load = ["0.1 N", "1 N"]
+"""
+
+
+def test_they_are_run_from_a_case_file(tmp_path: Path):
+    """With their options, and the constant of Ravindran's film; mu of that grows with it."""
+    mu = {}
+    for constant, words in itertools.product(
+        ("1 N/m", "3 N/m"),
+        (
+            ("dayson_1971",),
+            ("dayson_1971", "--rim-pressure", "substrate_hardness"),
+            ("kato_1981",),
+            ("ravindran_ramasamy_laddha_1980",),
+        ),
+    ):
+        path = tmp_path / "case.toml"
+        path.write_text(CASE.replace("FRICTION_CONSTANT", constant))
+        done = CliRunner().invoke(cli.app, ["run", str(path), "--json", "--film", *words])
+        assert (done.exit_code, done.stderr) == (0, "")
+        mu[constant, words] = np.array(json.loads(done.stdout)["variables"]["friction_coefficient"]["values"])
+    for (constant, words), found in mu.items():
+        more = found / mu["1 N/m", words] - 1.0
+        assert (more > 0.1).all() if constant == "3 N/m" and words[0].startswith("ravindran") else (more == 0.0).all()
+    assert (mu["1 N/m", ("dayson_1971",)] > mu["1 N/m", ("dayson_1971", "--rim-pressure", "substrate_hardness")]).all()
 
 
 def test_what_leaves_their_validity_is_said():
