@@ -76,6 +76,7 @@ _MORE: dict[str, Callable[[Any], Any]] = {
     "default_film": str,
     "own_asperity": bool,
     "bares_substrate": bool,
+    "confined": bool,
     "interchangeable": bool,
     "interfacial": bool,
     "below": str,

@@ -97,9 +97,10 @@ class FilmLaw(Record):
     regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
     of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
     `law` is not used. bares_substrate: a law of the interface shears what is film of the contact, and the rest shears at the
-    substrate's own strength. tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if
-    only with laws of the interface, or the key of the one built into it. asperity: key of the asperity law that its source
-    takes; any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
+    substrate's own strength. confined: the film may bear more than its own hardness, up to the substrate's.
+    tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
+    interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
+    any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
     composites: properties of film and substrate together which options of these names choose among the composites: property ->
     key of the default.
     """
@@ -109,6 +110,7 @@ class FilmLaw(Record):
     wants: Mapping[str, str] = field(default_factory=dict)
     own_asperity: bool = False
     bares_substrate: bool = False
+    confined: bool = False
     tangential: str = ""
     asperity: str = ""
     interchangeable: bool = True

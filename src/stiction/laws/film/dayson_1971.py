@@ -88,13 +88,13 @@ RECORD = FilmLaw(
     tangential="interface",
     own_asperity=True,
     bares_substrate=True,
+    confined=True,
     own_options={"rim_pressure": RIM_PRESSURE},
     verified="closed forms for Gaussian heights; film and substrate alone in the limits; trends of the abstract",
     needs=("theta", "lam", "hardness_to_yield", "n_H", "tau"),
     validity=(
         Validity("plasticity_index", 1.0, math.inf, "asperities are taken as plastic at any load"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
     ),
     notes="The shear strength that the contact states is the film's; the substrate shears at Y/sqrt(3), with H/Y of the "
     "contact. Friction rises as the film gets thinner if its shear strength over the pressure on it is below 1/(sqrt(3) k), "

@@ -187,12 +187,12 @@ RECORD = FilmLaw(
     regimes=regimes,
     tangential="interface",
     own_asperity=True,
+    confined=True,
     verified="independent quadrature of the pressure; film and substrate alone in the limits; trends of the abstracts",
     needs=("theta", "lam", "hardness_to_yield", "n_H", "tau", "film_aspect"),
     validity=(
         Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
     ),
     notes="load_substrate is the load on asperities under which the substrate's hardness bounds the pressure: where that is "
     "most of it, the substrate is not rigid, as the source has it, but plastic. Ploughing is left out. Without film_aspect "

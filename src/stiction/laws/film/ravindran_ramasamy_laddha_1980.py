@@ -113,7 +113,6 @@ RECORD = FilmLaw(
     validity=(
         Validity("plasticity_index", 1.0, math.inf, "film and substrate are taken as plastic at any load"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
     ),
     notes="mu = (C t/W)^(1/3) of each asperity, between shear strength over film hardness and shear strength over substrate "
     "hardness. C is friction_constant of the coating; left out, it follows from strength, hardness and radius, such that the "
