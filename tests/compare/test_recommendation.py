@@ -136,7 +136,8 @@ def test_nothing_is_recommended_where_nothing_holds():
 
 
 def said(subject, load):
-    """name -> (number of ranges left, grade, friction coefficient, those ranges) of the models that predict friction, and the dataset."""
+    """name -> (number of ranges left, grade, friction coefficient, those ranges) of the models that predict friction; and the
+    dataset."""
     data = compare(subject, load=load)
     told = {}
     for name in data["model"].values:
@@ -153,7 +154,9 @@ def test_the_middle_of_those_that_are_within():
     a strength from the metal is of another family."""
     told, data = said(contact(**STATED, work_of_adhesion="1 mJ/m^2"), "30 N")
     alike = [
-        name for name, (left, *_) in told.items() if not left and data["family"].sel(model=name).item().startswith("inter")
+        name
+        for name, (left, *_) in told.items()
+        if not left and data["family_of_curve"].sel(model=name).item().startswith("inter")
     ]
     assert {"jackson_green_2005", "zhao_maietta_chang_2000", "persson_2001_elastoplastic"} <= set(alike)
     low, high = data.attrs["recommended_range"]

@@ -325,7 +325,8 @@ def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) 
     allowed = {name: values for record in known for name, values in record.options.items()}
     for name, value in options.items():
         if value is not None and value not in allowed.get(name, ()):
-            nothing = f"nothing: {' and '.join(record.key for record in known)} have no such option"
+            keys = dict.fromkeys(record.key for record in known)
+            nothing = f"nothing: {' and '.join(keys)} have no such option, but {', '.join(allowed) or 'none'}"
             raise InputError(name, value, ", ".join(allowed.get(name, ())) or nothing)
     return {name: options.get(name) or values[0] for name, values in allowed.items()}
 

@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -89,6 +89,18 @@ def doubts_about(subject: Subject, rules: Iterable[Validity], results: Mapping[s
     """The ranges that are left. results: normalised, by name, the mean separation over sigma; None for what is not known. What
     is not among them the contact is asked for."""
     found = []
+    for rule, values, outside in ranges_left(subject, rules, results):
+        ends = float(values[outside].min()), float(values[outside].max())
+        points = int(outside.sum()), outside.size
+        found.append(Doubt(rule.why, rule.quantity, *ends, rule.low, rule.high, *points, rule.kind))
+    return found
+
+
+def ranges_left(
+    subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
+) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
+    """The same, rule by rule: the rule, the values of its quantity as an array, and which of them are outside. What is not a
+    number is not."""
     for rule in dict.fromkeys(rules):
         value = results[rule.quantity] if rule.quantity in results else subject.known(rule.quantity)
         if value is None:
@@ -96,10 +108,7 @@ def doubts_about(subject: Subject, rules: Iterable[Validity], results: Mapping[s
         values = np.atleast_1d(np.asarray(value, dtype=float))
         outside = (values < rule.low) | (values > rule.high)
         if outside.any():
-            ends = float(values[outside].min()), float(values[outside].max())
-            points = int(outside.sum()), outside.size
-            found.append(Doubt(rule.why, rule.quantity, *ends, rule.low, rule.high, *points, rule.kind))
-    return found
+            yield rule, values, outside
 
 
 def with_doubts(data: "xarray.Dataset", more: Iterable[Doubt]) -> "xarray.Dataset":

@@ -7,12 +7,13 @@ The bounds are round numbers; each says what fails beyond it. What is "impossibl
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from math import inf
+from typing import Any
 
 import numpy as np
 
 from stiction.contact.subject import Subject
 from stiction.laws.claims import Validity
-from stiction.laws.validity import Doubt, doubts_about
+from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
 
@@ -56,12 +57,32 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
 
 def doubts_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[Doubt]:
     """Every doubt about these normalised results: of the records that answer, and of the rules for all of them."""
-    known = dict(results) | {"touching_asperities": None} | state_of(problem, results)
-    ruled = [rule for rule, applies in RULES if applies(problem)]
+    return without_repeats(doubts_about(problem.subject, _rules_for(problem), _known(problem, results)))
+
+
+# What a point of a curve may be: as its model claims; outside of a range; not possible at all.
+WITHIN, DOUBTFUL, IMPOSSIBLE = range(3)
+
+
+def doubtful_points(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Which of WITHIN, DOUBTFUL and IMPOSSIBLE each point (m,) is of the curve of a single contact, tables (1, m)."""
+    found = np.full(curve["load"].shape, WITHIN)
+    for rule, _, outside in ranges_left(problem.subject, _rules_for(problem), _known(problem, curve)):
+        found = np.maximum(found, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else DOUBTFUL, WITHIN))
+    return found[0]
+
+
+def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any]:
+    # touching_asperities is per asperity among the results, and a number of them where that can be known
+    return dict(results) | {"touching_asperities": None} | state_of(problem, results)
+
+
+def _rules_for(problem: Problem) -> list[Validity]:
+    """The rules that apply, and the ranges that the records claim."""
+    rules = [rule for rule, applies in RULES if applies(problem)]
     if _hardens(problem):
-        ruled = [_hardened(rule) for rule in ruled]
-    claimed = [rule for record in problem.records() for rule in record.validity]
-    return without_repeats(doubts_about(problem.subject, [*ruled, *claimed], known))
+        rules = [_hardened(rule) for rule in rules]
+    return [*rules, *(rule for record in problem.records() for rule in record.validity)]
 
 
 def _hardens(problem: Problem) -> bool:
@@ -83,4 +104,4 @@ def without_repeats(doubts: Iterable[Doubt]) -> list[Doubt]:
 
 def questions(subject: Subject) -> list[str]:
     """What is out of all proportion in what was given, in words; before any model is asked."""
-    return [f"{doubt}" for doubt in doubts_about(subject, OUT_OF_PROPORTION, {})]
+    return [str(doubt) for doubt in doubts_about(subject, OUT_OF_PROPORTION, {})]

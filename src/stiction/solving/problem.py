@@ -12,7 +12,7 @@ from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import Regime
-from stiction.engine.summation import on_grid, scattered, totals_on_grid
+from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
 from stiction.laws.registry import Record, RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
@@ -328,6 +328,7 @@ def takes_surface_moments(model: str) -> bool:
 
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
     """The problem of this contact under this model. Raises InputError for what the model does not know or refuses."""
+    check_threads(threads)
     subject = with_surface_moments(as_subject(subject), choice.model)
     if heights is None:
         name, parameters = subject.heights

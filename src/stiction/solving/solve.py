@@ -13,6 +13,7 @@ from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import axis
 from stiction.solving.candidates import choice_of
+from stiction.solving.choice import without_old_names
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.problem import Problem, as_asked, make_problem
 from stiction.solving.results import as_dataset, as_variables, summary_of, with_shares
@@ -55,7 +56,7 @@ def solve(
     """
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
-    problem = make_problem(contact, choice_of(model, laws, as_subject(contact)), heights, threads)
+    problem = make_problem(contact, choice_of(model, without_old_names(laws), as_subject(contact)), heights, threads)
     if problem.needs_load and load is None:
         raise InputError("separation", separation, f"a load in its place: {problem.record.key} knows no separation")
     name, given = ("load", load) if separation is None else ("mean_separation", separation)

@@ -13,7 +13,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import doubts_of_results
+from stiction.solving.conditions import doubtful_points, doubts_of_results
 from stiction.solving.inversion import Unreachable, separations_at
 from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
 from stiction.solving.results import labelled
@@ -51,7 +51,8 @@ def compare(
     a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at the
     working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
     `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, and `advice`
-    where none is recommended; `cost` of each model is over `model`; `criteria` (is it sticky?), and `left_out`: model:
+    where none is recommended; `cost` of each model is over `model`; `doubtful` says of every point whether it is within what
+    its model claims, outside of it, or impossible (0, 1, 2); `criteria` (is it sticky?), and `left_out`: model:
     why. Raises InputError for bad input.
     """
     if any(True for _ in as_subject(contact).arrays()):
@@ -100,6 +101,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     answer.effects = problem.effects
     answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
     answer.curve = _in_units(problem, curve)
+    answer.doubtful = doubtful_points(problem, {name: table[None, :] for name, table in curve.items()})
     if at_load:
         answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
     return answer
@@ -162,9 +164,11 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
         "why_not": [one.why_not for one in shown],
-        "family": [FAMILIES[one.of_interface] if np.isfinite(one.mu) else "" for one in shown],
+        "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
     }
     data = data.assign({name: ("model", np.array(values, dtype=object)) for name, values in texts.items()})
+    shape = (len(shown), dims["point"])
+    data = data.assign(doubtful=(("model", "point"), np.array([one.doubtful for one in shown]).reshape(shape)))
     data = data.assign(cost=("model", np.array([one.cost for one in shown]), {"long_name": "how ill founded a model is here"}))
     return data.assign_attrs(_attributes(contact, answers, target))
 

@@ -29,15 +29,19 @@ _ADHESION_MATTERS = 0.1
 
 @dataclass
 class Answer:
-    """What one candidate says, in the units of the contact. curve: results (points,); at_load: results at the working load,
-    None if it cannot carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none.
-    effects: what it takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its
-    pull-off forces over the load. why_not: why it says nothing, or nothing of friction."""
+    """What one candidate says, in the units of the contact.
+
+    curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
+    carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
+    takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
+    over the load. why_not: why it says nothing, or nothing of friction.
+    """
 
     candidate: Candidate
     grade: str = ""
     title: str = ""
     curve: dict[str, np.ndarray] = field(default_factory=dict)
+    doubtful: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
     at_load: dict[str, float] | None = None
     outside: list[Doubt] = field(default_factory=list)
     effects: list[str] = field(default_factory=list)
