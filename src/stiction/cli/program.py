@@ -11,7 +11,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperCommand, TyperGroup
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputDoubt, InputError
 
 _BAD_INPUT, _INTERRUPTED = 2, 130
 # What typer raises for wrong usage; it has no name for the parent of BadParameter.
@@ -42,8 +42,9 @@ def _one_line() -> Iterator[None]:
     """What the user can cause is said in one line, and ends the program with its exit code; so is that a name is old."""
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("default", FutureWarning)
-            warnings.showwarning = _say_what_is_old
+            for category in _SAID:
+                warnings.simplefilter("always", category)
+            warnings.showwarning = _say_in_a_line
             yield
     except InputError as error:
         print(f"stiction: {error}", file=sys.stderr)
@@ -56,9 +57,13 @@ def _one_line() -> Iterator[None]:
         raise typer.Exit(_INTERRUPTED) from None
 
 
-def _say_what_is_old(message: Any, category: Any, *where: Any, **more: Any) -> None:
-    if issubclass(category, FutureWarning):
-        print(f"stiction: {message}", file=sys.stderr)
+# Warnings that a user is to see: of names that are old, and of numbers that were hardly meant.
+_SAID = (FutureWarning, InputDoubt)
+
+
+def _say_in_a_line(message: Any, category: Any, *where: Any, **more: Any) -> None:
+    if issubclass(category, _SAID):
+        print(f"stiction: {'questioned: ' if category is InputDoubt else ''}{message}", file=sys.stderr)
 
 
 def _as_input(error: Any) -> InputError:

@@ -189,6 +189,8 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
      "share of the load on asperities that the model gives no friction"),
     ("rms_slope", "h'", r"h'", "", _NOT_NEGATIVE, "", "rms slope of the Gaussian surface that has these asperities"),
+    ("film_plasticity_index", "psi_f", r"\psi_\mathrm{f}", "", _POSITIVE, "",
+     "plasticity index (E*/H) (sigma/R)^(1/2) of the film's contact"),
     ("thickness_over_radius", "t/R", r"t/R", "", _NOT_NEGATIVE, "", "film thickness over asperity radius"),
     ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, _COUNT, "number of touching asperities"),
     ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,

@@ -310,10 +310,10 @@ def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
 
 
 def _share_without(loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
-    """Share (n, m) of the sizes of the loads (regimes, n, m) in regimes that resist nothing; 0 where all is nothing."""
-    sizes = np.abs(loads)
-    whole, lost = sizes.sum(axis=0), np.where(friction == 0.0, sizes, 0.0).sum(axis=0)
-    return np.divide(lost, whole, where=whole > 0.0, out=np.zeros_like(whole))
+    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, all of it at the most: of the net load, where
+    others pull and make that small; 0 where all is nothing."""
+    lost, net = np.where(friction == 0.0, np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
+    return np.minimum(np.divide(lost, net, where=net > 0.0, out=np.zeros_like(net)), 1.0)
 
 
 def with_surface_moments(subject: Subject, model: str) -> Subject:

@@ -1,6 +1,7 @@
 """Case files: one TOML file that says what is in contact and what is to be solved."""
 
 import tomllib
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,10 +13,11 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.contact.contact import Contact, Indices
 from stiction.contact.subject import Subject
 from stiction.laws.registry import all_options
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
+from stiction.solving.conditions import questions
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
 
 __all__ = ["Case", "json_schema", "parse_case", "read_case"]
@@ -159,7 +161,8 @@ def read_case(path) -> Case:
     """The case in a TOML file.
 
     Raises InputError, one line, if the file cannot be read or is not TOML, for a key that is not known, and
-    for a number that is missing, has no unit where it needs one, or is out of bounds.
+    for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
+    are no rough surface: sigma and R swapped, a metre of roughness.
     """
     text = _text(Path(path))
     try:
@@ -178,6 +181,8 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     file = _CaseFile(**content)
     subject = file.contact or file.indices
     assert subject is not None  # the validator of _CaseFile has seen to it
+    for question in questions(subject):
+        warnings.warn(question, InputDoubt, stacklevel=2)
     solve = file.solve
     return Case(
         title=file.title,
