@@ -4,6 +4,7 @@ pint knows the units; it is slow to import, so it is imported when the first uni
 """
 
 import re
+import shutil
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
@@ -126,10 +127,13 @@ def _registry():
     kept for another release, or cannot be read or written, is made anew."""
     import pint
 
-    try:
-        return pint.UnitRegistry(non_int_type=Fraction, cache_folder=cache_folder(f"units-{pint.__version__}"))
-    except Exception:  # of a damaged file, anything that unpickling may raise
-        return pint.UnitRegistry(non_int_type=Fraction)
+    kept = cache_folder(f"units-{pint.__version__}")
+    for _ in range(2):
+        try:
+            return pint.UnitRegistry(non_int_type=Fraction, cache_folder=kept)
+        except Exception:  # of a damaged file, anything that unpickling may raise: it is made anew
+            shutil.rmtree(kept, ignore_errors=True)
+    return pint.UnitRegistry(non_int_type=Fraction)
 
 
 @cache
