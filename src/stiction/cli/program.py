@@ -11,7 +11,9 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperCommand, TyperGroup
 
+from stiction.cli.output import closed_pipe, give_up_output
 from stiction.quantities.errors import InputError
+from stiction.quantities.notices import Notice
 
 _BAD_INPUT, _INTERRUPTED = 2, 130
 # What typer raises for wrong usage; it has no name for the parent of BadParameter.
@@ -39,11 +41,13 @@ class _Commands(TyperGroup):
 
 @contextmanager
 def _one_line() -> Iterator[None]:
-    """What the user can cause is said in one line, and ends the program with its exit code; so is that a name is old."""
+    """What the user can cause is said in one line, and ends the program with its exit code; so are old names, and
+    what else the user should know."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("default", FutureWarning)
-            warnings.showwarning = _say_what_is_old
+            warnings.simplefilter("default", Notice)
+            warnings.showwarning = _say_what_is_meant_for_users
             yield
     except InputError as error:
         print(f"stiction: {error}", file=sys.stderr)
@@ -51,13 +55,15 @@ def _one_line() -> Iterator[None]:
     except _UsageError as error:
         print(f"stiction: {_as_input(error)}", file=sys.stderr)
         raise typer.Exit(_BAD_INPUT) from None
+    except BrokenPipeError as error:
+        give_up_output(error)
     except KeyboardInterrupt:
         print("stiction: interrupted", file=sys.stderr)
         raise typer.Exit(_INTERRUPTED) from None
 
 
-def _say_what_is_old(message: Any, category: Any, *where: Any, **more: Any) -> None:
-    if issubclass(category, FutureWarning):
+def _say_what_is_meant_for_users(message: Any, category: Any, *where: Any, **more: Any) -> None:
+    if issubclass(category, FutureWarning | Notice):
         print(f"stiction: {message}", file=sys.stderr)
 
 
@@ -175,7 +181,9 @@ def _stiction(
 def console():
     from rich.console import Console
 
-    return Console()
+    terminal: Any = Console()
+    terminal.on_broken_pipe = closed_pipe  # its own ends the program without a word
+    return terminal
 
 
 @contextmanager

@@ -19,6 +19,7 @@ from typing import Any
 
 import numba
 import numpy as np
+from numba.core import config
 from numba.core.caching import NullCache
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
@@ -34,7 +35,8 @@ KERNEL: dict[str, Any] = {"fastmath": {"contract", "reassoc", "nsz"}, "error_mod
 
 # unpack(row, length): an array as a tuple, in kernels; the length must be a constant. Numba does not give its type.
 # NUMBA_DISABLE_JIT leaves formulas and kernels as plain Python: slow, and right.
-unpack: Any = (lambda row, length: tuple(row[:length])) if numba.config.DISABLE_JIT else to_fixed_tuple
+_PLAIN: bool = config.DISABLE_JIT  # type: ignore[attr-defined]
+unpack: Any = (lambda row, length: tuple(row[:length])) if _PLAIN else to_fixed_tuple
 
 # Bytes at the end of a file of the cache, by which it is known to be whole.
 _CHECKSUM = hashlib.sha256().digest_size
