@@ -65,6 +65,11 @@ _NOT_NEGATIVE = (0.0, inf, True, False)
 _FROM_ONE = (1.0, inf, True, False)
 _SHARE = (0.0, 1.0, True, True)
 _SHARE_BELOW_ONE = (0.0, 1.0, True, False)
+# Dimensionless groups: beyond these no contact is, and sums and their limits lose their digits or all of their size.
+_GROUP = (1e-9, 1e9, True, True)
+_THETA = (1e-12, 1e40, True, True)
+_LAMBDA = (1e-60, 1e120, True, True)
+_LENGTH_RATIO = (0.0, 1e15, True, True)
 # nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
 # Below 0 nothing was checked.
 _POISSON = (0.0, 0.5, True, False)
@@ -102,20 +107,20 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("equilibrium_distance", "epsilon", r"\varepsilon", "m", _POSITIVE, "0.3 nm",
      "equilibrium distance of two surfaces"),
     # dimensionless groups
-    ("theta", "theta", r"\theta", "", _POSITIVE, "40",
+    ("theta", "theta", r"\theta", "", _THETA, "40",
      "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2))"),
-    ("lam", "lambda", r"\lambda", "", _POSITIVE, "10",
+    ("lam", "lambda", r"\lambda", "", _LAMBDA, "10",
      "plastic adhesion index pi^2 R H^4 sigma / (18 K^2 gamma^2)"),
     ("nu", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio of the softer body"),
-    ("K_beta", "K beta", r"K\beta", "", _POSITIVE, "6.476", "normal stiffness times tangential compliance"),
-    ("n_E", "n_E", "n_E", "", _POSITIVE, "1.5", "film modulus over substrate modulus"),
-    ("n_H", "n_H", "n_H", "", _POSITIVE, "0.5", "film hardness over substrate hardness"),
-    ("tau", "tau", r"\tau", "", _NOT_NEGATIVE, "2", "film thickness over sigma, t / sigma"),
-    ("n_g", "n_g", "n_g", "", _POSITIVE, "1", "work of adhesion of the film over that of the substrate"),
-    ("film_aspect", "t/sqrt(R sigma)", r"t/\sqrt{R\sigma}", "", _NOT_NEGATIVE, "0.13",
+    ("K_beta", "K beta", r"K\beta", "", _GROUP, "6.476", "normal stiffness times tangential compliance"),
+    ("n_E", "n_E", "n_E", "", _GROUP, "1.5", "film modulus over substrate modulus"),
+    ("n_H", "n_H", "n_H", "", _GROUP, "0.5", "film hardness over substrate hardness"),
+    ("tau", "tau", r"\tau", "", _LENGTH_RATIO, "2", "film thickness over sigma, t / sigma"),
+    ("n_g", "n_g", "n_g", "", _GROUP, "1", "work of adhesion of the film over that of the substrate"),
+    ("film_aspect", "t/sqrt(R sigma)", r"t/\sqrt{R\sigma}", "", _LENGTH_RATIO, "0.13",
      "film thickness over sqrt(R sigma)"),
     ("film_nu", "nu_c", r"\nu_\mathrm{c}", "", _POISSON, "0.3", "Poisson's ratio in the film's contact"),
-    ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _POSITIVE, "6.476",
+    ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _GROUP, "6.476",
      "K beta of the film's contact"),
     ("tabor_parameter", "mu_T", r"\mu_\mathrm{T}", "", _POSITIVE, "2",
      "Tabor parameter (R gamma^2 / (E*^2 epsilon^3))^(1/3)"),
