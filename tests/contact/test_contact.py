@@ -265,7 +265,7 @@ def test_bad_contact_is_one_line_with_the_dotted_field(changes, message):
     ("given", "message"),
     [
         ({"theta": -1}, "theta: -1.0; allowed: >= 1e-12 and <= 1e+40"),
-        ({"theta": float("nan")}, "theta: nan; allowed: finite, > 0"),
+        ({"theta": float("nan")}, "theta: nan; allowed: finite, >= 1e-12 and <= 1e+40"),
         ({"lamda": 1}, "lamda: 1; allowed: lam (all: "),
         ({"nu": 0.5}, "nu: 0.5; allowed: >= 0 and < 0.5"),
         ({"n_E": 1.5, "n_H": 0.5}, "tau: not given; allowed: a film needs n_E, n_H and tau together"),
