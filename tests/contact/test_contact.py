@@ -235,8 +235,8 @@ def test_work_of_adhesion_from_surface_energies():
     [
         ({"first": "silvr"}, "first: 'silvr'; allowed: a preset: silver"),
         ({"first": 5}, "first: 5; allowed: a material: the name of a preset, or its numbers"),
-        ({"first": {"preset": "silver", "hardness": -1}}, "first.hardness: -1.0; allowed: > 0 Pa"),
-        ({"first": {"youngs_modulus": 1, "poissons_ratio": 0.3}}, "first.hardness: not given; allowed: "),
+        ({"first": {"preset": "silver", "hardness": -1}}, "first.hardness: -1.0; allowed: >= 1000 Pa"),
+        ({"first": {"youngs_modulus": 1e9, "poissons_ratio": 0.3}}, "first.hardness: not given; allowed: "),
         ({"work_of_adhesion": 0}, "work_of_adhesion: 0.0; allowed: > 0 J/m^2"),
         ({"nominal_area": "1 mm"}, "nominal_area: '1 mm'; allowed: > 0 m^2"),
         ({"roughness": {"asperity_radius": 1}}, "roughness.asperity_height_deviation: not given; allowed: "),

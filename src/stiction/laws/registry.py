@@ -362,7 +362,7 @@ def text_of(record: Record) -> str:
         module = importlib.import_module(name)
         if getattr(module, "RECORD", None) is record:
             return inspect.getdoc(module) or ""
-    for other, module in _outside():
+    for other, where in _outside():
         if other is record:
-            return inspect.getdoc(importlib.import_module(module)) or ""
+            return inspect.getdoc(importlib.import_module(where)) or ""
     return ""

@@ -65,6 +65,8 @@ _NOT_NEGATIVE = (0.0, inf, True, False)
 _FROM_ONE = (1.0, inf, True, False)
 _SHARE = (0.0, 1.0, True, True)
 _SHARE_BELOW_ONE = (0.0, 1.0, True, False)
+# Softer than any solid: a number meant in GPa, or mPa for MPa.
+_SOLID = (1e3, inf, True, False)
 # Dimensionless groups: beyond these no contact is, and sums and their limits lose their digits or all of their size.
 _GROUP = (1e-9, 1e9, True, True)
 _THETA = (1e-12, 1e40, True, True)
@@ -81,11 +83,11 @@ _COUNT = "number of asperities"
 # fmt: off
 _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     # materials
-    ("youngs_modulus", "E", "E", "Pa", _POSITIVE, "210 GPa", "Young's modulus"),
+    ("youngs_modulus", "E", "E", "Pa", _SOLID, "210 GPa", "Young's modulus"),
     ("poissons_ratio", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio"),
-    ("hardness", "H", "H", "Pa", _POSITIVE, "7.3 GPa",
+    ("hardness", "H", "H", "Pa", _SOLID, "7.3 GPa",
      "hardness, the mean pressure of a fully plastic contact"),
-    ("yield_stress", "Y", "Y", "Pa", _POSITIVE, "2.5 GPa", "yield stress in tension"),
+    ("yield_stress", "Y", "Y", "Pa", _SOLID, "2.5 GPa", "yield stress in tension"),
     ("tangent_modulus", "E_t", r"E_\mathrm{t}", "Pa", _NOT_NEGATIVE, "2 GPa",
      "tangent modulus, the slope of stress over strain beyond yield"),
     ("surface_energy", "gamma_s", r"\gamma_s", "J/m^2", _POSITIVE, "1.25 J/m^2",
