@@ -13,8 +13,8 @@ import stiction as st
 from cases import STEEL_ON_STEEL
 from stiction.cli import app
 from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, of_kind
+from stiction.report.comparison_pictures import comparison_figure
 from stiction.report.comparison_rows import at_load_rows, comparison
-from stiction.report.pictures import comparison_figure
 from stiction.studies.case import read_case
 from stiction.studies.case_results import compare_case
 from stiction.studies.comparison import candidates, compare, working_load
@@ -96,9 +96,9 @@ def on(**surface):
 
 
 def test_validity_is_judged_at_the_working_load():
-    """Plasticity index, Tabor parameter and theta: a smooth, clean contact and one of sharp asperities leave them."""
+    """Plasticity index, Tabor parameter and pull of adhesion: a smooth, clean contact and sharp asperities leave them."""
     smooth = " ".join(compare(on(asperity_height_deviation="5 nm"), load="1 N")["outside_validity"].values)
-    assert "theta = " in smooth and "mu_T = " in smooth and "adhesion is left out" in smooth
+    assert "n P_0/P = " in smooth and "mu_T = " in smooth and "adhesion is left out" in smooth
     sharp = " ".join(compare(on(asperity_radius="1 um"), load="1 N")["outside_validity"].values)
     assert "psi = " in sharp
 

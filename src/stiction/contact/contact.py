@@ -10,6 +10,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.contact.indices import HARDNESS_TO_YIELD, Indices, plain_number
 from stiction.contact.materials import Material, as_material
 from stiction.contact.subject import Scales, Subject
+from stiction.quantities.dimensions import coordinates, named_by
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
@@ -111,7 +112,9 @@ class Contact(Subject):
                 groups = self._groups()
         except ArithmeticError:
             raise InputError("contact", "numbers out of all proportion", "numbers of real materials") from None
-        return Indices(**groups)
+        # Of quantities along one dimension each would name its points, and a group takes the names of whichever it depends on.
+        names = coordinates(self.arrays())
+        return Indices(**{name: named_by(value, names) for name, value in groups.items()})
 
     def _groups(self) -> dict[str, Any]:
         bare = _pair(self.first, self.second)
@@ -197,6 +200,7 @@ class Contact(Subject):
             contact_area=pi * self._radius * self._sigma,
             separation=self._sigma,
             asperities=self.roughness.asperity_density * self.nominal_area,
+            nominal_area=self.nominal_area,
         )
 
     @property

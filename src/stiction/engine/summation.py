@@ -14,6 +14,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
+from numbers import Integral
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from stiction.engine.heights import Heights
 from stiction.engine.regime import Regime, columns
 from stiction.engine.skeleton import carry_over, near_each_other, skeleton
 from stiction.engine.sum_kernels import LONGEST, WIDEST, placing, scattering, summing
+from stiction.quantities.errors import InputError
 
 QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
 _TOTALS = ("load", "area", "resistance")
@@ -53,6 +55,12 @@ def _arrays(regime: Regime) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
     branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch)
     two_sided = branch.ndim == 2
     return columns(regime.parameters, len(edges)), edges, branch if two_sided else branch[:, None], two_sided
+
+
+def check_threads(threads: int) -> None:
+    """InputError for what is no number of threads."""
+    if not (isinstance(threads, Integral) and threads >= 1):
+        raise InputError("threads", threads, "a whole number, 1 or more")
 
 
 def in_threads(work: Callable, parts: Iterable, threads: int) -> None:

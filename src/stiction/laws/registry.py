@@ -132,7 +132,8 @@ class RoughSurface(Record):
     carried, not a number where that is not known: curve then takes separations (n, H), too, and does not adhere; or
     area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation.
     of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
-    found. regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
+    found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it.
+    regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
     that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
     """
 
@@ -142,6 +143,7 @@ class RoughSurface(Record):
     default_film: str = ""
     film_by_option: Mapping[str, str] = field(default_factory=dict)
     takes_surface_moments: bool = False
+    up_to_full_contact: bool = False
     regimes: Callable | None = None
     curve: Callable | None = None
     separation_near: Callable | None = None
@@ -346,7 +348,8 @@ def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) 
     allowed = {name: values for record in known for name, values in record.options.items()}
     for name, value in options.items():
         if value is not None and value not in allowed.get(name, ()):
-            nothing = f"nothing: {' and '.join(record.key for record in known)} have no such option"
+            keys = dict.fromkeys(record.key for record in known)
+            nothing = f"nothing: {' and '.join(keys)} have no such option, but {', '.join(allowed) or 'none'}"
             raise InputError(name, value, ", ".join(allowed.get(name, ())) or nothing)
     return {name: options.get(name) or values[0] for name, values in allowed.items()}
 

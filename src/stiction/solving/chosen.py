@@ -101,7 +101,7 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
     """InputError for what a theory in closed form cannot be combined with."""
     if coated:
-        raise InputError("model", model.key, "a model of asperities; this contact has a film")
+        raise InputError("model", model.key, "a sum over asperities, which this model is not: this contact has a film")
     if choice.asperity:
         raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
     if choice.presliding:

@@ -1,7 +1,6 @@
 """The fast form of the 2015 paper's model: NumPy arrays in, NumPy arrays out, no labels."""
 
 from collections.abc import Iterator
-from numbers import Integral
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,7 +8,7 @@ import numpy as np
 from stiction.contact.indices import Groups, check_film
 from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime
-from stiction.engine.summation import FARTHEST, in_threads, scattered, totals_on_grid
+from stiction.engine.summation import FARTHEST, check_threads, in_threads, scattered, totals_on_grid
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
@@ -57,8 +56,7 @@ def evaluate(
         raise InputError(missing[0], None, "n_E, n_H and tau together, or none of them")
     if not missing:
         given |= film
-    if not (isinstance(threads, Integral) and threads >= 1):
-        raise InputError("threads", threads, "a whole number, 1 or more")
+    check_threads(threads)
     choice = Choice(options={"reading": reading})
     columns = [_separations(h), *(_checked(name, value) for name, value in given.items())]
     try:
