@@ -112,8 +112,8 @@ def _with_carried(data: "xarray.Dataset", carried: np.ndarray, asked: np.ndarray
     where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
     off = np.abs(carried[lost] / asked[lost] - 1.0).max()
     why = (
-        f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the load "
-        f"that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
+        f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the "
+        f"load that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
     )
     return with_doubts(data, [Doubt(why)])
 
