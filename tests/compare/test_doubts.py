@@ -7,7 +7,8 @@ import pytest
 import xarray
 
 import stiction as st
-from stiction.laws.validity import Doubt, doubts_of
+from stiction.laws.claims import Validity
+from stiction.laws.validity import Doubt, doubts_about, doubts_of, with_doubts
 
 BARE = {"theta": 100, "lam": 10}
 COATED = {"theta": 100, "lam": 10, "n_E": 0.5, "n_H": 20, "tau": 2, "film_aspect": 0.3, "shear_strength": 0.05}
@@ -60,3 +61,46 @@ def test_old_names_go_on_working():
     surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), st.SelfAffine(0.8, "2 um", "1 um", deviation="20 nm"), 1)
     with pytest.warns(FutureWarning, match="resolution_study"):
         assert "sigma" in st.fan(surface, [0.0], ["mccool"])
+
+
+RANGE = "no claim is made beyond"
+
+
+def claim(low, high):
+    """These values of theta are claimed."""
+    return Validity("theta", low, high, RANGE)
+
+
+def test_the_ends_of_a_range_are_inside_it():
+    contact = st.Indices(theta=st.axis("theta", [9.0, 10.0, 20.0, 21.0, 25.0]), lam=10.0)
+    (doubt,) = doubts_about(contact, [claim(10.0, 20.0)], {})
+    assert (doubt.outside, doubt.points, doubt.least, doubt.most) == (3, 5, 9.0, 25.0)
+    assert not doubts_about(st.Indices(theta=10.0, lam=10.0), [claim(10.0, 20.0), claim(5.0, 10.0)], {})
+
+
+def test_only_what_is_outside_is_said_to_be():
+    contact = st.Indices(theta=st.axis("theta", [1.0, 15.0, 21.0, 25.0]), lam=10.0)
+    (doubt,) = doubts_about(contact, [claim(0.5, 20.0)], {})
+    assert (doubt.outside, doubt.points, doubt.least, doubt.most) == (2, 4, 21.0, 25.0)
+    assert "is 21 to 25 in 2 of 4 points, claimed is 0.5 to 20" in str(doubt)
+
+
+def test_where_it_is_outside_is_said_of_two_points_and_not_of_one():
+    for points, where in (([30.0, 15.0], "in 1 of 2 points"), ([30.0], "here")):
+        contact = st.Indices(theta=st.axis("theta", points), lam=10.0)
+        (doubt,) = doubts_about(contact, [claim(10.0, 20.0)], {})
+        assert f" is 30 {where}, claimed is 10 to 20" in str(doubt)
+
+
+def test_how_far_beyond_is_told_of_the_worst_end():
+    """10 to 20 is left on both sides: 5 is half of 10 below, 50 is 1.5 times 20 above; and the other way round."""
+    assert Doubt("", "theta", 5.0, 50.0, 10.0, 20.0).beyond == pytest.approx(1.5)
+    assert Doubt("", "theta", 1.0, 21.0, 10.0, 20.0).beyond == pytest.approx(0.9)
+
+
+def test_doubts_are_added_to_those_that_a_result_has():
+    found = st.solve(st.Indices(**BARE), separation=-6.0)
+    own = doubts_of(found)
+    more = with_doubts(found, [Doubt("words only")])
+    assert own and doubts_of(more) == [*own, Doubt("words only")]
+    assert more.attrs["outside_validity"] == f"{found.attrs['outside_validity']}; words only"

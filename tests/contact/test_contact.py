@@ -169,7 +169,7 @@ def test_groups_do_not_change_with_the_units_of_length_and_force():
             interfacial_shear_strength=2e7 * pressure,
             pressure_coefficient=0.1,
             peeling=0.5,
-            coating=Coating(material=film, thickness=2e-7 * length),
+            coating=Coating(material=film, thickness=2e-7 * length, friction_constant=3.0 * force / length),
         )
 
     one, other = rescaled(1.0, 1.0), rescaled(a, b)

@@ -40,7 +40,8 @@ class Coating(Input):
 
     material: Material, name of a preset, or dict of its numbers. bodies: which body carries it; with
     "both", the default and the paper's case, film meets film and `thickness` is the sum of the two.
-    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact.
+    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact. friction_constant: C
+    of mu = (C t/W)^(1/3), which one film law takes (Ravindran et al. 1980); left out, it follows from strength and hardness.
     The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
     yield_stress or tangent_modulus of the film is not used. Raises InputError.
     """
@@ -49,6 +50,7 @@ class Coating(Input):
     thickness: Number
     bodies: Literal["both", "first", "second"] = "both"
     work_of_adhesion: OptionalNumber = None
+    friction_constant: OptionalNumber = None
 
 
 class Roughness(Input):
@@ -138,7 +140,7 @@ class Contact(Subject):
             groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
         if self.coating is not None:
             film = _pair(self.coating.material, self._against_film(self.coating))
-            film_gamma = self.coating.work_of_adhesion
+            film_gamma, constant = self.coating.work_of_adhesion, self.coating.friction_constant
             groups |= {
                 # theory 4; the ratio of K is the paper's n_E = E_c/E_s where film and bodies share one nu
                 "n_E": film.K / bare.K,
@@ -148,6 +150,7 @@ class Contact(Subject):
                 "film_aspect": self.coating.thickness / (radius * sigma) ** 0.5,
                 "film_nu": film.nu,
                 "film_K_beta": film.K * film.beta,
+                "film_friction_constant": None if constant is None else constant / (bare.K * (radius * sigma) ** 0.5),
             }
         return groups
 

@@ -14,7 +14,6 @@ from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
-from numbers import Integral
 
 import numpy as np
 
@@ -57,9 +56,9 @@ def _arrays(regime: Regime) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
     return columns(regime.parameters, len(edges)), edges, branch if two_sided else branch[:, None], two_sided
 
 
-def check_threads(threads: int) -> None:
-    """InputError for what is no number of threads."""
-    if not (isinstance(threads, Integral) and threads >= 1):
+def check_threads(threads: object) -> None:
+    """InputError unless it is a number of threads."""
+    if isinstance(threads, bool) or not (isinstance(threads, int | np.integer) and threads >= 1):
         raise InputError("threads", threads, "a whole number, 1 or more")
 
 
@@ -80,8 +79,8 @@ def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
 
 
 def _shares(size: int, threads: int) -> list[slice]:
-    """So many slices of about the same length, one for each thread."""
-    ends = np.linspace(0, size, threads + 1).astype(int)
+    """So many slices of about the same length, one for each thread; no more than there are places."""
+    ends = np.linspace(0, size, min(threads, max(size, 1)) + 1).astype(int)
     return [slice(int(start), int(stop)) for start, stop in pairwise(ends)]
 
 

@@ -97,9 +97,11 @@ class FilmLaw(Record):
 
     regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
     of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
-    `law` is not used. tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with
-    laws of the interface, or the key of the one that is built into it. asperity: key of the asperity law that its source
-    takes; any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
+    `law` is not used. bares_substrate: a law of the interface shears what is film of the contact, and the rest shears at the
+    substrate's own strength. confined: the film may bear more than its own hardness, up to the substrate's.
+    tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
+    interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
+    any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
     composites: properties of film and substrate together which options of these names choose among the composites: property ->
     key of the default.
     """
@@ -108,6 +110,8 @@ class FilmLaw(Record):
     regimes: Callable
     wants: Mapping[str, str] = field(default_factory=dict)
     own_asperity: bool = False
+    bares_substrate: bool = False
+    confined: bool = False
     tangential: str = ""
     asperity: str = ""
     interchangeable: bool = True
@@ -213,19 +217,6 @@ class AsperityMethod(Record):
     parameters: Mapping[str, Parameter] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Unavailable(Record):
-    """A model that is known of but cannot be computed from what its source is known to say.
-
-    unknown: exactly what is missing. nearest: what of this package is nearest to it.
-    """
-
-    kind = "not available"
-    verified: str = "nothing: there is no number to check"
-    unknown: str
-    nearest: str
-
-
 KINDS: tuple[type[Record], ...] = (
     RoughSurface,
     AsperityLaw,
@@ -235,12 +226,11 @@ KINDS: tuple[type[Record], ...] = (
     Presliding,
     Criterion,
     AsperityMethod,
-    Unavailable,
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
     "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "FilmLaw", "Jump", "Limit",
-    "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Unavailable", "Validity", "all_options",
+    "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Validity", "all_options",
     "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records", "resolve_options",
     "select_options", "text_of",
 ]  # fmt: skip

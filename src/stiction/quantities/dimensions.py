@@ -13,12 +13,19 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["aligned", "coordinates", "dimensions", "flattened", "named_by", "without_indexes"]
+__all__ = ["aligned", "check_names", "coordinates", "dimensions", "flattened", "named_by", "without_indexes"]
 
 
 def without_indexes(array: Any) -> Any:
     """The same DataArray with its coordinates as plain variables: xarray aligns by an index, and by nothing else."""
     return array.drop_indexes(list(array.xindexes)) if array.xindexes else array
+
+
+def check_names(array: Any, field: str) -> None:
+    """InputError unless the dimensions of a DataArray, which may have any names, are named by text."""
+    for dim in array.dims:
+        if not isinstance(dim, str):
+            raise InputError(field, f"dimension {dim!r}", "dimensions named by text")
 
 
 def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:

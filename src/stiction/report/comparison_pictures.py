@@ -106,7 +106,7 @@ def _name_ends(axes: Axes) -> None:
         if str(line.get_label()).startswith("_"):
             continue
         x, y = (np.asarray(values, dtype=float) for values in line.get_data())
-        seen = np.flatnonzero(np.isfinite(y) & (x >= left) & (x <= right) & (y > 0.0))
+        seen = np.flatnonzero(np.isfinite(y) & (x >= left) & (x <= right) & (y >= np.exp(bottom)))
         if seen.size:
             at = seen[np.argmax(x[seen])]
             ends.append(((np.log(y[at]) - bottom) / (top - bottom), x[at], y[at], line))
@@ -167,7 +167,11 @@ def _legend(figure: Figure, axes: Axes, data: "xarray.Dataset") -> None:
     if "working_load" in data.attrs:
         best = data.attrs["recommended"]
         handles.append(Line2D([], [], color="black", linewidth=3.0 if best in data["model"] else 0.0))
-        said.append("\n".join(textwrap.wrap(f"recommended: {best}{_mu_of(data)}; {data.attrs['reason']}", 118)))
+        said.append(
+            "\n".join(
+                textwrap.wrap(f"recommended: {best}{_mu_of(data)}; {data.attrs['reason']}", int(14 * figure.get_figwidth()))
+            )
+        )
     bars, names = axes.get_legend_handles_labels()
     extra = [(bar, name) for bar, name in zip(bars, names, strict=True) if name.startswith("over methods")]
     handles, said = handles + [bar for bar, _ in extra], said + [name for _, name in extra]

@@ -268,9 +268,9 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
         table = Table(box=SIMPLE_HEAD, title=kind, title_style="bold", title_justify="left", pad_edge=False, expand=True)
         table.add_column("key", no_wrap=True, width=31)
         table.add_column("grade", no_wrap=True)
-        table.add_column("what is not known" if "unknown" in some[0] else "what it is, and for what it is valid", ratio=1)
+        table.add_column("what it is, and for what it is valid", ratio=1)
         for row in some:
-            said = row.get("unknown") or "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
+            said = "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
             table.add_row(Text(row["key"]), Text(row["grade"]), Text(said))
         tables.append(table)
     return Group(*tables)
@@ -280,7 +280,7 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
 _LINE_ENDS = re.compile(r"(?<=\S)(?<!\$\$)\n(?!\$\$)(?=[^\s|-])")
 # What a record says in full, besides its options: the name of the entry and how it is called.
 _IN_FULL = {
-    "source": "source", "unknown": "not known", "nearest": "nearest to it", "verified": "checked against", "jumps": "jumps",
+    "source": "source", "verified": "checked against", "jumps": "jumps",
     "traits": "marked", "validity": "valid for", "limits": "becomes", "needs": "depends on", "notes": "note",
 }  # fmt: skip
 

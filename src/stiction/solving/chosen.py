@@ -64,6 +64,8 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         return Chosen(model, None, tangential, None, None, _options(choice, model, tangential))
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
+    if choice.film and not coated:
+        find(choice.film, FilmLaw)  # one that is known waits for a contact with a film; one that nobody knows is refused
     for one in (tangential, film):
         if one is not None and (reason := incompatibility(one, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)

@@ -10,6 +10,7 @@ from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime
 from stiction.engine.summation import FARTHEST, check_threads, in_threads, scattered, totals_on_grid
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.solving.problem import Sum, problem_of
@@ -78,10 +79,7 @@ def evaluate(
 def _checked(name: str, value) -> np.ndarray:
     """The value as an array of floats within the bounds of its quantity."""
     quantity = QUANTITIES[name]
-    try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(name, value, quantity.allowed) from None
+    array = floats(value, name, quantity.allowed)
     if array.size == 0:
         return array
     low, high = float(array.min()), float(array.max())  # either is NaN if any element is
@@ -94,10 +92,7 @@ def _checked(name: str, value) -> np.ndarray:
 
 def _separations(h) -> np.ndarray:
     allowed = f"finite, {-FARTHEST:g} to {FARTHEST:g}"
-    try:
-        array = np.asarray(h, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError("h", h, allowed) from None
+    array = floats(h, "h", allowed)
     wrong = ~(np.abs(array) <= FARTHEST)
     if wrong.any():
         raise InputError("h", float(array[wrong][0]), allowed)

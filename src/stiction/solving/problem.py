@@ -342,6 +342,8 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
         heights = height_distribution(name, **parameters)
     elif isinstance(heights, str):
         heights = height_distribution(heights)
+    elif not isinstance(heights, Heights):
+        raise InputError("heights", type(heights).__name__, "a height distribution, or its name")
     groups, dims = Groups.of(subject.indices())
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)

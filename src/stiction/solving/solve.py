@@ -149,7 +149,8 @@ def points_asked(subject: Subject, name: str, value: Any) -> Any:
     its quantity)."""
     import xarray
 
-    if not isinstance(value, str) and not hasattr(value, "dims") and np.ndim(value) > 0 and isinstance(subject, Contact):
+    row = isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
+    if row and not hasattr(value, "dims") and isinstance(subject, Contact):
         return axis(name, value)
     read = subject.read(value, name)
     return xarray.DataArray(read, dims=(name,), coords={name: read}) if isinstance(read, np.ndarray) else read

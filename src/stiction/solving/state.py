@@ -84,12 +84,12 @@ def _softest(groups: Groups) -> np.ndarray | float:
 
 def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarray]) -> np.ndarray:
     """Hardness (n, m) of what bears the load, over that of the bodies: of film and substrate by what each carries, where a film
-    law tells them apart; else the larger one, above which no mean pressure of the two together is."""
+    law tells them apart; else, or where the substrate confines the film, the larger one, above which no mean pressure is."""
     groups, film = problem.groups, problem.chosen.film
     if groups.n_H is None:
         return np.ones_like(load)
     n_H = groups.n_H[:, None]
-    if "load_film" not in results or film is None or film.composites:
+    if "load_film" not in results or film is None or film.composites or film.confined:
         return np.maximum(n_H, 1.0) * np.ones_like(load)
     of_film = np.asarray(results["load_film"]).reshape(load.shape)
     share = np.clip(np.divide(of_film, load, where=load > 0.0, out=np.ones_like(load)), 0.0, 1.0)

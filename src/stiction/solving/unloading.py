@@ -161,6 +161,8 @@ def _one_of(subject: Subject, **either: Any) -> Any:
         value = points_asked(subject, quantity, either[name])
     except InputError as error:
         raise InputError(name, error.value, error.allowed) from None
+    if not np.size(value):
+        raise InputError(name, "no values", "at least one value")
     renamed = quantity in getattr(value, "dims", ()) and name != "separation"
     return value.rename({quantity: name}) if renamed else value
 

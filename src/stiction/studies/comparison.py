@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.subject import Subject, as_subject
+from stiction.engine.summation import FARTHEST
 from stiction.laws.registry import Criterion, of_kind
 from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
@@ -57,13 +59,26 @@ def compare(
     """
     if any(True for _ in as_subject(contact).arrays()):
         raise InputError("contact", "arrays", "single numbers, for a comparison of models")
-    h = SEPARATIONS if separations is None else np.asarray(list(separations), dtype=float)
+    h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups = make_problem(contact, Choice()).groups
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
     return _dataset(contact, answers, target)
+
+
+def _separations(given: Iterable[float]) -> np.ndarray:
+    """The separations of the curves, over sigma."""
+    allowed = f"a row of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
+    try:
+        row = list(given)
+    except TypeError:
+        raise InputError("separations", given, allowed) from None
+    h = floats(row, "separations", allowed)
+    if h.ndim != 1 or not h.size or not (np.abs(h) <= FARTHEST).all():
+        raise InputError("separations", given, allowed)
+    return h
 
 
 @dataclass(frozen=True)
