@@ -17,7 +17,6 @@ from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
 
-
 # A theory that ends at full contact ends there to rounding.
 _ROUNDING = 1e-9
 

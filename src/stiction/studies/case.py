@@ -235,7 +235,7 @@ def _text(path: Path) -> str:
     try:
         if path.stat().st_size > _LARGEST_FILE:
             raise _not_a_case(path, f"this one is larger than {_LARGEST_FILE} bytes")
-        return path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding
     except OSError as error:
         raise _not_a_case(path, f"this one cannot be read ({error.strerror})") from None
     except UnicodeDecodeError:
