@@ -65,6 +65,8 @@ _NOT_NEGATIVE = (0.0, inf, True, False)
 _FROM_ONE = (1.0, inf, True, False)
 _SHARE = (0.0, 1.0, True, True)
 _SHARE_BELOW_ONE = (0.0, 1.0, True, False)
+_PART = (0.0, 1.0, False, True)
+_ONE_OR_TWO = (1.0, 2.0, True, True)
 # nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
 # Below 0 nothing was checked.
 _POISSON = (0.0, 0.5, True, False)
@@ -91,7 +93,7 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("asperity_radius", "R", "R", "m", _POSITIVE, "50 um", "asperity tip radius"),
     ("asperity_density", "N", "N", "1/m^2", _POSITIVE, "1.7e10 1/m^2", "asperities per nominal area"),
     ("nominal_area", "A_n", r"A_\mathrm{n}", "m^2", _POSITIVE, "1 mm^2", "nominal contact area"),
-    ("work_of_adhesion", "gamma", r"\gamma", "J/m^2", _POSITIVE, "50 mJ/m^2", "work of adhesion"),
+    ("work_of_adhesion", "gamma", r"\gamma", "J/m^2", _NOT_NEGATIVE, "50 mJ/m^2", "work of adhesion"),
     ("interfacial_energy", "gamma_12", r"\gamma_{12}", "J/m^2", _NOT_NEGATIVE, "0.5 J/m^2",
      "energy of the closed interface"),
     ("thickness", "t", "t", "m", _POSITIVE, "200 nm",
@@ -106,6 +108,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2))"),
     ("lam", "lambda", r"\lambda", "", _POSITIVE, "10",
      "plastic adhesion index pi^2 R H^4 sigma / (18 K^2 gamma^2)"),
+    ("hardness_group", "eta", r"\eta", "", _POSITIVE, "2",
+     "hardness group pi H R^(1/2) / (K sigma^(1/2)), in place of theta and lambda where nothing adheres"),
     ("nu", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio of the softer body"),
     ("K_beta", "K beta", r"K\beta", "", _POSITIVE, "6.476", "normal stiffness times tangential compliance"),
     ("n_E", "n_E", "n_E", "", _POSITIVE, "1.5", "film modulus over substrate modulus"),
@@ -117,6 +121,13 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("film_nu", "nu_c", r"\nu_\mathrm{c}", "", _POISSON, "0.3", "Poisson's ratio in the film's contact"),
     ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _POSITIVE, "6.476",
      "K beta of the film's contact"),
+    ("films", "n_f", r"n_\mathrm{f}", "", _ONE_OR_TWO, "1",
+     "coated bodies: 1, with all of the thickness, or 2, with half of it each"),
+    ("layer_nu", "nu_l", r"\nu_\mathrm{l}", "", _POISSON, "0.3", "Poisson's ratio of the film itself"),
+    ("coated_share", "s", "s", "", _PART, "1",
+     "share of the coated body in the compliance of the bare contact: 1 if the other is rigid"),
+    ("coated_nu", "nu_1", r"\nu_1", "", _POISSON, "0.3", "Poisson's ratio of the coated body"),
+    ("counter_nu", "nu_2", r"\nu_2", "", _POISSON, "0.3", "Poisson's ratio of the body that meets the coated one"),
     ("tabor_parameter", "mu_T", r"\mu_\mathrm{T}", "", _POSITIVE, "2",
      "Tabor parameter (R gamma^2 / (E*^2 epsilon^3))^(1/3)"),
     ("sharpness", "sqrt(sigma/R)", r"\sqrt{\sigma/R}", "", _POSITIVE, "0.03", "sqrt(sigma/R)"),

@@ -85,7 +85,7 @@ def compare(
         raise InputError("contact", "arrays", "single numbers, for a comparison of models")
     h = SEPARATIONS if separations is None else np.asarray(list(separations), dtype=float)
     target = None if load is None else _pressing(contact, load, "load")
-    groups = make_problem(contact, Choice()).groups
+    groups, _ = Groups.of(contact.indices())
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
     interface = _law_of_the_interface(groups)
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target, interface)
@@ -96,7 +96,7 @@ def compare(
 def _law_of_the_interface(groups: Groups) -> str:
     """The law of the interface that uses most of what is known of it; "none" where nothing is."""
     laws = [one for one in of_kind(TangentialLaw).values() if one.interfacial]
-    known = [one for one in laws if all(getattr(groups, name) is not None for name in one.needs)]
+    known = [one for one in laws if all(groups.knows(name) for name in one.needs)]
     return max(known, key=lambda one: len(one.needs)).key if known else "none"
 
 
@@ -227,10 +227,10 @@ def _attributes(contact, answers: list[Answer], target: float | None) -> dict[st
 def _criteria(contact: Subject) -> list[str]:
     """What the criteria of the registry say of the surface of a contact, one line each; those that want what is not known
     are left out."""
-    groups = make_problem(contact.with_surface_moments(), Choice()).groups.substrate()
+    groups = Groups.of(contact.with_surface_moments().indices())[0].substrate()
     lines = []
     for one in of_kind(Criterion).values():
-        if all(getattr(groups, name) is not None for name in one.needs):
+        if all(groups.knows(name) for name in one.needs):
             ratio = float(one.ratio(groups)[0])
             lines.append(f"{one.key}: {one.below if ratio < 1.0 else one.above} (ratio {ratio:.3g}, the border is 1)")
     return lines

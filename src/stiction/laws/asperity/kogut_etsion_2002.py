@@ -101,7 +101,7 @@ RECORD = AsperityLaw(
     ),
     verified="constants against two independent codes; within 6 % (load) and 10 % (area) of Brizmer et al. and of Jackson "
     "and Green for 1.5 to 110 omega_c",
-    needs=("theta", "lam", "nu"),
+    needs=("hardness_group", "nu"),
     validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
     limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
     load_falls=False,

@@ -104,7 +104,7 @@ RECORD = FilmLaw(
     asperity="chang_etsion_bogy_1987",
     wants=NO_ADHESION,
     verified="independent quadrature; load and area at the depth of the film; trends of the abstract",
-    needs=("theta", "lam", "n_H", "tau"),
+    needs=("hardness_group", "n_H", "tau"),
     validity=(
         Validity("theta", 10.0, math.inf, "adhesion is left out"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),

@@ -44,7 +44,7 @@ RECORD = FilmLaw(
     asperity="chang_etsion_bogy_1987",
     wants=NO_ADHESION,
     verified="independent quadrature; chang_1997 without adhesion; trends of the abstract, see the notes",
-    needs=("theta", "lam", "n_H", "n_g", "tau"),
+    needs=("theta", "hardness_group", "n_H", "n_g", "tau"),
     validity=(Validity("n_H", 0.0, 1.0, "the film is soft"),),
     notes="With the asperity law chang_etsion_bogy_1987 and a shear strength of the interface it shows what the abstract "
     "says: at a plasticity index above 0.5 friction rises with the film's thickness, at 0.25 and light load it rises "
