@@ -115,6 +115,11 @@ class Indices(Subject):
         if np.any((films == 1.0) & (self.n_E * (1.0 - self.coated_share) > 1.0 + 1e-9)):
             raise InputError("n_E", self.n_E, "1/(1 - coated_share) at most: what a rigid film leaves to the other body")
 
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core_schema, handler):
+        schema = super().__get_pydantic_json_schema__(core_schema, handler)
+        return schema | {"oneOf": [{"required": ["theta", "lam"]}, {"required": ["hardness_group"]}]}
+
     @property
     def has_film(self) -> bool:
         """Whether there is a film."""
