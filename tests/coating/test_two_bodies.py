@@ -123,7 +123,9 @@ def test_two_incompressible_layers_do_not_shear_where_they_meet():
     film = {"youngs_modulus": 1e8, "poissons_ratio": 0.49, "hardness": 1e7}
     loads = {
         (bodies, bound): float(
-            st.solve(contact(RIGID, RIGID, film, 4e-8, bodies), separation=0.0, film="finkin_1969", bound=bound, **PLAIN)["load"]
+            st.solve(contact(RIGID, RIGID, film, 4e-8, bodies), separation=0.0, film="finkin_1969", bound=bound, **PLAIN)[
+                "load"
+            ]
         )
         for bodies in ("both", "first")
         for bound in ("incompressible", "incompressible_frictionless")

@@ -131,6 +131,16 @@ class Indices(Subject):
         return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
 
     @property
+    def film_plasticity_index(self) -> Any:
+        """(E*/H) sqrt(sigma/R) of the film as a half-space, that is (3/4) pi/eta; None without a film."""
+        return 0.75 * math.pi / (self.eta * self.n_H / self.n_E) if self.has_film else None
+
+    @property
+    def film_stiffness(self) -> Any:
+        """n_E sqrt(R sigma)/t; None where there is no film, or R is not known."""
+        return self.n_E / self.film_aspect if self.has_film and self.film_aspect is not None else None
+
+    @property
     def film_modulus(self) -> Any:
         """E'_f/E*, the plane-strain modulus of the film itself over the contact modulus of the bodies without it.
 

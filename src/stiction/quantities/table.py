@@ -154,6 +154,10 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("normal_stiffness", "K", "K", "Pa", _POSITIVE, "", "K = (4/3) E*"),
     ("tangential_compliance", "beta", r"\beta", "1/Pa", _POSITIVE, "", "beta = sum of (2 - nu)/G"),
     ("plasticity_index", "psi", r"\psi", "", _POSITIVE, "", "plasticity index (E*/H) (sigma/R)^(1/2)"),
+    ("film_plasticity_index", "psi_f", r"\psi_\mathrm{f}", "", _POSITIVE, "",
+     "plasticity index of the film against what it meets"),
+    ("film_stiffness", "n_E sqrt(R sigma)/t", r"n_E\sqrt{R\sigma}/t", "", _POSITIVE, "",
+     "modulus over thickness of the film, over the substrate's modulus over sqrt(R sigma)"),
     # of a solution
     ("mean_separation", "d", "d", "m", _ANY, "sigma",
      "mean separation, from the mean of the asperity heights"),
@@ -189,6 +193,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "mean separation at the largest tension, undefined where there is none"),
     ("load_share_beyond_film", "s_P", r"s_P", "", _SHARE, "",
      "share of the load on asperities wider than the film is thick (a > t)"),
+    ("load_share_substrate", "s_s", r"s_\mathrm{s}", "", _SHARE, "", "share of the load that the substrate carries"),
     ("friction_share_beyond_film", "s_T", r"s_T", "", _SHARE, "",
      "share of the friction on asperities wider than the film is thick (a > t)"),
 ]

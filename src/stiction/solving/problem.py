@@ -202,6 +202,10 @@ class Sum(Problem):
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
             results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., _LOAD].sum(axis=0)
+        if bodies:
+            film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
+            whole = film + substrate
+            results["load_share_substrate"] = np.divide(substrate, whole, where=whole > 0.0, out=np.zeros_like(whole))
         if not all(regime.in_half_space for regime in regimes):
             results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., _LOAD])
         if not self.friction:

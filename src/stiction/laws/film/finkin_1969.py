@@ -36,7 +36,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.registry import Departure, FilmLaw, Validity
 from stiction.laws.sources import Source
 
 _PI = math.pi
@@ -101,11 +101,25 @@ RECORD = FilmLaw(
     accuracy=2e-10,  # of its loads far out of touch, where the sums over many separations lose digits
     own_asperity=True,
     own_options={"bound": tuple(BOUNDS)},
+    departures=(
+        Departure("thin", "load", 0.0, math.inf),
+        Departure("thin", "contact_area", 1.0, 1.0),
+        Departure("thin", "friction_force", 1.0, 1.0),
+        Departure("thick", "load", -1.0, -1.0),
+        Departure("thick", "contact_area", 1.0, 1.0),
+        Departure("thick", "friction_force", 1.0, 1.0),
+        Departure("alike", "load", 0.0, math.inf),
+        Departure("alike", "contact_area", 1.0, 1.0),
+        Departure("alike", "friction_force", 1.0, 1.0),
+    ),
     verified="the layer's own balance of volume, differentiated independently; the powers of thickness, load and radius",
     needs=("n_E", "film_aspect", "films", "layer_nu", "coated_share"),
     validity=(
         Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),
         Validity("n_E", 0.0, 0.1, "a rigid substrate and indenter: the film is much less stiff"),
+        Validity(
+            "film_stiffness", 0.0, 0.1, "a rigid substrate: under a layer as thin as this it gives more than a tenth as much"
+        ),
         Validity("theta", 10.0, math.inf, "adhesion is left out"),
     ),
     notes="The substrate is rigid and never felt, however deep: for films of much smaller modulus than substrate and indenter. "

@@ -22,7 +22,7 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.film.shared.cut_film import film_regimes
 from stiction.laws.joining import Law, Weights, coordinates, normal_states, states
-from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.registry import Departure, FilmLaw, Validity
 from stiction.laws.sources import Source
 
 
@@ -75,9 +75,18 @@ RECORD = FilmLaw(
     grade="C",
     sources=(Source("soft_coating_2015", "eqs. (6) and (15)", "corrected: D4, D5, D8, D9, D10"),),
     regimes=regimes,
+    departures=(
+        Departure("thin", "contact_area", -0.63, 2.0),
+        Departure("thin", "friction_force", -0.63, np.inf),
+        Departure("alike", "load", -0.36, 0.0),
+        Departure("alike", "friction_force", 0.0, 0.96),
+    ),
     verified="independent evaluation at 30 digits; the film's own law for a thick film",
     needs=("n_E", "n_H", "tau"),
-    validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),),
+    validity=(
+        Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),
+        Validity("load_share_substrate", 0.0, 0.1, "a film that is pressed through keeps its area, and its shear adds to all"),
+    ),
     load_falls=False,
     notes="At zero thickness the adhesion of first touch on the film remains: -4 pi/(3 theta) for each touching JKR asperity.",
 )
