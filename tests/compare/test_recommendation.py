@@ -5,8 +5,6 @@ All that is said of the ranking is in this file: on answers made by hand, where 
 where it is said beside each what decides.
 """
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -127,14 +125,15 @@ def test_what_knows_more_but_not_the_stated_strength_comes_after():
     """The graded film takes account of adhesion too, within its validity, but has a friction of its own; without a stated
     strength it is the one to take."""
     told, data = said(contact("200 nm", **STATED), "1 N")
-    alike = ["halling_1979", "chang_1997", "liu_neville_reuben_2002"]
-    assert [told[name][:2] for name in (*alike, "graded")] == [(0, "C")] * 4
-    assert all(told[low][2] < told[high][2] for low, high in pairwise(alike))
-    assert data.attrs["recommended"] == "chang_1997"
+    assert [told[name][:2] for name in ("halling_1979", "graded")] == [(0, "C")] * 2
+    assert told["chang_1997"][0] and told["liu_neville_reuben_2002"][0]  # all of the film is not plastic
+    assert data.attrs["recommended"] == "halling_1979"
     assert compare(contact("200 nm"), load="1 N").attrs["recommended"] == "graded"
 
 
-@pytest.mark.parametrize(("load", "recommended", "share"), (("1 N", "maugis_1992 + sequential", 0), ("1 kN", "chang_1997", 1)))
+@pytest.mark.parametrize(
+    ("load", "recommended", "share"), (("1 N", "maugis_1992 + sequential", 0), ("1 kN", "halling_1979", 1))
+)
 def test_validity_is_that_at_the_working_load(load, recommended, share):
     """The film law of the paper is for contact spots that are smaller than the film is thick: so they are under a light load
     and not under a heavy one, and the curves, pressed to a mean separation of -2 sigma, go through both."""

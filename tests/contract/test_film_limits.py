@@ -3,9 +3,9 @@ how much it is off, and a range of validity is left there."""
 
 import numpy as np
 import pytest
+from film_limits import QUANTITIES, H, choices, departures, groups_of
 
 import stiction as st
-from film_limits import H, QUANTITIES, choices, departures, groups_of
 from stiction.laws.claims import FILM_LIMITS
 from stiction.laws.registry import FilmLaw, of_kind
 from stiction.laws.validity import doubts_about
@@ -75,8 +75,8 @@ def test_records_say_it_where_users_look():
 
 
 def test_the_area_of_a_plastic_film_without_thickness_is_twice_that_of_the_elastic_substrate():
-    """By hand: Hertz has pi R omega, a contact that is plastic 2 pi R omega. A soft film that is hardly there, on a substrate that
-    does not yield, doubles the area and the friction of the interface under the sequential law; the thin film is doubted."""
+    """By hand: Hertz has pi R omega, a contact that is plastic 2 pi R omega. A soft film that is hardly there, on a
+    substrate that does not yield, doubles the area under the sequential law; the thin film is doubted."""
     given = {"theta": 1e8, "lam": 1e16 * 50.0**4 / (18 * np.pi**2), "n_E": 1.0, "tau": 1e-12, "shear_strength": 0.1}
     laws = {"model": "greenwood_williamson_1966", "asperity": "chang_etsion_bogy_1987", "tangential": "bowden_tabor_1943"}
     coated = st.solve(st.Indices(n_H=1e-6, **given), separation=1.0, film="sequential", **laws)

@@ -18,7 +18,10 @@ __all__ = ["Groups", "Indices", "hardness_group", "stiffness_group"]
 # H/Y where no material says otherwise: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
 HARDNESS_TO_YIELD = 2.8
 
-_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", "films", "layer_nu")
+_FILM = (
+    "n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", "films", "layer_nu", "coated_share", "coated_nu",
+    "counter_nu",
+)  # fmt: skip
 
 
 def hardness_group(theta, lam):

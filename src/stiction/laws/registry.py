@@ -238,10 +238,10 @@ KINDS: tuple[type[Record], ...] = (
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure", "FilmLaw", "Jump", "Limit",
-    "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Unavailable", "Validity", "all_options",
-    "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records", "resolve_options",
-    "select_options", "text_of",
+    "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure",
+    "FilmLaw", "Jump", "Limit", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Unavailable",
+    "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
+    "resolve_options", "select_options", "text_of",
 ]  # fmt: skip
 _R = TypeVar("_R", bound=Record)
 

@@ -63,7 +63,8 @@ def graded_regimes(
     """Regimes of a surface with a graded film, loads and resistances in units of the substrate; arrays (n,).
 
     substrate, film: their Poisson's ratio, K beta and hardness over yield stress, and the substrate's adhesion indices; the
-    film's follow from n_E, n_H, n_g. One body is coated, the other rigid. tau = t/sigma, film_aspect = t/sqrt(R sigma), 0 to infinity both. exponents: m of (S5.13)
+    film's follow from n_E, n_H, n_g. One body is coated, the other rigid.
+    tau = t/sigma, film_aspect = t/sqrt(R sigma), 0 to infinity both. exponents: m of (S5.13)
     of a film softer and of one harder than the substrate, each 1 or 2. An asperity counts as film while w < tau, as plastic
     where its elastic mean pressure exceeds the hardness at its depth.
     """

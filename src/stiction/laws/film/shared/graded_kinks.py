@@ -311,8 +311,9 @@ def _name_parts(law, through, edges, count, part):
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:
     """Edges (n, CAPACITY) in u, the part (n, CAPACITY - 1) of each piece between them, plateaus (n, 6) and branch (n, 4).
 
-    parameters: array (n, PARAMETERS). Part: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no piece;
-    the film is pressed through at the displacement tau (n,). Plateaus: from start on the load is at least level, thrice.
+    parameters: array (n, PARAMETERS). Part: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate,
+    -1 no piece; the film is pressed through at the displacement tau (n,). Plateaus: from start on the load is at least level,
+    thrice.
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)

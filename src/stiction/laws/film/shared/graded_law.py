@@ -26,8 +26,8 @@ ALONE, WHOLE = 11, 20  # parameters of adhesion and strength; with them those of
 def stiffness(u, bodies):
     """K_eff/K_s (S5.11) of the contact of radius a = sqrt(R sigma) u^2, its derivative by ln u, and the film's share.
 
-    bodies: least and greatest K_eff/K_s; one over the thickness on a body over sqrt(R sigma); then as of TwoBodies, nu being the
-    mean of film and body.
+    bodies: least and greatest K_eff/K_s; one over the thickness on a body over sqrt(R sigma); then as of TwoBodies, nu being
+    the mean of film and body.
     """
     _, _, per_aspect, first, second, s, films, nu_first, nu_second = bodies
     share, slope = modulus_share(u * u * per_aspect, nu_first)
