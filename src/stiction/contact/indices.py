@@ -23,6 +23,9 @@ _FILM = (
     "counter_nu",
 )  # fmt: skip
 
+# What follows from others where it is not given.
+_FOLLOWS = ("hardness_group", "films", "layer_nu", "coated_share", "coated_nu", "counter_nu")
+
 
 def hardness_group(theta, lam):
     """eta = pi H sqrt(R/sigma) / K = sqrt(pi) 18^(1/4) lambda^(1/4) theta^(-1/2) (half the 7.3 of eq 1). Arrays."""
@@ -155,7 +158,7 @@ class Indices(Subject):
 
     def knows(self, group: str) -> bool:
         """Whether a group that a law needs is known; theta and lambda, of what does not adhere, are not."""
-        return group == "hardness_group" or getattr(self, group) is not None
+        return group in _FOLLOWS or getattr(self, group) is not None
 
     def indices(self) -> "Indices":
         return self

@@ -121,9 +121,19 @@ def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, f
         below.state,
         "substrate",
         touching=False,
-        branch=below.branch,
+        branch=_branches(below, above, piece, tau),
         lowest=below.lowest,
     )
+
+
+def _branches(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray) -> np.ndarray | None:
+    """Where either resistance starts like a square root, as coordinates of the substrate's piece (n, b)."""
+    found = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
+    for at in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
+        there = np.isfinite(at) & (at >= above.edges[:, 0]) & (at <= above.edges[:, -1])
+        w = states(above, np.where(there, at, above.edges[:, 0]))[:, 0] - tau
+        found.append(np.where(there & (w >= 0.0), coordinates(piece, w), -np.inf)[:, None])
+    return np.concatenate(found, axis=1) if found else None
 
 
 def _mapped(above: Regime, at: int, piece, tau: np.ndarray) -> np.ndarray:
