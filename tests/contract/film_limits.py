@@ -47,7 +47,7 @@ def choices(film: FilmLaw):
     if film.tangential not in ("", "interface"):
         yield Choice(PAPER, film=film.key), Choice(PAPER, options={"transition": "gradual"})
         return
-    if film.composites:  # it is its own law of the bare asperity: with a film like it
+    if own_of_the_bare(film):  # it is its own law of the bare asperity: with a film like it
         yield (Choice(PLAIN, tangential=INTERFACE, film=film.key),) * 2
         return
     if film.own_asperity:
@@ -62,6 +62,14 @@ def choices(film: FilmLaw):
         yield Choice(PAPER, film=film.key), Choice(PAPER)
 
 
+def own_of_the_bare(film: FilmLaw) -> bool:
+    """Whether it is a law of bare asperities, that yield, too."""
+    if not film.own_asperity or film.tangential != "interface":
+        return False
+    regimes = problem_of(groups_of("alike"), Choice(PLAIN, tangential=INTERFACE, film=film.key)).regimes
+    return any(one.state == "plastic" for one in regimes)
+
+
 def departures(film: FilmLaw, limit: str, pairs=None) -> dict[str, np.ndarray]:
     """Quantity -> how far it is off (choices, contacts, H), relative to what it should be; not a number where that is nothing
     or below. What it should be: the substrate alone, under a thick film the film alone, in the substrate's units."""
@@ -70,12 +78,15 @@ def departures(film: FilmLaw, limit: str, pairs=None) -> dict[str, np.ndarray]:
                                hardening=np.full(len(given), 0.01))  # fmt: skip
     bare = given.film() if limit == "thick" else given.substrate()
     unit = {name: given.n_E[:, None] if limit == "thick" and name != "contact_area" else 1.0 for name in QUANTITIES}
-    found: dict[str, list] = {name: [] for name in QUANTITIES}
+    # Where the substrate is bare it shears at a strength of its own, which the bare contact does not state.
+    found: dict[str, list] = {name: [] for name in QUANTITIES if not (film.bares_substrate and name == "friction_force")}
     for coated, alone in choices(film) if pairs is None else pairs:
-        like = {name: np.ones(len(given)) for name in ("n_E", "n_H", "n_g", "tau", "film_aspect")} if film.composites else {}
+        like = (
+            {name: np.ones(len(given)) for name in ("n_E", "n_H", "n_g", "tau", "film_aspect")} if own_of_the_bare(film) else {}
+        )
         results = problem_of(given, coated).on_grid(H)
         expected = problem_of(bare.with_changes(**like).resolved(), alone).on_grid(H)
-        for name in QUANTITIES:
+        for name in found:
             whole = unit[name] * expected[name]
             with np.errstate(all="ignore"):
                 found[name].append(np.where(whole > 0.0, results[name] / whole - 1.0, np.nan))

@@ -10,6 +10,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.contact.indices import HARDNESS_TO_YIELD, Indices, plain_number
 from stiction.contact.materials import Material, as_material
 from stiction.contact.subject import Scales, Subject
+from stiction.quantities.dimensions import coordinates, named_by
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
@@ -39,7 +40,8 @@ class Coating(Input):
 
     material: Material, name of a preset, or dict of its numbers. bodies: which body carries it; with
     "both", the default and the paper's case, film meets film and `thickness` is the sum of the two.
-    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact.
+    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact. friction_constant: C
+    of mu = (C t/W)^(1/3), which one film law takes (Ravindran et al. 1980); left out, it follows from strength and hardness.
     The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
     yield_stress or tangent_modulus of the film is not used, but to say whether it or a body as hard yields first. Raises
     InputError.
@@ -49,6 +51,7 @@ class Coating(Input):
     thickness: Number
     bodies: Literal["both", "first", "second"] = "both"
     work_of_adhesion: OptionalNumber = None
+    friction_constant: OptionalNumber = None
 
 
 class Roughness(Input):
@@ -131,7 +134,9 @@ class Contact(Subject):
                 groups = self._groups()
         except ArithmeticError:
             raise InputError("contact", "numbers out of all proportion", "numbers of real materials") from None
-        return Indices(**groups)
+        # Of quantities along one dimension each would name its points, and a group takes the names of whichever it depends on.
+        names = coordinates(self.arrays())
+        return Indices(**{name: named_by(value, names) for name, value in groups.items()})
 
     def _groups(self) -> dict[str, Any]:
         bare = _pair(self.first, self.second)
@@ -164,7 +169,7 @@ class Contact(Subject):
 
     def _film_groups(self, coating: Coating, bare: "_Pair") -> dict[str, Any]:
         film = _pair(coating.material, self._against_film(coating))
-        film_gamma = coating.work_of_adhesion if self.adheres else None
+        film_gamma, constant = coating.work_of_adhesion if self.adheres else None, coating.friction_constant
         # With both coated either may be called the coated one: the more compliant, so that their order does not matter.
         coated, counter = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
         first = True if coating.bodies != "both" else _more_compliant(coated, counter)
@@ -178,6 +183,7 @@ class Contact(Subject):
             "film_aspect": coating.thickness / (self._radius * self._sigma) ** 0.5,
             "film_nu": film.nu,
             "film_K_beta": film.K * film.beta,
+            "film_friction_constant": None if constant is None else constant / (bare.K * (self._radius * self._sigma) ** 0.5),
             "films": 2.0 if coating.bodies == "both" else 1.0,
             "layer_nu": coating.material.poissons_ratio,
             "coated_share": np.minimum(share, 1.0),
@@ -235,6 +241,7 @@ class Contact(Subject):
             contact_area=pi * self._radius * self._sigma,
             separation=self._sigma,
             asperities=self.roughness.asperity_density * self.nominal_area,
+            nominal_area=self.nominal_area,
         )
 
     @property

@@ -8,9 +8,9 @@ import numpy as np
 from pydantic import model_validator
 
 from stiction.contact.subject import Scales, Subject
-from stiction.quantities.dimensions import flattened
+from stiction.quantities.dimensions import check_names, flattened
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Number, OptionalNumber
+from stiction.quantities.inputs import Number, OptionalNumber, floats
 from stiction.quantities.table import QUANTITIES
 
 __all__ = ["Groups", "Indices", "hardness_group", "stiffness_group"]
@@ -20,7 +20,7 @@ HARDNESS_TO_YIELD = 2.8
 
 _FILM = (
     "n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", "films", "layer_nu", "coated_share", "coated_nu",
-    "counter_nu",
+    "counter_nu", "film_friction_constant",
 )  # fmt: skip
 
 # What follows from others where it is not given.
@@ -45,8 +45,9 @@ class Indices(Subject):
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
     half-space to every asperity. One body is coated, and the other rigid, unless films and coated_share say otherwise; with two
-    films the bodies are alike unless coated_share does; layer_nu left out is film_nu, coated_nu and counter_nu are nu. The last
-    eight are needed by some laws only. Raises InputError.
+    films the bodies are alike unless coated_share does; layer_nu left out is film_nu, coated_nu and counter_nu are nu.
+    film_friction_constant left out follows from strength and hardness. It and the last eight are needed by some
+    laws only. Raises InputError.
     """
 
     theta: OptionalNumber = None
@@ -67,6 +68,7 @@ class Indices(Subject):
     coated_share: OptionalNumber = None
     coated_nu: OptionalNumber = None
     counter_nu: OptionalNumber = None
+    film_friction_constant: OptionalNumber = None
     tabor_parameter: OptionalNumber = None
     sharpness: OptionalNumber = None
     roughness_parameter: OptionalNumber = None
@@ -213,12 +215,19 @@ class Indices(Subject):
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def read(self, value: Any, name: str) -> Any:
-        try:
-            array = value if hasattr(value, "dims") else np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(name, value, "numbers, normalised like the indices") from None
+        normalised, labelled = "numbers, normalised like the indices", hasattr(value, "dims")
+        array = floats(value.values if labelled else value, name, normalised)
         if not np.all(np.isfinite(array)):
             raise InputError(name, value, "finite numbers")
+        if labelled:
+            check_names(value, name)
+            if (unit := value.attrs.get("units", "1")) not in ("", "1"):
+                raise InputError(name, f"numbers in {unit}", f"{normalised}: they have no unit")
+            return value.copy(data=array) if array.ndim else float(array)
+        if array.ndim > 1:
+            raise InputError(
+                name, f"array of shape {array.shape}", "one number, one row of them, or an array with named dimensions"
+            )
         return array if array.ndim else float(array)
 
     def read_point(self, entry: Any, name: str, where: str) -> float:

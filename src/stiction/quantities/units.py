@@ -12,7 +12,7 @@ from numbers import Real
 import numpy as np
 
 from stiction.quantities.cache import cache_folder
-from stiction.quantities.dimensions import without_indexes
+from stiction.quantities.dimensions import check_names, without_indexes
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES, Quantity
 
@@ -71,13 +71,15 @@ def axis(name: str, values, dimension: str | None = None):
     """
     import xarray
 
-    if name not in QUANTITIES:
+    if not isinstance(name, str) or name not in QUANTITIES:
         raise InputError("axis", name, "the name of a quantity: " + ", ".join(QUANTITIES))
     quantity = QUANTITIES[name]
     numbers = np.atleast_1d(np.asarray(to_si(values, name)))
     if numbers.ndim != 1:
         raise InputError(name, f"array of shape {numbers.shape}", "one row of values")
     dimension = dimension or name
+    if not isinstance(dimension, str):
+        raise InputError("dimension", dimension, "a name, as text")
     attributes = {"units": quantity.unit or "1", "long_name": quantity.meaning}
     coordinate = xarray.DataArray(numbers, dims=(dimension,), attrs=attributes)
     return xarray.DataArray(numbers, dims=(dimension,), coords={dimension: coordinate}, name=name, attrs=attributes)
@@ -153,6 +155,7 @@ def _unit_errors() -> tuple[type[Exception], ...]:
 
 
 def _from_labelled(array, quantity: Quantity):
+    check_names(array, quantity.name)
     values = _from_numbers(array.values, quantity)
     unit = str(array.attrs.get("units", quantity.unit))
     if unit not in (quantity.unit, quantity.unit or "1"):  # xarray users write "1" where there is no unit

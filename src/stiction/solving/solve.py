@@ -6,16 +6,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.contact import Contact
-from stiction.contact.subject import Subject
+from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import axis
-from stiction.solving.choice import Choice
+from stiction.solving.candidates import choice_of
+from stiction.solving.choice import without_old_names
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.problem import Problem, as_asked, make_problem
-from stiction.solving.results import as_dataset, as_variables, summary_of
+from stiction.solving.results import as_dataset, as_variables, summary_of, with_shares
 
 if TYPE_CHECKING:
     import xarray
@@ -39,11 +40,12 @@ def solve(
     separation: mean separation, m for a Contact (text with a unit is fine), over sigma for Indices; or load: net normal
     load, N or normalised. A number, a 1-D sequence, or an xarray.DataArray with named dimensions. Any number of the
     contact may be an array with a named dimension (stiction.axis): the result carries all dimensions.
-    model: key of a rough-surface model (stiction.models()). laws: keys of other laws in place of those that the model takes by
-    itself, as asperity, tangential ("none" for contact only) or film; presliding="mindlin_1949" adds tangential_stiffness,
-    that of the contact before anything slides; and options of the model or of these laws, by name, such as
-    reading="published", branch="unloading", transition="gradual"; None for a default. heights: a height distribution, or its
-    name; by default the contact's own, or Gaussian. threads: how many share the work, which changes no digit.
+    model: key of a rough-surface model (stiction.models()), or any name that `compare` shows for this contact; where it has no
+    tangential law and the contact states the strength of its interface, that is sheared. laws: keys of other laws in place of
+    those that the model takes by itself, as asperity, tangential ("none" for contact only) or film; presliding="mindlin_1949"
+    adds tangential_stiffness, that of the contact before anything slides; and options of the model or of these laws, by name,
+    such as reading="published", branch="unloading", transition="gradual"; None for a default. heights: a height distribution,
+    or its name; by default the contact's own, or Gaussian. threads: how many share the work, which changes no digit.
 
     Returns an xarray.Dataset with units and long names: load, contact_area, friction_force, friction_coefficient (not a
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
@@ -54,7 +56,7 @@ def solve(
     """
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
-    problem = make_problem(contact, Choice.of(model, laws), heights, threads)
+    problem = make_problem(contact, choice_of(model, without_old_names(laws), as_subject(contact)), heights, threads)
     if problem.needs_load and load is None:
         raise InputError("separation", separation, f"a load in its place: {problem.record.key} knows no separation")
     name, given = ("load", load) if separation is None else ("mean_separation", separation)
@@ -80,6 +82,7 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
             raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
         h = aligned(point, dims) / aligned(factors["m"], dims)  # not broadcast: separations that all share are a grid
         tables = {"mean_separation": h} | _sum(problem, h, wanted.shape)
+    tables = with_shares(problem, tables)
     variables = as_variables(subject, tables, factors, dims)
     variables |= {} if found is None else _convergence(found, dims)
     if "mean_separation" in tables:
@@ -124,7 +127,8 @@ def points_asked(subject: Subject, name: str, value: Any) -> Any:
     its quantity)."""
     import xarray
 
-    if not isinstance(value, str) and not hasattr(value, "dims") and np.ndim(value) > 0 and isinstance(subject, Contact):
+    row = isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
+    if row and not hasattr(value, "dims") and isinstance(subject, Contact):
         return axis(name, value)
     read = subject.read(value, name)
     return xarray.DataArray(read, dims=(name,), coords={name: read}) if isinstance(read, np.ndarray) else read

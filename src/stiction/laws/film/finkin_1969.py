@@ -120,7 +120,6 @@ RECORD = FilmLaw(
         Validity(
             "film_stiffness", 0.0, 0.1, "a rigid substrate: under a layer as thin as this it gives more than a tenth as much"
         ),
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
     ),
     notes="The substrate is rigid and never felt, however deep: for films of much smaller modulus than substrate and indenter. "
     "Which of the bounds the paper has is not known. At layer_nu near 1/2 the compressible bound has no meaning.",
