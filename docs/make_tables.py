@@ -159,6 +159,7 @@ def section(model: dict) -> str:
     good = "Sigma and R of wide paraboloids" if model["kind"] == "asperity method" else "Sums"
     lines += [f"- {good} are good to: {model['accuracy']:.0e}"] if record.keyword else []
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
+    lines += [f"- In the limit: {departure}" for departure in model.get("departures", ())]
     lines += [f"- Only with asperity laws marked {trait}: {why}" for trait, why in model.get("wants", {}).items()]
     lines += [f"- Marked: {', '.join(model['traits'])}"] if model.get("traits") else []
     lines += more(record)

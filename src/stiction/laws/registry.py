@@ -15,7 +15,7 @@ from functools import cache
 from importlib.metadata import entry_points
 from typing import ClassVar, TypeVar
 
-from stiction.laws.claims import GRADES, TRAITS, Jump, Limit, Parameter, Validity
+from stiction.laws.claims import FILM_LIMITS, GRADES, TRAITS, Departure, Jump, Limit, Parameter, Validity
 from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
 from stiction.quantities.notices import notice
@@ -102,6 +102,7 @@ class FilmLaw(Record):
     tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
     interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
     any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
+    departures: from what films of no thickness, without end, and like their substrate have to be.
     composites: properties of film and substrate together which options of these names choose among the composites: property ->
     key of the default.
     """
@@ -115,6 +116,7 @@ class FilmLaw(Record):
     tangential: str = ""
     asperity: str = ""
     interchangeable: bool = True
+    departures: tuple[Departure, ...] = ()
     composites: Mapping[str, str] = field(default_factory=dict)
 
     @property
@@ -229,10 +231,10 @@ KINDS: tuple[type[Record], ...] = (
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "FilmLaw", "Jump", "Limit",
-    "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Validity", "all_options",
-    "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records", "resolve_options",
-    "select_options", "text_of",
+    "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure",
+    "FilmLaw", "Jump", "Limit", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
+    "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
+    "resolve_options", "select_options", "text_of",
 ]  # fmt: skip
 _R = TypeVar("_R", bound=Record)
 

@@ -72,6 +72,8 @@ _GROUP = (1e-9, 1e9, True, True)
 _THETA = (1e-12, 1e40, True, True)
 _LAMBDA = (1e-60, 1e120, True, True)
 _LENGTH_RATIO = (0.0, 1e15, True, True)
+_PART = (0.0, 1.0, False, True)
+_ONE_OR_TWO = (1.0, 2.0, True, True)
 # nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
 # Below 0 nothing was checked.
 _POISSON = (0.0, 0.5, True, False)
@@ -98,7 +100,7 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("asperity_radius", "R", "R", "m", _POSITIVE, "50 um", "asperity tip radius"),
     ("asperity_density", "N", "N", "1/m^2", _POSITIVE, "1.7e10 1/m^2", "asperities per nominal area"),
     ("nominal_area", "A_n", r"A_\mathrm{n}", "m^2", _POSITIVE, "1 mm^2", "nominal contact area"),
-    ("work_of_adhesion", "gamma", r"\gamma", "J/m^2", _POSITIVE, "50 mJ/m^2", "work of adhesion"),
+    ("work_of_adhesion", "gamma", r"\gamma", "J/m^2", _NOT_NEGATIVE, "50 mJ/m^2", "work of adhesion"),
     ("interfacial_energy", "gamma_12", r"\gamma_{12}", "J/m^2", _NOT_NEGATIVE, "0.5 J/m^2",
      "energy of the closed interface"),
     ("thickness", "t", "t", "m", _POSITIVE, "200 nm",
@@ -115,6 +117,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2))"),
     ("lam", "lambda", r"\lambda", "", _LAMBDA, "10",
      "plastic adhesion index pi^2 R H^4 sigma / (18 K^2 gamma^2)"),
+    ("hardness_group", "eta", r"\eta", "", _POSITIVE, "2",
+     "hardness group pi H R^(1/2) / (K sigma^(1/2)), in place of theta and lambda where nothing adheres"),
     ("nu", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio of the softer body"),
     ("K_beta", "K beta", r"K\beta", "", _GROUP, "6.476", "normal stiffness times tangential compliance"),
     ("n_E", "n_E", "n_E", "", _GROUP, "1.5", "film modulus over substrate modulus"),
@@ -126,6 +130,13 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("film_nu", "nu_c", r"\nu_\mathrm{c}", "", _POISSON, "0.3", "Poisson's ratio in the film's contact"),
     ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _GROUP, "6.476",
      "K beta of the film's contact"),
+    ("films", "n_f", r"n_\mathrm{f}", "", _ONE_OR_TWO, "1",
+     "coated bodies: 1, with all of the thickness, or 2, with half of it each"),
+    ("layer_nu", "nu_l", r"\nu_\mathrm{l}", "", _POISSON, "0.3", "Poisson's ratio of the film itself"),
+    ("coated_share", "s", "s", "", _PART, "1",
+     "share of the coated body in the compliance of the bare contact: 1 if the other is rigid"),
+    ("coated_nu", "nu_1", r"\nu_1", "", _POISSON, "0.3", "Poisson's ratio of the coated body"),
+    ("counter_nu", "nu_2", r"\nu_2", "", _POISSON, "0.3", "Poisson's ratio of the body that meets the coated one"),
     ("film_friction_constant", "C/(K sqrt(R sigma))", r"C/(K\sqrt{R\sigma})", "", _POSITIVE, "1e-4",
      "constant of the film's friction (C t/W)^(1/3) over K sqrt(R sigma)"),
     ("tabor_parameter", "mu_T", r"\mu_\mathrm{T}", "", _POSITIVE, "2",
@@ -154,6 +165,10 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("normal_stiffness", "K", "K", "Pa", _POSITIVE, "", "K = (4/3) E*"),
     ("tangential_compliance", "beta", r"\beta", "1/Pa", _POSITIVE, "", "beta = sum of (2 - nu)/G"),
     ("plasticity_index", "psi", r"\psi", "", _POSITIVE, "", "plasticity index (E*/H) (sigma/R)^(1/2)"),
+    ("film_plasticity_index", "psi_f", r"\psi_\mathrm{f}", "", _POSITIVE, "",
+     "plasticity index of the film against what it meets"),
+    ("film_stiffness", "n_E sqrt(R sigma)/t", r"n_E\sqrt{R\sigma}/t", "", _POSITIVE, "",
+     "modulus over thickness of the film, over the substrate's modulus over sqrt(R sigma)"),
     # of a solution
     ("mean_separation", "d", "d", "m", _ANY, "sigma",
      "mean separation, from the mean of the asperity heights"),
@@ -196,8 +211,6 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
      "share of the load on asperities that the model gives no friction"),
     ("rms_slope", "h'", r"h'", "", _NOT_NEGATIVE, "", "rms slope of the Gaussian surface that has these asperities"),
-    ("film_plasticity_index", "psi_f", r"\psi_\mathrm{f}", "", _POSITIVE, "",
-     "plasticity index (E*/H) (sigma/R)^(1/2) of the film's contact"),
     ("thickness_over_radius", "t/R", r"t/R", "", _NOT_NEGATIVE, "", "film thickness over asperity radius"),
     ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, _COUNT, "number of touching asperities"),
     ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,
@@ -206,6 +219,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "mean separation at the largest tension, undefined where there is none"),
     ("load_share_beyond_film", "s_P", r"s_P", "", _SHARE, "",
      "share of the load on asperities wider than the film is thick (a > t)"),
+    ("load_share_substrate", "s_s", r"s_\mathrm{s}", "", _SHARE, "", "share of the load that the substrate carries"),
     ("friction_share_beyond_film", "s_T", r"s_T", "", _SHARE, "",
      "share of the friction on asperities wider than the film is thick (a > t)"),
 ]

@@ -280,7 +280,7 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
 _LINE_ENDS = re.compile(r"(?<=\S)(?<!\$\$)\n(?!\$\$)(?=[^\s|-])")
 # What a record says in full, besides its options: the name of the entry and how it is called.
 _IN_FULL = {
-    "source": "source", "verified": "checked against", "jumps": "jumps",
+    "source": "source", "verified": "checked against", "jumps": "jumps", "departures": "in the limit",
     "traits": "marked", "validity": "valid for", "limits": "becomes", "needs": "depends on", "notes": "note",
 }  # fmt: skip
 

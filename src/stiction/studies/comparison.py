@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.summation import FARTHEST
 from stiction.laws.registry import Criterion, of_kind
@@ -61,7 +62,7 @@ def compare(
         raise InputError("contact", "arrays", "single numbers, for a comparison of models")
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
-    groups = make_problem(contact, Choice()).groups
+    groups, _ = Groups.of(contact.indices())
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
@@ -219,10 +220,10 @@ def _attributes(contact, answers: list[Answer], target: float | None) -> dict[st
 def _criteria(contact: Subject) -> list[str]:
     """What the criteria of the registry say of the surface of a contact, one line each; those that want what is not known
     are left out."""
-    groups = make_problem(contact.with_surface_moments(), Choice()).groups.substrate()
+    groups = Groups.of(contact.with_surface_moments().indices())[0].substrate()
     lines = []
     for one in of_kind(Criterion).values():
-        if all(getattr(groups, name) is not None for name in one.needs):
+        if all(groups.knows(name) for name in one.needs):
             ratio = float(one.ratio(groups)[0])
             lines.append(f"{one.key}: {one.below if ratio < 1.0 else one.above} (ratio {ratio:.3g}, the border is 1)")
     return lines
