@@ -10,6 +10,7 @@ from pydantic import model_validator
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import flattened
 from stiction.quantities.errors import InputError
+from stiction.quantities.foreign import as_sequence, has_unit
 from stiction.quantities.inputs import Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
 
@@ -137,6 +138,9 @@ class Indices(Subject):
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def read(self, value: Any, name: str) -> Any:
+        value = as_sequence(value)
+        if has_unit(value):
+            raise InputError(name, str(value), "numbers without a unit, normalised like the indices")
         try:
             array = value if hasattr(value, "dims") else np.asarray(value, dtype=float)
         except (TypeError, ValueError):

@@ -1,26 +1,19 @@
 """What all typed input has in common: frozen records whose numbers obey the table of quantities."""
 
-import difflib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, ValidationError, ValidationInfo
 
 from stiction.quantities.dimensions import coordinates
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.foreign import is_series
 from stiction.quantities.table import QUANTITIES, Quantity
-from stiction.quantities.units import to_si
+from stiction.quantities.units import from_series, to_si
 
 __all__ = ["Input", "Number", "OptionalNumber", "nearest", "unnamed"]
-
-
-def nearest(word: str, known) -> str:
-    """The known words, the likely ones first if there are any: the text of a suggestion."""
-    close = difflib.get_close_matches(str(word), list(known), n=3, cutoff=0.5)
-    every = ", ".join(known)
-    return f"{' or '.join(close)} (all: {every})" if close else every
 
 
 @contextmanager
@@ -33,8 +26,9 @@ def unnamed():
 
 
 def _number(value, info: ValidationInfo):
+    name = str(info.field_name)
     with unnamed():
-        number = to_si(value, str(info.field_name))
+        number = to_si(from_series(value, name) if is_series(value) else value, name)
     if isinstance(number, np.ndarray):
         raise InputError(
             "",
@@ -58,11 +52,34 @@ class Input(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
 
-    def __init__(self, /, **data):
+    def __init__(self, /, *unnamed_values, **data):
+        if unnamed_values:
+            names = ", ".join(f"{name}=..." for name, field in type(self).model_fields.items() if field.is_required())
+            count = len(unnamed_values)
+            given = f"{count} value{'s' * (count > 1)} without a name"
+            raise InputError(type(self).__name__, given, f"every value by its name: {names or 'see its fields'}")
         try:
             super().__init__(**data)
         except ValidationError as error:
             raise _input_error(error, type(self)) from None
+
+    def replace(self, **changes: Any) -> Self:
+        """Another record, with these fields in place of its own, read and checked as when it is made. Raises InputError."""
+        given = {name: getattr(self, name) for name in self.model_fields_set}
+        return type(self)(**given | changes)
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """What `replace` gives; without an update, the same record again."""
+        return self.replace(**update) if update else super().model_copy(deep=deep)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Refused: what is bad for what it is, and what is good because a record does not change."""
+        if name in type(self).model_fields:
+            self.replace(**{name: value})
+            raise InputError(
+                f"{type(self).__name__}.{name}", value, f"nothing: records are frozen; replace({name}=...) gives another"
+            )
+        super().__setattr__(name, value)
 
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs):

@@ -11,6 +11,7 @@ from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime
 from stiction.engine.summation import FARTHEST, in_threads, scattered, totals_on_grid
 from stiction.quantities.errors import InputError
+from stiction.quantities.foreign import has_unit
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.solving.problem import Sum, problem_of
@@ -75,11 +76,18 @@ def evaluate(
     return _scattered(separation, laws, shape, choice, threads)
 
 
+def _array(value) -> np.ndarray:
+    """The value as an array of floats; TypeError for what has a unit, which NumPy would drop without a word."""
+    if has_unit(value):
+        raise TypeError("a unit, where numbers are over sigma or dimensionless")
+    return np.asarray(value, dtype=float)
+
+
 def _checked(name: str, value) -> np.ndarray:
     """The value as an array of floats within the bounds of its quantity."""
     quantity = QUANTITIES[name]
     try:
-        array = np.asarray(value, dtype=float)
+        array = _array(value)
     except (TypeError, ValueError):
         raise InputError(name, value, quantity.allowed) from None
     if array.size == 0:
@@ -95,7 +103,7 @@ def _checked(name: str, value) -> np.ndarray:
 def _separations(h) -> np.ndarray:
     allowed = f"finite, {-FARTHEST:g} to {FARTHEST:g}"
     try:
-        array = np.asarray(h, dtype=float)
+        array = _array(h)
     except (TypeError, ValueError):
         raise InputError("h", h, allowed) from None
     wrong = ~(np.abs(array) <= FARTHEST)

@@ -11,7 +11,8 @@ from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import axis
+from stiction.quantities.foreign import as_sequence, is_series
+from stiction.quantities.units import axis, from_series
 from stiction.solving.choice import Choice
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.problem import Problem, as_asked, make_problem
@@ -124,8 +125,13 @@ def points_asked(subject: Subject, name: str, value: Any) -> Any:
     its quantity)."""
     import xarray
 
-    if not isinstance(value, str) and not hasattr(value, "dims") and np.ndim(value) > 0 and isinstance(subject, Contact):
-        return axis(name, value)
+    if isinstance(subject, Contact):
+        if is_series(value):
+            return from_series(value, name)
+        value = as_sequence(value)
+        several = isinstance(value, list | tuple) or (not isinstance(value, str) and np.ndim(value) > 0)
+        if several and not hasattr(value, "dims"):
+            return axis(name, value)
     read = subject.read(value, name)
     return xarray.DataArray(read, dims=(name,), coords={name: read}) if isinstance(read, np.ndarray) else read
 

@@ -83,7 +83,7 @@ def compare(
     """
     if any(True for _ in as_subject(contact).arrays()):
         raise InputError("contact", "arrays", "single numbers, for a comparison of models")
-    h = SEPARATIONS if separations is None else np.asarray(list(separations), dtype=float)
+    h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups = make_problem(contact, Choice()).groups
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
@@ -91,6 +91,16 @@ def compare(
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target, interface)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
     return _dataset(contact, answers, target)
+
+
+def _separations(given: Any) -> np.ndarray:
+    try:
+        h = np.asarray(list(given), dtype=float)
+    except (TypeError, ValueError):
+        h = np.empty(0)
+    if h.ndim != 1 or not h.size or not np.isfinite(h).all():
+        raise InputError("separations", given, "finite numbers, mean separations over sigma, one after another")
+    return h
 
 
 def _law_of_the_interface(groups: Groups) -> str:
@@ -261,6 +271,9 @@ def working_load(case: "Case", given: str | None) -> float | None:
 def _pressing(subject: Subject, given: Any, field: str) -> float:
     """The load given, in N for a Contact and normalised for Indices; InputError where it does not press."""
     unit = subject.attributes("load")["units"]
+    if not isinstance(given, str) and np.ndim(given) > 0:
+        one = f"one load > 0 {unit}".removesuffix(" 1")
+        raise InputError(field, given, f"{one}: models are judged at one; solve takes several, of one model")
     try:
         load = float(subject.read(given, "load"))
     except InputError as error:
