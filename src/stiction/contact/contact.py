@@ -197,6 +197,7 @@ class Contact(Subject):
             contact_area=pi * self._radius * self._sigma,
             separation=self._sigma,
             asperities=self.roughness.asperity_density * self.nominal_area,
+            nominal_area=self.nominal_area,
         )
 
     @property

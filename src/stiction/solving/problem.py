@@ -207,6 +207,8 @@ class Sum(Problem):
         if not self.friction:
             return results
         friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
+        if not self.law.interfacial:
+            results["load_share_without_friction"] = _share_without(sums[..., _LOAD], friction)
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
@@ -304,6 +306,13 @@ def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
     whole = sizes.sum(axis=0)
     beyond = sizes[[not regime.in_half_space for regime in regimes]].sum(axis=0)
     return np.divide(beyond, whole, where=whole > 0.0, out=np.zeros_like(whole))
+
+
+def _share_without(loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
+    """Share (n, m) of the sizes of the loads (regimes, n, m) in regimes that resist nothing; 0 where all is nothing."""
+    sizes = np.abs(loads)
+    whole, lost = sizes.sum(axis=0), np.where(friction == 0.0, sizes, 0.0).sum(axis=0)
+    return np.divide(lost, whole, where=whole > 0.0, out=np.zeros_like(whole))
 
 
 def with_surface_moments(subject: Subject, model: str) -> Subject:

@@ -16,7 +16,7 @@ from stiction.quantities.units import axis, from_series
 from stiction.solving.choice import Choice
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.problem import Problem, as_asked, make_problem
-from stiction.solving.results import as_dataset, as_variables, summary_of
+from stiction.solving.results import as_dataset, as_variables, summary_of, with_shares
 
 if TYPE_CHECKING:
     import xarray
@@ -81,6 +81,7 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
             raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
         h = aligned(point, dims) / aligned(factors["m"], dims)  # not broadcast: separations that all share are a grid
         tables = {"mean_separation": h} | _sum(problem, h, wanted.shape)
+    tables = with_shares(problem, tables)
     variables = as_variables(subject, tables, factors, dims)
     variables |= {} if found is None else _convergence(found, dims)
     if "mean_separation" in tables:

@@ -9,10 +9,11 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.laws.registry import AsperityLaw, Criterion, FilmLaw, RoughSurface, TangentialLaw, of_kind
-from stiction.laws.validity import as_attributes, doubts_about
+from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
+from stiction.solving.conditions import doubts_of_results
 from stiction.solving.inversion import Unreachable, separations_at
 from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
 from stiction.solving.results import labelled
@@ -143,7 +144,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     at_load = None
     if situation.target is not None:
         at_load = _at_working_load(problem, situation.target, answer)
-    answer.outside = doubts_about(problem.subject, records, at_load or curve)
+    answer.outside = doubts_of_results(problem, at_load or {name: table[None, :] for name, table in curve.items()})
     answer.effects = problem.effects
     answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
     answer.curve = _in_units(problem, curve)

@@ -47,6 +47,7 @@ RECORD = RoughSurface(
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
+    up_to_full_contact=True,
     verified="diffusion with an absorbing boundary, by finite differences; A/A0 = sqrt(8/pi) p/(E* h') at light load",
     needs=("roughness_parameter",),
     validity=(

@@ -83,6 +83,7 @@ RECORD = RoughSurface(
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
+    up_to_full_contact=True,
     verified="the diffusion equation by finite differences; balance of the load; persson_2001 for great hardness",
     needs=("theta", "lam", "roughness_parameter"),
     validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
