@@ -78,7 +78,7 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     with busy("Writing the results"):
         from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture
         from stiction.report.pictures import curve_figure
-        from stiction.studies.method_spread import as_columns
+        from stiction.solving.method_spread import as_columns
 
         files = {
             "curve.csv": lambda path: write_csv(as_columns(data), path),

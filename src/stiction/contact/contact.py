@@ -1,12 +1,14 @@
 """From two materials, a film and a rough surface to the dimensionless groups (docs/theory.md)."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
+from stiction.contact import measuring
 from stiction.contact.indices import HARDNESS_TO_YIELD, Indices, plain_number
 from stiction.contact.materials import Material, as_material
 from stiction.contact.subject import Scales, Subject
@@ -64,6 +66,18 @@ class Roughness(Input):
     height_distribution: str = "gaussian"
     height_parameters: dict[str, _Parameter] = Field(default_factory=dict)
     surface: "Roughness | None" = Field(default=None, description="a table with sigma, R and N of a Gaussian surface")
+    _measured: Any = PrivateAttr(None)
+
+    @property
+    def measured(self) -> Any:
+        """What scans say by all ways of finding asperities (studies.measured.Measured), where these numbers are from scans."""
+        return self._measured
+
+    def as_measured(self, measured: Any) -> "Roughness":
+        """The same numbers, found in scans that say this."""
+        found = self.model_copy()
+        found._measured = measured
+        return found
 
     @model_validator(mode="after")
     def _surface_is_gaussian(self):
@@ -74,10 +88,26 @@ class Roughness(Input):
         return self
 
 
+def _rough(value):
+    """Numbers as they are, scans as the roughness that is found in them."""
+    if isinstance(value, Roughness | str | int | float | None) or (
+        isinstance(value, Mapping) and not value.keys() & {"first", "second"}
+    ):
+        return value
+    return measuring.measure(value)
+
+
+_Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]
+
+
 class Contact(Subject):
     """Two bodies with rough surfaces, perhaps a film between them.
 
-    first, second: Material, name of a preset, or dict of numbers. work_of_adhesion: of the bodies'
+    first, second: Material, name of a preset, or dict of numbers.
+    roughness: Roughness, or dict of its numbers; or a scan of the first body, the second being smooth: a HeightMap, a topography
+    of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size); or a dict like the table of a case
+    file, with a scan or numbers as `first`, `second` or both, and how asperities are found. With a scan, results say the spread over the ways of finding asperities, and
+    `roughness.measured` what each finds. work_of_adhesion: of the bodies'
     surfaces, see the function of that name. hardness_to_yield: H/Y; left out, it is hardness over
     yield_stress of the softer body, or 2.8 if that has no yield_stress. interfacial_shear_strength and
     pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
@@ -87,7 +117,7 @@ class Contact(Subject):
 
     first: Body = Field(description="a material: the name of a preset, or its numbers")
     second: Body = Field(description="a material: the name of a preset, or its numbers")
-    roughness: Roughness = Field(description="a table with sigma, R and N of the asperities")
+    roughness: _Rough = Field(description="a table with sigma, R and N of the asperities")
     work_of_adhesion: Number
     nominal_area: Number
     coating: Coating | None = None
@@ -155,6 +185,13 @@ class Contact(Subject):
     @property
     def heights(self) -> tuple[str, dict[str, Any]]:
         return self.roughness.height_distribution, self.roughness.height_parameters
+
+    @property
+    def measured(self) -> Any:
+        return self.roughness.measured
+
+    def as_numbers(self) -> "Contact":
+        return self if self.measured is None else self.replace(roughness=self.roughness.replace())
 
     def with_surface_moments(self) -> "Contact":
         surface = self.roughness.surface

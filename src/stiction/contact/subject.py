@@ -55,6 +55,15 @@ class Subject(Input):
         """Name and parameters of the distribution of asperity heights."""
         return "gaussian", {}
 
+    @property
+    def measured(self) -> Any:
+        """What scans say of the roughness, where it was measured; else None."""
+        return None
+
+    def as_numbers(self) -> "Subject":
+        """The same without the memory of what was measured: with the numbers of the method that stands for the surface."""
+        return self
+
     def with_surface_moments(self) -> "Subject":
         """The same as theories of the whole surface take it: with the asperities that have its spectral moments."""
         return self

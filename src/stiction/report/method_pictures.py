@@ -13,7 +13,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.picture_style import look_of, plain, scale, unit_for
 from stiction.report.pictures import GREY, SKY, WIDE, finish, heading, label, say
-from stiction.studies.method_spread import METHOD
+from stiction.solving.method_spread import METHOD
 
 if TYPE_CHECKING:
     import xarray

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.contact import Contact
-from stiction.contact.subject import Subject
+from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
@@ -15,7 +15,8 @@ from stiction.quantities.foreign import as_sequence, is_series
 from stiction.quantities.units import axis, from_series
 from stiction.solving.choice import Choice
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
-from stiction.solving.problem import Problem, as_asked, make_problem
+from stiction.solving.method_spread import with_measured
+from stiction.solving.problem import Problem, as_asked, make_problem, with_surface_moments
 from stiction.solving.results import as_dataset, as_variables, summary_of, with_shares
 
 if TYPE_CHECKING:
@@ -50,12 +51,36 @@ def solve(
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
     touching_asperities, their parts by state, body and limit, and pull_off_force; what a model does not know is left out. Its
     attributes name model, options, sources, and what is used beyond the claims of its authors: `outside_validity` in words,
-    `doubts` as JSON.
+    `doubts` as JSON. Where the roughness was measured, friction_coefficient is that of the method which stands for the surface,
+    and there are also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
+    friction_coefficient_high; the attributes say the method and what was done to the scans.
     Raises InputError for bad input, for laws that do not go together, and for a load that is nowhere carried.
     """
+    choice = Choice.of(model, laws)
+    measured = with_surface_moments(as_subject(contact), model).measured
+    try:
+        data = _at_points(contact, separation, load, choice, heights, threads)
+    except InputError as error:
+        doubts = "".join(f"; {doubt}" for doubt in (measured.doubts if measured else ()))
+        raise InputError(error.field, error.value, error.allowed + doubts) from None
+    if measured is None:
+        return data
+
+    def solved(other: Contact, loads: Any) -> "xarray.Dataset":
+        return _at_points(other, None, loads, choice, heights, threads)
+
+    whole = with_surface_moments(contact, model)
+    assert isinstance(whole, Contact)  # groups were not measured
+    return with_measured(data, whole, solved)
+
+
+def _at_points(
+    contact: Subject, separation: Any, load: Any, choice: Choice, heights: Heights | str | None, threads: int
+) -> "xarray.Dataset":
+    """What `solve` gives, without the spread over the methods of finding asperities."""
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
-    problem = make_problem(contact, Choice.of(model, laws), heights, threads)
+    problem = make_problem(contact, choice, heights, threads)
     if problem.needs_load and load is None:
         raise InputError("separation", separation, f"a load in its place: {problem.record.key} knows no separation")
     name, given = ("load", load) if separation is None else ("mean_separation", separation)

@@ -15,6 +15,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubts_of_results
 from stiction.solving.inversion import Unreachable, separations_at
+from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
 from stiction.solving.results import labelled
 from stiction.solving.solve import solve
@@ -80,8 +81,18 @@ def compare(
     working load, with grade, `outside_validity` in words and `doubts` as JSON. A theory that knows no separation has none (not
     a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at the
     working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`;
-    `criteria` (is it sticky?), and `left_out`: model: why. Raises InputError for bad input.
+    `criteria` (is it sticky?), and `left_out`: model: why. Where the roughness was measured, there are also
+    friction_coefficient_at_load_by_method (asperity_method, model), friction_coefficient_at_load_low and _high.
+    Raises InputError for bad input.
     """
+    data = _compared(contact, load, separations, progress)
+    if contact.measured is None:
+        return data
+    return as_measured(_over_methods(data, contact, load, progress), contact.measured)
+
+
+def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[[Iterable], Iterable]) -> "xarray.Dataset":
+    """What `compare` gives, without the spread over the methods of finding asperities."""
     if any(True for _ in as_subject(contact).arrays()):
         raise InputError("contact", "arrays", "single numbers, for a comparison of models")
     h = SEPARATIONS if separations is None else _separations(separations)
@@ -92,6 +103,21 @@ def compare(
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target, interface)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
     return _dataset(contact, answers, target)
+
+
+def _over_methods(
+    data: "xarray.Dataset", contact: Subject, load: Any, progress: Callable[[Iterable], Iterable]
+) -> "xarray.Dataset":
+    """The comparison of a contact whose surface was measured, with what its models say at the working load by every method."""
+    contacts = contact.measured.contacts(contact)
+    name = "friction_coefficient_at_load"
+    if name not in data or len(contacts) < 2:
+        return data
+    each = [
+        data[name] if at == 0 else _compared(other, load, [0.0], iter)[name].reindex(model=data["model"])
+        for at, other in enumerate(progress(list(contacts.values())))
+    ]
+    return with_range_over_methods(data, list(contacts), np.array([one.values for one in each]), ("model",), name)
 
 
 def _separations(given: Any) -> np.ndarray:
@@ -261,7 +287,7 @@ def working_load(case: "Case", given: str | None) -> float | None:
         return _pressing(case.subject, given, "--load")
     loads = case.load
     if loads is None:
-        loads = solve(case.subject, separation=case.separation, **case.choice.arguments())["load"].values
+        loads = solve(case.subject.as_numbers(), separation=case.separation, **case.choice.arguments())["load"].values
     pressing = np.flatnonzero(loads > 0.0)
     if not pressing.size:
         return None

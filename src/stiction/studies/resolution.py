@@ -16,9 +16,9 @@ from stiction.laws.registry import RoughSurface, find
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
 from stiction.solving.choice import Choice
+from stiction.solving.method_spread import METHOD
 from stiction.solving.problem import takes_surface_moments
 from stiction.solving.solve import solve
-from stiction.studies.method_spread import METHOD
 from stiction.surfaces.height_model import HeightModel, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap, in_metres
 from stiction.surfaces.held import as_height_map

@@ -1,5 +1,6 @@
 """The one form in which a measured surface or profile is handed on."""
 
+import warnings
 from dataclasses import dataclass, replace
 from numbers import Real
 from typing import TYPE_CHECKING, Any
@@ -85,7 +86,9 @@ class HeightMap:
         """The map as a topography of the library SurfaceTopography, an optional extra: lengths in m, missing points masked.
         Raises InputError where the library is not installed."""
         try:
-            from SurfaceTopography import Topography, UniformLineScan
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # what the library says of its own libraries
+                from SurfaceTopography import Topography, UniformLineScan
         except ImportError:
             raise InputError("topography", None, "the library SurfaceTopography: pip install stiction[scans]") from None
         heights = self.heights if self.complete else np.ma.masked_invalid(self.heights)
