@@ -186,6 +186,37 @@ class Contact(Subject):
     def heights(self) -> tuple[str, dict[str, Any]]:
         return self.roughness.height_distribution, self.roughness.height_parameters
 
+    def optional_inputs(self) -> dict[str, str]:
+        names = {
+            "work_of_adhesion": "adhesion",
+            "interfacial_shear_strength": "shear_strength",
+            "pressure_coefficient": "pressure_coefficient",
+            "peeling": "peeling",
+            "hardness_to_yield": "hardness_to_yield",
+        }
+        found = {name: group for name, group in names.items() if getattr(self, name) is not None}
+        of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening"}
+        for body in ("first", "second"):
+            found |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
+        if self.coating is None:
+            return found
+        found |= {f"coating.material.{name}": "" for name in of_bodies if self.coating.material.is_own(name)}
+        return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
+
+    def remarks(self) -> list[str]:
+        if self.coating is None or self.coating.bodies == "both":
+            return []
+        film, other = self.coating.material, self._against_film(self.coating)
+        below = np.asarray(other.hardness) < np.asarray(film.hardness)  # of sweeps, anywhere, as far as they can be lined up
+        if not (below.any() if below.shape else bool(below)):
+            return []
+        ratio = other.hardness / _pair(self.first, self.second).hardness
+        n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
+        return [
+            f"the counterbody {other.name} is softer than the film {film.name} and yields first: where they meet its hardness counts "
+            f"({n_H}), and the hardness of the film changes nothing"
+        ]
+
     @property
     def measured(self) -> Any:
         return self.roughness.measured

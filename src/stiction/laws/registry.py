@@ -26,7 +26,7 @@ class Record:
 
     kind: what it is, in words; its folder has this name. keyword: by which a user chooses one, "" if nobody does. key:
     author_year, or a name. grade: see GRADES. verified: what the numbers were checked against. needs: names of the groups
-    it depends on. own_options: option name -> allowed values, the first is the default. load_falls: the source's load falls
+    it depends on; takes: of others that it takes into account where they are given. own_options: option name -> allowed values, the first is the default. load_falls: the source's load falls
     with growing separation wherever it is compressive. accuracy: sums are good to this, relative to each law's own; larger
     where kinks of a law are found by scanning. notes: what a user should know. entries: bibliography entries that the
     package does not have, key -> BibTeX.
@@ -40,6 +40,7 @@ class Record:
     sources: tuple[Source, ...]
     verified: str
     needs: tuple[str, ...] = ()
+    takes: tuple[str, ...] = ()
     validity: tuple[Validity, ...] = ()
     limits: tuple[Limit, ...] = ()
     own_options: Mapping[str, tuple[str, ...]] = field(default_factory=dict)

@@ -54,7 +54,8 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
             "values": variable.values,
         }
     doubts = [doubt.as_data() for doubt in doubts_of(data)]
-    return {"attrs": {**data.attrs, "doubts": doubts}, "groups": dict(groups), "variables": variables}
+    unused = json.loads(data.attrs.get("unused_inputs", "[]"))
+    return {"attrs": {**data.attrs, "doubts": doubts, "unused_inputs": unused}, "groups": dict(groups), "variables": variables}
 
 
 def _names(data: "xarray.Dataset") -> list[str]:

@@ -15,6 +15,7 @@ from stiction.laws.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSu
 from stiction.laws.validity import doubts_of, read_doubts
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:
     import xarray
@@ -154,6 +155,8 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
         notes.append(f"friction: {used['friction_law']}")
     elif bool((data["load"] <= 0.0).any()):
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
+    notes += [one.say("--") for one in unused_of(data)]
+    notes += [used["remarks"]] if used.get("remarks") else []
     for kind in _NOTED:
         key = used[kind.keyword]
         if key != "none" and (text := find(key, kind).notes):

@@ -135,6 +135,7 @@ RECORD = FilmLaw(
     regimes=regimes,
     verified="second implementation of six laws; bare at n_E = n_H = 1, substrate for tau -> 0, film for tau -> infinity",
     needs=("n_E", "n_H", "tau", "film_aspect"),
+    takes=("hardness_to_yield",),
     wants={"2015": "it is that asperity with properties that change with depth"},
     own_asperity=True,
     tangential="soft_coating_2015",
