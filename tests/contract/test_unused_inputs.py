@@ -94,6 +94,11 @@ def test_of_a_coated_contact(film):
     check(BARE.replace(coating=FILM), model=model, film=film, **laws)
 
 
+def test_of_the_reading_to_the_letter():
+    check(BARE.replace(coating=FILM), reading="published")
+    check(BARE, reading="published")
+
+
 def test_what_a_preset_brings_was_not_given():
     contact = BARE.replace(first="iron", second=st.material("iron"))
     assert not {"first.yield_stress", "second.yield_stress", "first.tangent_modulus"} & set(contact.optional_inputs())

@@ -104,10 +104,10 @@ class Contact(Subject):
     """Two bodies with rough surfaces, perhaps a film between them.
 
     first, second: Material, name of a preset, or dict of numbers.
-    roughness: Roughness, or dict of its numbers; or a scan of the first body, the second being smooth: a HeightMap, a topography
-    of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size); or a dict like the table of a case
-    file, with a scan or numbers as `first`, `second` or both, and how asperities are found. With a scan, results say the spread over the ways of finding asperities, and
-    `roughness.measured` what each finds. work_of_adhesion: of the bodies'
+    roughness: Roughness, or dict of its numbers; or a scan of the first body, the second being smooth: a HeightMap, a
+    topography of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size); or a dict like the table
+    of a case file, with a scan or numbers as `first`, `second` or both, and how asperities are found. With a scan, results say
+    the spread over the ways of finding asperities, and `roughness.measured` what each finds. work_of_adhesion: of the bodies'
     surfaces, see the function of that name. hardness_to_yield: H/Y; left out, it is hardness over
     yield_stress of the softer body, or 2.8 if that has no yield_stress. interfacial_shear_strength and
     pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
@@ -213,8 +213,8 @@ class Contact(Subject):
         ratio = other.hardness / _pair(self.first, self.second).hardness
         n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
         return [
-            f"the counterbody {other.name} is softer than the film {film.name} and yields first: where they meet its hardness counts "
-            f"({n_H}), and the hardness of the film changes nothing"
+            f"the counterbody {other.name} is softer than the film {film.name} and yields first: where they meet its hardness "
+            f"counts ({n_H}), and the hardness of the film changes nothing"
         ]
 
     @property

@@ -132,7 +132,8 @@ def listed(record: Input, before: str = "") -> list[tuple[str, str]]:
         elif isinstance(value, str) and name in record.model_fields_set | {"name", "height_distribution"} and name != "source":
             rows.append((where, value))
         elif isinstance(value, dict) and value and name != "source":
-            rows += [(f"{where}.{key}", f"{one}" if np.ndim(one) == 0 else f"{np.size(one)} values") for key, one in value.items()]
+            words = {key: str(one) if np.ndim(one) == 0 else f"{np.size(one)} values" for key, one in value.items()}
+            rows += [(f"{where}.{key}", text) for key, text in words.items()]
     return rows
 
 
