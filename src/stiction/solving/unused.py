@@ -42,14 +42,13 @@ class Unused:
 def unused_inputs(problem: Problem) -> list[Unused]:
     """The inputs that were given and change nothing under these laws."""
     film = problem.chosen.film
-    built_in = film.tangential if film is not None else ""  # such a film has this friction its own way, and plainer
+    one_body = film is not None and film.one_body
     spoken_of = {name for record in problem.records() for name in record.needs}
-    spoken_of |= {name for record in problem.records() for name in record.takes if record.key != built_in}
+    spoken_of |= {name for record in problem.records() if record is film or not one_body for name in record.takes}
     given = problem.subject.optional_inputs() if problem.subject is not None else {}
     if problem.adheres or "n_g" in spoken_of:
         spoken_of.add(_OF_FILM)
-    of_both = film is None or not film.composites  # else film and substrate are one body, with the surface of the film
-    if (problem.adheres and of_both) or (_OF_FILM in spoken_of and _OF_FILM not in given.values()):
+    if (problem.adheres and not one_body) or (_OF_FILM in spoken_of and _OF_FILM not in given.values()):
         spoken_of.add(_ADHESION)
     found = [Unused(name, why="this contact has no film") for name in problem.chosen.ignored]
     for name, group in given.items():

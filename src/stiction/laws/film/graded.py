@@ -138,6 +138,7 @@ RECORD = FilmLaw(
     takes=("hardness_to_yield",),
     wants={"2015": "it is that asperity with properties that change with depth"},
     own_asperity=True,
+    one_body=True,
     tangential="soft_coating_2015",
     load_falls=False,
     accuracy=2e-9,  # the worst of 400 000 laws of the whole range; 1 in 10 000 is above 1e-10
