@@ -217,6 +217,10 @@ class Contact(Subject):
             f"counts ({n_H}), and the hardness of the film changes nothing"
         ]
 
+    def notes(self) -> list[str]:
+        found = [] if self.measured is None else [f"roughness measured, by {self.measured.method}"]
+        return [*found, *self.remarks()]
+
     @property
     def measured(self) -> Any:
         return self.roughness.measured
@@ -254,8 +258,7 @@ class Contact(Subject):
         return show(value, name, digits)
 
     def attributes(self, name: str) -> dict[str, str]:
-        quantity = QUANTITIES[name]
-        return {"long_name": quantity.meaning, "symbol": quantity.symbol, "units": quantity.unit or "1"}
+        return QUANTITIES[name].attributes
 
     def scales(self) -> Scales:
         """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""

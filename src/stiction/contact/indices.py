@@ -159,8 +159,7 @@ class Indices(Subject):
 
     def attributes(self, name: str) -> dict[str, str]:
         quantity = QUANTITIES[name]
-        attributes = {"long_name": quantity.meaning, "symbol": quantity.symbol, "units": quantity.unit or "1"}
-        return attributes | ({"units": "1", "normalised_by": quantity.normalised_by} if quantity.normalised_by else {})
+        return quantity.attributes | ({"units": "1", "normalised_by": quantity.normalised_by} if quantity.normalised_by else {})
 
 
 class Groups(Indices):

@@ -37,6 +37,14 @@ class Material(Input):
         """Shear modulus of an isotropic material [Pa], E / (2 (1 + nu))."""
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
+    def notes(self) -> list[str]:
+        """Where the numbers come from."""
+        if not self.source:
+            return []
+        if isinstance(self.source, str):
+            return [f"source: {self.source}"]
+        return [f"{field}: {text}" for field, text in self.source.items() if text]
+
     def is_own(self, field: str) -> bool:
         """Whether this field was given, and is not just that of the preset of this name."""
         value = getattr(self, field)

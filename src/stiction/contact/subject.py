@@ -4,12 +4,8 @@ from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
-from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 
 
 @dataclass(frozen=True)
@@ -56,7 +52,7 @@ class Subject(Input):
 
     def inputs(self) -> list[tuple[str, str]]:
         """Dotted name and value, with its unit, of all that was given."""
-        return listed(self)
+        return self.listed()
 
     def optional_inputs(self) -> dict[str, str]:
         """What was given and may be left out: dotted name -> the group that it decides, "" where no law asks for it."""
@@ -118,30 +114,6 @@ class Subject(Input):
     @abstractmethod
     def attributes(self, name: str) -> dict[str, str]:
         """Meaning, symbol and unit of a result of this contact."""
-
-
-def listed(record: Input, before: str = "") -> list[tuple[str, str]]:
-    """Dotted name and value, as a user may write it, of all that a record and those in it were given."""
-    rows = []
-    for name in type(record).model_fields:
-        value, where = getattr(record, name), f"{before}{name}"
-        if isinstance(value, Input):
-            rows += listed(value, f"{where}.")
-        elif name in QUANTITIES and value is not None:
-            rows.append((where, _text(value, name)))
-        elif isinstance(value, str) and name in record.model_fields_set | {"name", "height_distribution"} and name != "source":
-            rows.append((where, value))
-        elif isinstance(value, dict) and value and name != "source":
-            words = {key: str(one) if np.ndim(one) == 0 else f"{np.size(one)} values" for key, one in value.items()}
-            rows += [(f"{where}.{key}", text) for key, text in words.items()]
-    return rows
-
-
-def _text(value: Any, name: str) -> str:
-    if not hasattr(value, "dims"):
-        return show(value, name)
-    ends = [show(float(end), name) for end in (value.min(), value.max())]
-    return f"{value.size} values, {ends[0]} to {ends[1]}, along {', '.join(map(str, value.dims))}"
 
 
 def as_subject(given: Any) -> Subject:

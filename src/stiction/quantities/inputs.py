@@ -7,11 +7,12 @@ from typing import Annotated, Any, Self
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, ValidationError, ValidationInfo
 
+from stiction.quantities import html
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.foreign import is_series
 from stiction.quantities.table import QUANTITIES, Quantity
-from stiction.quantities.units import from_series, to_si
+from stiction.quantities.units import from_series, show, to_si
 
 __all__ = ["Input", "Number", "OptionalNumber", "nearest", "unnamed"]
 
@@ -111,9 +112,46 @@ class Input(BaseModel):
             elif hasattr(value, "dims"):
                 yield name, value
 
+    def listed(self) -> list[tuple[str, str]]:
+        """Dotted name and value, as a user may write it, of all that this record and those in it were given."""
+        rows: list[tuple[str, str]] = []
+        for name in type(self).model_fields:
+            value = getattr(self, name)
+            if isinstance(value, Input):
+                rows += [(f"{name}.{inner}", text) for inner, text in value.listed()]
+            elif name in QUANTITIES and value is not None:
+                rows.append((name, _as_text(value, name)))
+            elif isinstance(value, str) and name != "source":
+                rows.append((name, value))
+            elif isinstance(value, dict) and name != "source":
+                rows += [
+                    (f"{name}.{key}", str(one) if np.ndim(one) == 0 else f"{np.size(one)} values") for key, one in value.items()
+                ]
+        return rows
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        meanings = {name: QUANTITIES[name].meaning for name in QUANTITIES}
+        rows = [
+            (name, f"{text}  ({meanings[last]})" if (last := name.rpartition(".")[2]) in meanings else text)
+            for name, text in self.listed()
+        ]
+        return html.table(type(self).__name__, rows, self.notes())
+
+    def notes(self) -> list[str]:
+        """What a notebook says below the numbers."""
+        return []
+
     def check_dimensions(self) -> None:
         """Raise InputError where two arrays disagree about a dimension of the same name."""
         coordinates(self.arrays())
+
+
+def _as_text(value: Any, name: str) -> str:
+    if not hasattr(value, "dims"):
+        return show(value, name)
+    ends = [show(float(end), name) for end in (value.min(), value.max())]
+    return f"{value.size} values, {ends[0]} to {ends[1]}, along {', '.join(map(str, value.dims))}"
 
 
 def number_schema(quantity: Quantity) -> dict:

@@ -88,7 +88,7 @@ def axis(name: str, values=None, dimension: str | None = None):
     if numbers.ndim != 1:
         raise InputError(name, f"array of shape {numbers.shape}", "one row of values")
     dimension = dimension or name
-    attributes = {"units": quantity.unit or "1", "long_name": quantity.meaning}
+    attributes = {name: text for name, text in quantity.attributes.items() if name != "symbol"}
     coordinate = xarray.DataArray(numbers, dims=(dimension,), attrs=attributes)
     return xarray.DataArray(numbers, dims=(dimension,), coords={dimension: coordinate}, name=name, attrs=attributes)
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _DOTS_PER_INCH = 150
+_TOLD = ("normalised_by", "symbol", "long_name", "comment")  # attributes of a variable that go into JSON
 
 
 def as_json(content: Any) -> str:
@@ -50,7 +51,7 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
         variables[name] = {
             "name": name,
             "unit": variable.attrs.get("units", "1"),
-            **{key: variable.attrs[key] for key in ("normalised_by", "symbol", "long_name") if key in variable.attrs},
+            **{key: variable.attrs[key] for key in _TOLD if key in variable.attrs},
             "dims": list(variable.dims),
             "values": variable.values,
         }

@@ -61,7 +61,7 @@ def label(variable: "xarray.DataArray", longest: int = 200) -> str:
     longest: number of characters above which the unit goes to a second line.
     """
     name = str(variable.name)
-    meaning = variable.attrs.get("long_name", name).partition(",")[0]
+    meaning = variable.attrs.get("comment", variable.attrs.get("long_name", name)).partition(",")[0]
     symbol = f" ${QUANTITIES[name].latex}$" if name in QUANTITIES else ""
     unit = _unit(variable)
     space = "\n" if len(f"{meaning} {unit_of(variable)}") > longest else " "

@@ -22,6 +22,7 @@ METHOD = "asperity_method"
 _MU = "friction_coefficient"
 # Fewer than this many of the asperities found in a scan: how high they are is then chance.
 FEW_TOUCH = 10
+_SHORT = {"by_method": "friction, each method", "low": "friction, lowest", "high": "friction, highest"}
 _MEANINGS = {
     "by_method": "static friction coefficient by how asperities were found",
     "low": "lowest static friction coefficient over the methods of finding asperities",
@@ -111,7 +112,7 @@ def with_method_spread(
     tables = np.stack(rows, axis=1)
     of_found = np.array([counts[name] or np.nan for name in contacts])
     touching = tables[1] * of_found.reshape(-1, *(1 for _ in like.shape))
-    meaning = {"units": "1", "long_name": "how many of the asperities found would touch"}
+    meaning = {"units": "1", "long_name": "found ones that touch", "comment": "how many of the asperities found would touch"}
     result = with_range_over_methods(data, list(contacts), tables[0], points, _MU)
     result = result.assign(found_touching_by_method=((METHOD, *points), touching, meaning))
     return with_doubts(result, map(Doubt, filter(None, [_on_the_tail(result)])))
@@ -147,7 +148,10 @@ def with_range_over_methods(
     ends = {"low": (points, np.fmin.reduce(each)), "high": (points, np.fmax.reduce(each))}
     tables: dict[str, Any] = {"by_method": ((METHOD, *points), each)} | ends
     attributes: dict[str, Any] = {"units": "1", "symbol": "mu"}
-    added = {f"{name}_{end}": (*table, attributes | {"long_name": _MEANINGS[end]}) for end, table in tables.items()}
+    added = {
+        f"{name}_{end}": (*table, attributes | {"long_name": _SHORT[end], "comment": _MEANINGS[end]})
+        for end, table in tables.items()
+    }
     return data.assign_coords({METHOD: methods}).assign(added)
 
 

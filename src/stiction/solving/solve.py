@@ -122,7 +122,7 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
 
 def _convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:
     meaning = "load found less load asked for, over the latter, or over the pull-off force if it is nothing beside that"
-    return {"load_residual": (tuple(dims), found.residual.reshape(tuple(dims.values())), {"long_name": meaning})}
+    return {"load_residual": (tuple(dims), found.residual.reshape(tuple(dims.values())), {"long_name": "load residual", "comment": meaning})}
 
 
 def _pull_off(problem: Problem, factors: Mapping[str, Any], found: Inversion | None) -> dict[str, tuple]:

@@ -32,11 +32,11 @@ __all__ = ["default_cutoffs", "fan", "resolution_study"]
 
 # What is kept of each set of asperities: (name of the field, meaning, unit).
 _KEPT = {
-    "sigma": ("deviation", "standard deviation of the asperity heights", "m"),
-    "R": ("radius", "asperity radius, of the mean curvature", "m"),
-    "N": ("density", "asperities per nominal area", "1/m^2"),
-    "mean_height": ("mean_height", "mean height of the asperities over the mean plane", "m"),
-    "skewness": ("skewness", "skewness of the asperity heights", "1"),
+    "sigma": ("deviation", "asperity deviation", "m"),
+    "R": ("radius", "asperity radius", "m"),
+    "N": ("density", "asperities per area", "1/m^2"),
+    "mean_height": ("mean_height", "mean asperity height", "m"),
+    "skewness": ("skewness", "asperity skewness", "1"),
     "count": ("count", "asperities found", "1"),
 }
 _FRICTION = "mu"
@@ -224,7 +224,7 @@ def _labelled(xarray, surface, keys, cutoffs, numbers, words) -> "xarray.Dataset
     dims = (METHOD, "cutoff")
     meanings = {name: {"long_name": meaning, "units": unit} for name, (_, meaning, unit) in _KEPT.items()}
     meanings |= {
-        _FRICTION: {"long_name": "static friction coefficient", "units": "1"},
+        _FRICTION: {"long_name": "friction coefficient", "units": "1"},
         "height_distribution": {"long_name": "height distribution taken"},
         "failure": {"long_name": "why there are no numbers"},
     }
@@ -232,7 +232,7 @@ def _labelled(xarray, surface, keys, cutoffs, numbers, words) -> "xarray.Dataset
     data |= {name: (dims, table.astype(str), meanings[name]) for name, table in words.items()}
     coords = {
         METHOD: list(keys),
-        "cutoff": ("cutoff", cutoffs, {"long_name": "cutoff wavelength, half the amplitude left", "units": "m"}),
+        "cutoff": ("cutoff", cutoffs, {"long_name": "cutoff wavelength", "units": "m"}),
     }
     attributes = {"title": "The resolution study", "surface": surface.name, "history": "; ".join(surface.history)}
     return xarray.Dataset(data, coords=coords, attrs=attributes)
