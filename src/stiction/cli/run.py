@@ -6,7 +6,18 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stiction.cli.program import Json, Out, TakesOptionsOfRecords, app, busy, console, options_of_records, solving, written
+from stiction.cli.program import (
+    Json,
+    Out,
+    TakesOptionsOfRecords,
+    app,
+    busy,
+    console,
+    keys_of,
+    options_of_records,
+    solving,
+    written,
+)
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import without_old_names
 
@@ -31,10 +42,17 @@ def run(
     context: typer.Context,
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact and what to solve.")],
     out: Out = None,
-    model: Annotated[str | None, typer.Option(help="Key of a rough-surface model, see: stiction models.")] = None,
-    asperity: Annotated[str | None, typer.Option(help="Asperity law in place of its own.")] = None,
-    tangential: Annotated[str | None, typer.Option(help="Tangential law in place of its own; none: contact only.")] = None,
-    film: Annotated[str | None, typer.Option(help="Film law in place of its own.")] = None,
+    model: Annotated[
+        str | None, typer.Option(help="Key of a rough-surface model, see: stiction models.", autocompletion=keys_of("model"))
+    ] = None,
+    asperity: Annotated[
+        str | None, typer.Option(help="Asperity law in place of its own.", autocompletion=keys_of("asperity"))
+    ] = None,
+    tangential: Annotated[
+        str | None,
+        typer.Option(help="Tangential law in place of its own; none: contact only.", autocompletion=keys_of("tangential")),
+    ] = None,
+    film: Annotated[str | None, typer.Option(help="Film law in place of its own.", autocompletion=keys_of("film"))] = None,
     coating_law: Annotated[str | None, typer.Option(hidden=True)] = None,
     presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
     all_rows: Annotated[
