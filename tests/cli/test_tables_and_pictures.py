@@ -3,10 +3,10 @@
 import numpy as np
 import pandas as pd
 import pytest
-from cases import STEEL_ON_STEEL
 from typer.testing import CliRunner
 
 import stiction as st
+from cases import STEEL_ON_STEEL
 from stiction.cli import app
 from stiction.laws.validity import doubts_of
 from stiction.report.files import comments_of, write_csv

@@ -64,8 +64,8 @@ def run(
 
     The table shows about twelve of the points, --all-rows every one.
     With --out: curve.csv (with comments after #), curve.nc (netCDF4) and curve.png. What is given here overrides the case file;
-    the options of a model or a law may be given too, such as --reading published: stiction models KEY names them. Where the case names scans, the
-    spread of mu over the methods of finding asperities is its error band, drawn in band.png.
+    the options of a model or a law may be given too, such as --reading published: stiction models KEY names them.
+    Where the case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
     """
     from stiction.report.files import check_folder
 
