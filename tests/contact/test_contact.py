@@ -169,7 +169,7 @@ def test_groups_do_not_change_with_the_units_of_length_and_force():
             interfacial_shear_strength=2e7 * pressure,
             pressure_coefficient=0.1,
             peeling=0.5,
-            coating=Coating(material=film, thickness=2e-7 * length),
+            coating=Coating(material=film, thickness=2e-7 * length, friction_constant=3.0 * force / length),
         )
 
     one, other = rescaled(1.0, 1.0), rescaled(a, b)
@@ -331,6 +331,31 @@ def test_quantities_along_one_dimension_go_together():
     assert found["load"].sizes == {"batch": 2, "mean_separation": 1}
     with pytest.raises(InputError, match=r"^lam: \"dimension 'batch' of length 2\"; allowed: the values of theta"):
         Indices(theta=axis("theta", [10, 40, 90], "batch"), lam=axis("lam", [1, 2], "batch"))
+
+
+def test_different_quantities_of_a_contact_along_one_dimension_go_together():
+    """Groups depend on different ones of them, and none may take the others' values for names of its points."""
+    hardnesses, adhesions, radii = [1.2e9, 2e9, 9e9], [0.1, 0.3, 0.6], [1e-5, 2e-5]
+
+    def made(hardness, work_of_adhesion, radius):
+        return Contact(
+            first=material("copper", hardness=hardness),
+            second="hardened_steel_52100",
+            roughness=Roughness(asperity_height_deviation=6e-8, asperity_radius=radius, asperity_density=2e10),
+            work_of_adhesion=work_of_adhesion,
+            nominal_area=1e-6,
+        )
+
+    swept = made(
+        axis("hardness", hardnesses, "batch"), axis("work_of_adhesion", adhesions, "batch"), axis("asperity_radius", radii)
+    )
+    found = solve(swept, load=[0.1, 1.0])
+    assert found["hardness"].values.tolist() == hardnesses and found["hardness"].dims == ("batch",)
+    assert found["work_of_adhesion"].values.tolist() == adhesions and found["asperity_radius"].values.tolist() == radii
+    for i, (hardness, adhesion) in enumerate(zip(hardnesses, adhesions, strict=True)):
+        for j, radius in enumerate(radii):
+            alone = solve(made(hardness, adhesion, radius), load=[0.1, 1.0])["contact_area"]
+            np.testing.assert_allclose(found["contact_area"].isel(batch=i, asperity_radius=j), alone, rtol=1e-9)
 
 
 def test_old_name_of_the_roughness_parameter():

@@ -349,10 +349,14 @@ def test_any_film_with_any_asperity_law(film, asperity):
         with pytest.raises(InputError, match=f"{film.key} brings"):
             problem_of(given, choice)
         return
-    sums = scattered(problem_of(given, choice).regimes, np.linspace(-2.0, 3.0, 40), gaussian())
+    regimes = problem_of(given, choice).regimes
+    sums = scattered(regimes, np.linspace(-2.0, 3.0, 40), gaussian())
     total = sums.sum(axis=0)
     assert np.isfinite(sums).all() and (sums[..., [0, 2, 3, 4]] >= -1e-25).all() and total[:, 3:].max() > 0.0
     expected = given.eta * given.shear_strength * total[:, 2]  # a constant shear strength times the outer area
+    if film.bares_substrate:  # what is bared shears at Y/sqrt(3) in place of that
+        bared = sums[[regime.body == "substrate" for regime in regimes], :, 2].sum(axis=0)
+        expected += given.eta * (1.0 / (np.sqrt(3.0) * given.hardness_to_yield) - given.shear_strength) * bared
     assert_near(total[:, 3:].sum(axis=1), expected, 1e-9, expected + 1e-12)
 
 
@@ -417,9 +421,7 @@ def test_record_is_complete(record):
     assert record.title and not record.title.endswith(".") and "\n" not in record.title
     assert len(record.verified) > 10
     if record.grade == "C":
-        assert record.kind == "not available" or any(source.note for source in record.sources), "what was reconstructed?"
-    if record.kind == "not available":
-        assert len(record.unknown) > 30 and record.nearest
+        assert any(source.note for source in record.sources), "what was reconstructed?"
 
 
 @each_record

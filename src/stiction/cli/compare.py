@@ -37,7 +37,7 @@ def compare(
 
         chosen = read_case(case)
         at = working_load(chosen, load)
-    data = compare_case(chosen, at, bar)
+    data = compare_case(chosen, at, bar).assign_attrs(case_file=str(case))
     names = _write_comparison(out, data, chosen.title) if out is not None else []
     if json:
         measured = {} if chosen.measured is None else {"measured": chosen.measured.record()}
@@ -62,9 +62,9 @@ def compare(
 def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> list[str]:
     """Write tables and the picture; returns their names."""
     with busy("Drawing"):
+        from stiction.report.comparison_pictures import comparison_figure
         from stiction.report.comparison_rows import at_load_rows, comparison_rows
         from stiction.report.files import write_folder, write_netcdf, write_picture, write_rows
-        from stiction.report.pictures import comparison_figure
 
         files = {
             "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),

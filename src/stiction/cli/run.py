@@ -43,7 +43,8 @@ def run(
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact and what to solve.")],
     out: Out = None,
     model: Annotated[
-        str | None, typer.Option(help="Key of a rough-surface model, see: stiction models.", autocompletion=keys_of("model"))
+        str | None,
+        typer.Option(help="Any model that stiction compare shows, or: recommended.", autocompletion=keys_of("model")),
     ] = None,
     asperity: Annotated[
         str | None, typer.Option(help="Asperity law in place of its own.", autocompletion=keys_of("asperity"))
@@ -55,6 +56,7 @@ def run(
     film: Annotated[str | None, typer.Option(help="Film law in place of its own.", autocompletion=keys_of("film"))] = None,
     coating_law: Annotated[str | None, typer.Option(hidden=True)] = None,
     presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
+    load: Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')] = None,
     all_rows: Annotated[
         bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")
     ] = False,
@@ -75,6 +77,7 @@ def run(
         from stiction.studies.case import read_case
 
         chosen = read_case(case)
+        chosen = chosen if load is None else chosen.at_load(load)
     given = {"film": film, "coating_law": coating_law, "presliding": presliding}
     laws = {"model": model, "asperity": asperity, "tangential": tangential} | without_old_names(given)
     data = _solve(chosen, laws, options_of_records(context))

@@ -8,10 +8,10 @@ import numpy as np
 from pydantic import model_validator
 
 from stiction.contact.subject import Scales, Subject
-from stiction.quantities.dimensions import flattened
+from stiction.quantities.dimensions import check_names, flattened
 from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, has_unit
-from stiction.quantities.inputs import Number, OptionalNumber
+from stiction.quantities.inputs import Number, OptionalNumber, floats
 from stiction.quantities.table import QUANTITIES
 
 __all__ = ["Groups", "Indices", "hardness_group", "stiffness_group"]
@@ -19,7 +19,7 @@ __all__ = ["Groups", "Indices", "hardness_group", "stiffness_group"]
 # H/Y where no material says otherwise: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
 HARDNESS_TO_YIELD = 2.8
 
-_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta")
+_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", "film_friction_constant")
 
 
 def hardness_group(theta, lam):
@@ -38,7 +38,8 @@ class Indices(Subject):
     Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
-    half-space to every asperity. The last eight are needed by some laws only. Raises InputError.
+    half-space to every asperity; film_friction_constant left out follows from strength and hardness. It and the last eight are
+    needed by some laws only. Raises InputError.
     """
 
     theta: Number
@@ -53,6 +54,7 @@ class Indices(Subject):
     K_beta: OptionalNumber = None
     film_nu: OptionalNumber = None
     film_K_beta: OptionalNumber = None
+    film_friction_constant: OptionalNumber = None
     tabor_parameter: OptionalNumber = None
     sharpness: OptionalNumber = None
     roughness_parameter: OptionalNumber = None
@@ -74,7 +76,7 @@ class Indices(Subject):
     def _film_is_whole(self):
         needed = ("n_E", "n_H", "tau")
         missing = [name for name in needed if getattr(self, name) is None]
-        beside = [name for name in ("film_aspect", "film_nu", "film_K_beta") if getattr(self, name) is not None]
+        beside = [name for name in _FILM if name not in needed and getattr(self, name) is not None]
         if np.any(self.n_g != 1):
             beside.append("n_g")
         if missing and (len(missing) < len(needed) or beside):
@@ -141,12 +143,19 @@ class Indices(Subject):
         value = as_sequence(value)
         if has_unit(value):
             raise InputError(name, str(value), "numbers without a unit, normalised like the indices")
-        try:
-            array = value if hasattr(value, "dims") else np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(name, value, "numbers, normalised like the indices") from None
+        normalised, labelled = "numbers, normalised like the indices", hasattr(value, "dims")
+        array = floats(value.values if labelled else value, name, normalised)
         if not np.all(np.isfinite(array)):
             raise InputError(name, value, "finite numbers")
+        if labelled:
+            check_names(value, name)
+            if (unit := value.attrs.get("units", "1")) not in ("", "1"):
+                raise InputError(name, f"numbers in {unit}", f"{normalised}: they have no unit")
+            return value.copy(data=array) if array.ndim else float(array)
+        if array.ndim > 1:
+            raise InputError(
+                name, f"array of shape {array.shape}", "one number, one row of them, or an array with named dimensions"
+            )
         return array if array.ndim else float(array)
 
     def read_point(self, entry: Any, name: str, where: str) -> float:

@@ -13,7 +13,8 @@ class Scales:
     """What the dimensionless results of a contact are multiplied by to be in SI units.
 
     load [N] and contact_area [m^2] per asperity, separation [m], asperities: their number on the nominal
-    area, nominal_area [m^2], None where it is not known. The load of the whole contact is its dimensionless value times load times asperities.
+    area, nominal_area [m^2], None where it is not known. The load of the whole contact is its dimensionless value times load
+    times asperities.
     """
 
     load: Any = 1.0

@@ -99,10 +99,12 @@ class FilmLaw(Record):
     regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
     of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
     `law` is not used. one_body: film and substrate are one, with the film's surface: where that has a work of adhesion of its
-    own, that of the bodies does not count, nor what `law` takes beside its needs.
-    tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with
-    laws of the interface, or the key of the one that is built into it. asperity: key of the asperity law that its source
-    takes; any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
+    own, that of the bodies does not count, nor what `law` takes beside its needs. bares_substrate: a law of the interface
+    shears what is film of the contact, and the rest shears at the substrate's own strength. confined: the film may bear more
+    than its own hardness, up to the substrate's.
+    tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
+    interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
+    any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
     composites: properties of film and substrate together which options of these names choose among the composites: property ->
     key of the default.
     """
@@ -112,6 +114,8 @@ class FilmLaw(Record):
     wants: Mapping[str, str] = field(default_factory=dict)
     own_asperity: bool = False
     one_body: bool = False
+    bares_substrate: bool = False
+    confined: bool = False
     tangential: str = ""
     asperity: str = ""
     interchangeable: bool = True
@@ -217,19 +221,6 @@ class AsperityMethod(Record):
     parameters: Mapping[str, Parameter] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Unavailable(Record):
-    """A model that is known of but cannot be computed from what its source is known to say.
-
-    unknown: exactly what is missing. nearest: what of this package is nearest to it.
-    """
-
-    kind = "not available"
-    verified: str = "nothing: there is no number to check"
-    unknown: str
-    nearest: str
-
-
 KINDS: tuple[type[Record], ...] = (
     RoughSurface,
     AsperityLaw,
@@ -239,12 +230,11 @@ KINDS: tuple[type[Record], ...] = (
     Presliding,
     Criterion,
     AsperityMethod,
-    Unavailable,
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
     "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "FilmLaw", "Jump", "Limit",
-    "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Unavailable", "Validity", "all_options",
+    "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Validity", "all_options",
     "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records", "resolve_options",
     "select_options", "text_of",
 ]  # fmt: skip
@@ -340,7 +330,8 @@ def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) 
     allowed = {name: values for record in known for name, values in record.options.items()}
     for name, value in options.items():
         if value is not None and value not in allowed.get(name, ()):
-            nothing = f"nothing: {' and '.join(record.key for record in known)} have no such option"
+            keys = dict.fromkeys(record.key for record in known)
+            nothing = f"nothing: {' and '.join(keys)} have no such option, but {', '.join(allowed) or 'none'}"
             raise InputError(name, value, ", ".join(allowed.get(name, ())) or nothing)
     return {name: options.get(name) or values[0] for name, values in allowed.items()}
 

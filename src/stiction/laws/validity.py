@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -45,6 +45,15 @@ class Doubt:
         ends = [(self.low, self.low - self.least), (self.high, self.most - self.high)]
         return max(distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound))
 
+    @property
+    def doublings(self) -> float:
+        """How far outside at the worst, as a number of factors of two; continuous at the bound. Of a doubt of no quantity 1."""
+        if not self.quantity:
+            return 1.0
+        if self.low > 0.0 and self.least < self.low:
+            return math.log2(self.low / self.least) if self.least > 0.0 else math.inf
+        return math.log2(1.0 + self.beyond)
+
     def as_data(self) -> dict[str, Any]:
         """The fields with `beyond`, for programs; a doubt that is of no quantity has its words only."""
         return asdict(self) | {"beyond": self.beyond} if self.quantity else {"why": self.why, "kind": self.kind}
@@ -80,6 +89,18 @@ def doubts_about(subject: Subject, rules: Iterable[Validity], results: Mapping[s
     """The ranges that are left. results: normalised, by name, the mean separation over sigma; None for what is not known. What
     is not among them the contact is asked for."""
     found = []
+    for rule, values, outside in ranges_left(subject, rules, results):
+        ends = float(values[outside].min()), float(values[outside].max())
+        points = int(outside.sum()), outside.size
+        found.append(Doubt(rule.why, rule.quantity, *ends, rule.low, rule.high, *points, rule.kind))
+    return found
+
+
+def ranges_left(
+    subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
+) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
+    """The same, rule by rule: the rule, the values of its quantity as an array, and which of them are outside. What is not a
+    number is not."""
     for rule in dict.fromkeys(rules):
         value = results[rule.quantity] if rule.quantity in results else subject.known(rule.quantity)
         if value is None:
@@ -87,10 +108,7 @@ def doubts_about(subject: Subject, rules: Iterable[Validity], results: Mapping[s
         values = np.atleast_1d(np.asarray(value, dtype=float))
         outside = (values < rule.low) | (values > rule.high)
         if outside.any():
-            ends = float(values[outside].min()), float(values[outside].max())
-            points = int(outside.sum()), outside.size
-            found.append(Doubt(rule.why, rule.quantity, *ends, rule.low, rule.high, *points, rule.kind))
-    return found
+            yield rule, values, outside
 
 
 def with_doubts(data: "xarray.Dataset", more: Iterable[Doubt]) -> "xarray.Dataset":

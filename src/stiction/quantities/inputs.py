@@ -14,7 +14,19 @@ from stiction.quantities.foreign import is_series
 from stiction.quantities.table import QUANTITIES, Quantity
 from stiction.quantities.units import from_series, show, to_si
 
-__all__ = ["Input", "Number", "OptionalNumber", "nearest", "unnamed"]
+__all__ = ["Input", "Number", "OptionalNumber", "floats", "nearest", "unnamed"]
+
+
+def floats(value: Any, field: str, allowed: str) -> np.ndarray:
+    """Numbers without a unit, of any shape, as an array of floats, checked no further; InputError for what are none: dates,
+    bytes, complex numbers and truths, too, which numpy would turn into some."""
+    try:
+        given = np.asarray(value)
+        if given.dtype.kind not in "iufUO":
+            raise TypeError
+        return given.astype(float, copy=False)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(field, value, allowed) from None
 
 
 @contextmanager

@@ -104,6 +104,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "energy of the closed interface"),
     ("thickness", "t", "t", "m", _POSITIVE, "200 nm",
      "film thickness, of both films together if there are two"),
+    ("friction_constant", "C", "C", "N/m", _POSITIVE, "2 N/m",
+     "constant of the film's friction mu = (C t/W)^(1/3) of one asperity"),
     ("hardness_to_yield", "k", "k", "", _FROM_ONE, "2.8", "hardness over yield stress, H/Y"),
     ("interfacial_shear_strength", "tau_0", r"\tau_0", "Pa", _NOT_NEGATIVE, "20 MPa",
      "shear strength of the interface at no pressure"),
@@ -125,6 +127,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("film_nu", "nu_c", r"\nu_\mathrm{c}", "", _POISSON, "0.3", "Poisson's ratio in the film's contact"),
     ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _POSITIVE, "6.476",
      "K beta of the film's contact"),
+    ("film_friction_constant", "C/(K sqrt(R sigma))", r"C/(K\sqrt{R\sigma})", "", _POSITIVE, "1e-4",
+     "constant of the film's friction (C t/W)^(1/3) over K sqrt(R sigma)"),
     ("tabor_parameter", "mu_T", r"\mu_\mathrm{T}", "", _POSITIVE, "2",
      "Tabor parameter (R gamma^2 / (E*^2 epsilon^3))^(1/3)"),
     ("sharpness", "sqrt(sigma/R)", r"\sqrt{\sigma/R}", "", _POSITIVE, "0.03", "sqrt(sigma/R)"),
@@ -184,7 +188,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("nominal_pressure_over_hardness", "P/(A_n H)", r"P/(A_\mathrm{n}H)", "", _ANY, "",
      "nominal pressure over the hardness of what is softest"),
     ("mean_pressure_over_hardness", "P/(A H)", r"P/(AH)", "", _ANY, "",
-     "mean pressure in contacts over the hardness of what is hardest"),
+     "mean pressure in contacts over the hardness of what bears the load"),
     ("touching_share", "n/(N A_n)", r"n/(NA_\mathrm{n})", "", _SHARE, "", "share of the asperities that touch"),
     ("asperity_area_over_yield", "A/(n A_c)", r"A/(nA_\mathrm{c})", "", _NOT_NEGATIVE, "",
      "mean contact area of a touching asperity over that at first yield"),
@@ -210,6 +214,7 @@ _RESULT_EXAMPLES = {"mean_separation": "48 nm", "load": "1 N"}  # results that a
 
 # Names for axes, where the meaning with its unit is longer than the 30 characters to which xarray's plots break their labels.
 _SHORT = {
+    "film_friction_constant": "film constant C",
     "hardness": "hardness",
     "tangent_modulus": "tangent modulus",
     "surface_energy": "surface energy",

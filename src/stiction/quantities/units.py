@@ -13,7 +13,7 @@ import numpy as np
 
 from stiction.quantities import foreign
 from stiction.quantities.cache import cache_folder
-from stiction.quantities.dimensions import without_indexes
+from stiction.quantities.dimensions import check_names, without_indexes
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.table import QUANTITIES, Quantity
 
@@ -79,8 +79,6 @@ def axis(name: str, values=None, dimension: str | None = None):
     if not isinstance(name, str) or name not in QUANTITIES:
         first = 'first the name of a quantity, then its values, e.g. axis("load", ["1 N", "2 N"])'
         raise InputError("axis", name, f"{first}: {nearest(name, QUANTITIES)}")
-    if not isinstance(dimension, str | None):
-        raise InputError("dimension", dimension, "a name, as text")
     quantity = QUANTITIES[name]
     if values is None:
         raise InputError(name, None, f"its values along the axis, {quantity.wanted}")
@@ -88,6 +86,8 @@ def axis(name: str, values=None, dimension: str | None = None):
     if numbers.ndim != 1:
         raise InputError(name, f"array of shape {numbers.shape}", "one row of values")
     dimension = dimension or name
+    if not isinstance(dimension, str):
+        raise InputError("dimension", dimension, "a name, as text")
     attributes = {name: text for name, text in quantity.attributes.items() if name != "symbol"}
     coordinate = xarray.DataArray(numbers, dims=(dimension,), attrs=attributes)
     return xarray.DataArray(numbers, dims=(dimension,), coords={dimension: coordinate}, name=name, attrs=attributes)
@@ -186,6 +186,7 @@ def _from_pint(value, quantity: Quantity):
 
 
 def _from_labelled(array, quantity: Quantity):
+    check_names(array, quantity.name)
     if foreign.has_unit(array.data):
         values = _from_pint(array.data, quantity)
     else:

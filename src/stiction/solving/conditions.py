@@ -6,14 +6,14 @@ The bounds are round numbers; each says what fails beyond it. What is "impossibl
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from math import inf, isinf
+from math import inf
+from typing import Any
 
 import numpy as np
 
 from stiction.contact.subject import Subject
 from stiction.laws.claims import Validity
-from stiction.laws.validity import Doubt, doubts_about
-from stiction.quantities.table import QUANTITIES
+from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
 
@@ -41,31 +41,48 @@ OUT_OF_PROPORTION = (
 RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     *((rule, _any) for rule in OUT_OF_PROPORTION),
     (Validity("area_fraction", 0.0, 1.0, "the real contact area is above the nominal one", "impossible"), _any),
-    (
-        Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat: no roughness is left", "impossible"),
-        _any,
-    ),
+    (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
     (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
-    (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities that are given no friction", "effect"), _any),
-    (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with a good part of the load", "effect"), _does_not_adhere),
+    (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),
+    (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
     (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),
     (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _any),
     (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _any),
     (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _any),
-    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface: too close, or too far apart"), _any),
-    (Validity("thickness_over_radius", 0.0, 1.0, "the film is thicker than its asperities are blunt, and rounds them off"), _any),
+    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _any),
+    (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _any),
     (Validity("touching_asperities", 10.0, inf, "so few asperities make no average", "statistics"), _any),
 )  # fmt: skip
 
 
 def doubts_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[Doubt]:
     """Every doubt about these normalised results: of the records that answer, and of the rules for all of them."""
-    known = dict(results) | {"touching_asperities": None} | state_of(problem, results)
-    ruled = [rule for rule, applies in RULES if applies(problem)]
+    return without_repeats(doubts_about(problem.subject, _rules_for(problem), _known(problem, results)))
+
+
+# What a point of a curve may be: as its model claims; outside of a range; not possible at all.
+WITHIN, DOUBTFUL, IMPOSSIBLE = range(3)
+
+
+def doubtful_points(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Which of WITHIN, DOUBTFUL and IMPOSSIBLE each point (m,) is of the curve of a single contact, tables (1, m)."""
+    found = np.full(curve["load"].shape, WITHIN)
+    for rule, _, outside in ranges_left(problem.subject, _rules_for(problem), _known(problem, curve)):
+        found = np.maximum(found, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else DOUBTFUL, WITHIN))
+    return found[0]
+
+
+def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any]:
+    # touching_asperities is per asperity among the results, and a number of them where that can be known
+    return dict(results) | {"touching_asperities": None} | state_of(problem, results)
+
+
+def _rules_for(problem: Problem) -> list[Validity]:
+    """The rules that apply, and the ranges that the records claim."""
+    rules = [rule for rule, applies in RULES if applies(problem)]
     if _hardens(problem):
-        ruled = [_hardened(rule) for rule in ruled]
-    claimed = [rule for record in problem.records() for rule in record.validity]
-    return without_repeats(doubts_about(problem.subject, [*ruled, *claimed], known))
+        rules = [_hardened(rule) for rule in rules]
+    return [*rules, *(rule for record in problem.records() for rule in record.validity)]
 
 
 def _hardens(problem: Problem) -> bool:
@@ -87,4 +104,4 @@ def without_repeats(doubts: Iterable[Doubt]) -> list[Doubt]:
 
 def questions(subject: Subject) -> list[str]:
     """What is out of all proportion in what was given, in words; before any model is asked."""
-    return [f"{doubt}" for doubt in doubts_about(subject, OUT_OF_PROPORTION, {})]
+    return [str(doubt) for doubt in doubts_about(subject, OUT_OF_PROPORTION, {})]

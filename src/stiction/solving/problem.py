@@ -12,12 +12,13 @@ from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import Regime
-from stiction.engine.summation import on_grid, scattered, totals_on_grid
+from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
 from stiction.laws.registry import Record, RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
+from stiction.solving.candidates import with_interface
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import Chosen, look_up
 
@@ -327,12 +328,15 @@ def takes_surface_moments(model: str) -> bool:
 
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
     """The problem of this contact under this model. Raises InputError for what the model does not know or refuses."""
+    check_threads(threads)
     subject = with_surface_moments(as_subject(subject), choice.model)
     if heights is None:
         name, parameters = subject.heights
         heights = height_distribution(name, **parameters)
     elif isinstance(heights, str):
         heights = height_distribution(heights)
+    elif not isinstance(heights, Heights):
+        raise InputError("heights", type(heights).__name__, "a height distribution, or its name")
     groups, dims = Groups.of(subject.indices())
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)
@@ -343,7 +347,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
     """The problem of these groups, with one dimension, "contact". subject: what a user gave, if it was more than groups."""
-    chosen = look_up(choice, groups.has_film)
+    chosen = look_up(with_interface(choice, groups), groups.has_film)
     for record in chosen.records():
         for name in record.needs:
             if getattr(groups, name) is None:

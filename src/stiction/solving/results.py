@@ -9,8 +9,8 @@ from stiction.contact.subject import Subject
 from stiction.laws.validity import as_attributes
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.conditions import doubts_of_results
 from stiction.solving import unused
+from stiction.solving.conditions import doubts_of_results
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
 

@@ -13,7 +13,8 @@ from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
 from stiction.quantities.units import axis, from_series
-from stiction.solving.choice import Choice
+from stiction.solving.candidates import choice_of
+from stiction.solving.choice import Choice, without_old_names
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.method_spread import with_measured
 from stiction.solving.problem import Problem, as_asked, make_problem, with_surface_moments
@@ -41,11 +42,12 @@ def solve(
     separation: mean separation, m for a Contact (text with a unit is fine), over sigma for Indices; or load: net normal
     load, N or normalised. A number, a 1-D sequence, or an xarray.DataArray with named dimensions. Any number of the
     contact may be an array with a named dimension (stiction.axis): the result carries all dimensions.
-    model: key of a rough-surface model (stiction.models()). laws: keys of other laws in place of those that the model takes by
-    itself, as asperity, tangential ("none" for contact only) or film; presliding="mindlin_1949" adds tangential_stiffness,
-    that of the contact before anything slides; and options of the model or of these laws, by name, such as
-    reading="published", branch="unloading", transition="gradual"; None for a default. heights: a height distribution, or its
-    name; by default the contact's own, or Gaussian. threads: how many share the work, which changes no digit.
+    model: key of a rough-surface model (stiction.models()), or any name that `compare` shows for this contact; where it has no
+    tangential law and the contact states the strength of its interface, that is sheared. laws: keys of other laws in place of
+    those that the model takes by itself, as asperity, tangential ("none" for contact only) or film; presliding="mindlin_1949"
+    adds tangential_stiffness, that of the contact before anything slides; and options of the model or of these laws, by name,
+    such as reading="published", branch="unloading", transition="gradual"; None for a default. heights: a height distribution,
+    or its name; by default the contact's own, or Gaussian. threads: how many share the work, which changes no digit.
 
     Returns an xarray.Dataset with units and long names: load, contact_area, friction_force, friction_coefficient (not a
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
@@ -56,8 +58,8 @@ def solve(
     friction_coefficient_high; the attributes say the method and what was done to the scans.
     Raises InputError for bad input, for laws that do not go together, and for a load that is nowhere carried.
     """
-    choice = Choice.of(model, laws)
-    measured = with_surface_moments(as_subject(contact), model).measured
+    choice = choice_of(model, without_old_names(laws), as_subject(contact))
+    measured = with_surface_moments(as_subject(contact), choice.model).measured
     try:
         data = _at_points(contact, separation, load, choice, heights, threads)
     except InputError as error:
@@ -69,7 +71,7 @@ def solve(
     def solved(other: Contact, loads: Any) -> "xarray.Dataset":
         return _at_points(other, None, loads, choice, heights, threads)
 
-    whole = with_surface_moments(contact, model)
+    whole = with_surface_moments(contact, choice.model)
     assert isinstance(whole, Contact)  # groups were not measured
     return with_measured(data, whole, solved)
 
@@ -122,7 +124,13 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
 
 def _convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:
     meaning = "load found less load asked for, over the latter, or over the pull-off force if it is nothing beside that"
-    return {"load_residual": (tuple(dims), found.residual.reshape(tuple(dims.values())), {"long_name": "load residual", "comment": meaning})}
+    return {
+        "load_residual": (
+            tuple(dims),
+            found.residual.reshape(tuple(dims.values())),
+            {"long_name": "load residual", "comment": meaning},
+        )
+    }
 
 
 def _pull_off(problem: Problem, factors: Mapping[str, Any], found: Inversion | None) -> dict[str, tuple]:
@@ -155,8 +163,8 @@ def points_asked(subject: Subject, name: str, value: Any) -> Any:
         if is_series(value):
             return from_series(value, name)
         value = as_sequence(value)
-        several = isinstance(value, list | tuple) or (not isinstance(value, str) and np.ndim(value) > 0)
-        if several and not hasattr(value, "dims"):
+        row = isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
+        if row and not hasattr(value, "dims"):
             return axis(name, value)
     read = subject.read(value, name)
     return xarray.DataArray(read, dims=(name,), coords={name: read}) if isinstance(read, np.ndarray) else read

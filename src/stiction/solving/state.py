@@ -1,4 +1,4 @@
-"""How hard a contact is pressed, by numbers that every model has: what its validity is judged by, whatever its author thought of.
+"""How hard a contact is pressed, by numbers that every model has: what its validity is judged by.
 
 All follow from results per asperity and the dimensionless groups. Per asperity, with the units of theory 1, K = 4 E*/3 and
 eta = pi H sqrt(R/sigma)/K, the load is P = K R^(1/2) sigma^(3/2) p and the area A = pi R sigma a, so that
@@ -30,14 +30,14 @@ _SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
 
 
 def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """What is known of the state of the contacts beside these normalised results (shape of the contacts' dimensions first): each
-    an array (n, m), left out where a group is not known. Not a number where there is no net load to compare with."""
+    """What is known of the state of the contacts beside these normalised results, in which the contacts' dimensions come first:
+    each an array (n, m), left out where a group is not known. Not a number where there is no net load to compare with."""
     groups = problem.groups
     n = len(groups)
     load, area = (np.asarray(results[name]).reshape(n, -1) for name in ("load", "contact_area"))
     touching = results.get("touching_asperities")
     share = None if touching is None else np.asarray(touching).reshape(n, -1)
-    found = _by_asperity(problem, load, area, share)
+    found = _by_asperity(problem, load, area, share, _bearing(problem, load, results))
     if groups.roughness_parameter is not None:
         density = math.pi * groups.roughness_parameter[:, None]
         found["area_fraction"] = density * area
@@ -60,20 +60,20 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
     return found
 
 
-def _by_asperity(problem: Problem, load: np.ndarray, area: np.ndarray, share: np.ndarray | None) -> dict[str, np.ndarray]:
-    """What needs no density of asperities."""
+def _by_asperity(
+    problem: Problem, load: np.ndarray, area: np.ndarray, share: np.ndarray | None, hardness: np.ndarray
+) -> dict[str, np.ndarray]:
+    """What needs no density of asperities. hardness: of what bears the load, over that of the bodies."""
     groups = problem.groups
     compressed = np.where(load > 0.0, load, np.nan)
-    bearing = (groups.eta * _hardest(groups))[:, None] * np.where(area > 0.0, area, np.nan)
-    found = {"mean_pressure_over_hardness": load / bearing}
+    found = {"mean_pressure_over_hardness": load / (groups.eta[:, None] * hardness * np.where(area > 0.0, area, np.nan))}
     if share is not None:
         found["touching_share"] = share
         if not groups.has_film:
             yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
             found["asperity_area_over_yield"] = area / np.where(share > 0.0, share * yielded, np.nan)
-    if not problem.adheres:
-        pull = _DMT / groups.theta if groups.n_g is None else _DMT * groups.n_g / groups.theta
-        found["adhesion_share"] = pull[:, None] * (expected_share(area) if share is None else share) / compressed
+    pull = _DMT / groups.theta if groups.n_g is None else _DMT * groups.n_g / groups.theta
+    found["adhesion_share"] = pull[:, None] * (expected_share(area) if share is None else share) / compressed
     return found
 
 
@@ -82,9 +82,18 @@ def _softest(groups: Groups) -> np.ndarray | float:
     return 1.0 if groups.n_H is None else np.minimum(groups.n_H, 1.0)
 
 
-def _hardest(groups: Groups) -> np.ndarray | float:
-    """The same of the hardest: no mean pressure of the two together is above it."""
-    return 1.0 if groups.n_H is None else np.maximum(groups.n_H, 1.0)
+def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Hardness (n, m) of what bears the load, over that of the bodies: of film and substrate by what each carries, where a film
+    law tells them apart; else, or where the substrate confines the film, the larger one, above which no mean pressure is."""
+    groups, film = problem.groups, problem.chosen.film
+    if groups.n_H is None:
+        return np.ones_like(load)
+    n_H = groups.n_H[:, None]
+    if "load_film" not in results or film is None or film.composites or film.confined:
+        return np.maximum(n_H, 1.0) * np.ones_like(load)
+    of_film = np.asarray(results["load_film"]).reshape(load.shape)
+    share = np.clip(np.divide(of_film, load, where=load > 0.0, out=np.ones_like(load)), 0.0, 1.0)
+    return share * n_H + (1.0 - share)
 
 
 def _asperities(groups: Groups) -> np.ndarray | None:

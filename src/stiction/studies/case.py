@@ -51,6 +51,16 @@ class Case:
             return {}
         return self.measured.contacts(self.subject)
 
+    def at_load(self, load: Any) -> "Case":
+        """The case at this load only, as a user writes it. Raises InputError."""
+        try:
+            value = float(self.subject.read(load, "load"))
+        except InputError as error:
+            raise InputError("--load", error.value, error.allowed) from None
+        except (TypeError, ValueError):
+            raise InputError("--load", load, "one load") from None
+        return replace(self, separation=None, load=np.array([value]))
+
     def with_surface_moments(self, model: str) -> "Case":
         """The case as the model of this key takes it: a theory of the whole surface has no methods of finding asperities."""
         from stiction.solving.problem import takes_surface_moments
