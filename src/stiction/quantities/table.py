@@ -214,7 +214,8 @@ _RESULT_EXAMPLES = {"mean_separation": "48 nm", "load": "1 N"}  # results that a
 
 # Names for axes, where the meaning with its unit is longer than the 30 characters to which xarray's plots break their labels.
 _SHORT = {
-    "film_friction_constant": "film constant C",
+    "friction_constant": "film friction constant",
+    "film_friction_constant": "film constant over K",
     "hardness": "hardness",
     "tangent_modulus": "tangent modulus",
     "surface_energy": "surface energy",

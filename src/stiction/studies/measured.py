@@ -200,7 +200,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     from stiction.surfaces.height_model import MODELS, height_model, roughness
 
     bodies = {"first": wanted.first, "second": wanted.second}
-    maps = {name: _prepared(body, wanted, folder, name) for name, body in bodies.items() if _is_scan(body)}
+    maps = {name: _prepared(body, wanted, folder, name) for name, body in bodies.items() if body is not None and _is_scan(body)}
     known = [of_numbers(body) for body in bodies.values() if isinstance(body, Roughness)]
     alone = len(maps) + len(known) == 1
     if wanted.heights not in (None, *MODELS):
