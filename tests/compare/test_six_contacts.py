@@ -1,8 +1,9 @@
 """Six contacts and what an expert would say of each: the judgement that the recommendation is held to.
 
 The verdicts rest on what is known without any of the models: a metal pressed plastically under a stated interface strength has
-mu = tau_0/H where its contacts are fully plastic, and a little more where they are not; a soft film that yields has tau_0/H_f; clean
-metals without a stated strength cannot have a mu of a hundredth while their asperities flow; a soft polymer sticks.
+mu = tau_0/H where its contacts are fully plastic, and a little more where they are not; a soft film that yields has
+tau_0/H_f; clean metals without a stated strength cannot have a mu of a hundredth while their asperities flow; a soft polymer
+sticks.
 """
 
 import numpy as np
@@ -65,7 +66,6 @@ def test_the_verdict(which):
     data = compare(contact, load=load)
     best = data.sel(model=data.attrs["recommended"])
     assert low <= float(best["friction_coefficient_at_load"]) <= high
-    assert low <= data.attrs["recommended_range"][0] or not contact.interfacial_shear_strength
     assert effect in data.attrs["reason"]
 
 

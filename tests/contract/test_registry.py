@@ -29,9 +29,11 @@ from stiction.laws.registry import (
     records,
     resolve_options,
     select_options,
+    text_of,
 )
 from stiction.laws.sources import bibliography
 from stiction.quantities.errors import InputError
+from stiction.quantities.notices import Notice, notice
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
@@ -516,6 +518,8 @@ def test_order_and_lookup():
 class Outside:
     """What an installed distribution declares: a name and something to load."""
 
+    module = name = value = __name__
+
     def __init__(self, record):
         self.record = record
 
@@ -544,3 +548,43 @@ def outside(request, monkeypatch):
 def test_a_model_from_outside_appears(outside):
     assert find("somebody_2031", type(outside)) is outside
     assert len(records()) == HOW_MANY + 1
+
+
+class Broken(Outside):
+    """An installed distribution that cannot be imported, or declares something else than a record."""
+
+    name, value = "theirs", "theirs.law:RECORD"
+
+    def load(self):
+        if isinstance(self.record, BaseException):
+            raise self.record
+        return self.record
+
+
+@pytest.mark.parametrize("what", [ModuleNotFoundError("No module named\n'theirs'"), SystemExit(1), {"key": "no record"}])
+def test_a_broken_plug_in_is_named_and_all_else_goes_on(monkeypatch, what):
+    sound = replace(next(iter(of_kind(AsperityLaw).values())), key="somebody_2031")
+    monkeypatch.setattr(registry, "entry_points", lambda group: [Broken(what), Outside(sound)])
+    registry._outside.cache_clear()
+    notice.cache_clear()
+    try:
+        with pytest.warns(Notice, match=r"^the plug-in theirs \(theirs.law:RECORD\) is left out: [^\n]+$") as said:
+            assert len(records()) == HOW_MANY + 1
+        assert find("somebody_2031", AsperityLaw) is sound and text_of(sound)
+        with pytest.raises(InputError, match=r"^asperity: 'theirs'; allowed: .*somebody_2031"):
+            find("theirs", AsperityLaw)
+        assert len(said) == 1
+    finally:
+        monkeypatch.undo()
+        registry._outside.cache_clear()
+
+
+def test_a_plug_in_takes_no_name_of_ours(monkeypatch):
+    ours = next(iter(of_kind(AsperityLaw).values()))
+    monkeypatch.setattr(registry, "entry_points", lambda group: [Outside(replace(ours, title="Theirs"))])
+    registry._outside.cache_clear()
+    try:
+        assert of_kind(AsperityLaw)[ours.key] is ours
+    finally:
+        monkeypatch.undo()
+        registry._outside.cache_clear()

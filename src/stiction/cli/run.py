@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stiction.cli.output import print_json
 from stiction.cli.program import (
     Json,
     Out,
@@ -119,10 +120,10 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
 
 
 def _print_json(case: "Case", data: "xarray.Dataset") -> None:
-    from stiction.report.files import as_json, record
+    from stiction.report.files import record
 
     measured = {} if case.measured is None else {"measured": case.measured.record()}
-    print(as_json(record(data, case.subject.groups()) | measured))
+    print_json(record(data, case.subject.groups()) | measured)
 
 
 def _print_run(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:

@@ -32,6 +32,16 @@ def stiffness_group(nu):
     return 8.0 / 3.0 * (2.0 - nu) / (1.0 - nu)
 
 
+def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
+    """Raise InputError unless the film alone, as a half-space, has groups within the bounds of theta and lambda. Arrays."""
+    with np.errstate(over="ignore"):
+        alone = {"theta": (theta * n_E / n_g, n_E), "lam": (lam * (n_H * n_H / (n_E * n_g)) ** 2, n_H)}
+    for (name, (value, ratio)), field in zip(alone.items(), ("n_E", "n_H"), strict=True):
+        bounds = QUANTITIES[name]
+        if not np.all((value >= bounds.lower) & (value <= bounds.upper)):
+            raise InputError(field, ratio, f"what leaves {bounds.symbol} of the film alone {bounds.allowed}")
+
+
 class Indices(Subject):
     """The dimensionless groups of theory 1 and 4: all that a model needs to know of a contact.
 
@@ -83,6 +93,8 @@ class Indices(Subject):
             given = next((name for name in needed if name not in missing), None) or beside[0]
             raise InputError(missing[0], None, f"a film needs n_E, n_H and tau together ({given} is given)")
         self.check_dimensions()
+        if not missing and self.theta is not None:
+            check_film(self.theta, self.lam, self.n_E, self.n_H, self.n_g)
         return self
 
     @property

@@ -18,6 +18,7 @@ from typing import ClassVar, TypeVar
 from stiction.laws.claims import GRADES, TRAITS, Jump, Limit, Parameter, Validity
 from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
+from stiction.quantities.notices import notice
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -247,9 +248,20 @@ def _package(kind: type[Record]) -> str:
 
 
 @cache
-def _outside() -> tuple[Record, ...]:
-    """Records of other distributions."""
-    return tuple(entry.load() for entry in entry_points(group="stiction"))
+def _outside() -> tuple[tuple[Record, str], ...]:
+    """Records of other distributions, each with its module. One that cannot be had is named, and all else goes on."""
+    found = []
+    for entry in entry_points(group="stiction"):
+        try:
+            record = entry.load()
+            problem = "" if isinstance(record, Record) else f"it is {type(record).__name__}, no record of a law"
+        except (Exception, SystemExit) as error:  # somebody else's code may raise anything
+            problem = " ".join(f"{type(error).__name__}: {error}".split())
+        if problem:
+            notice(f"the plug-in {entry.name} ({entry.value}) is left out: {problem}")
+        else:
+            found.append((record, entry.module))
+    return tuple(found)
 
 
 @cache
@@ -262,7 +274,8 @@ def _inside(folder: str) -> tuple[Record, ...]:
 
 def of_kind(kind: type[_R]) -> dict[str, _R]:
     """The records of one kind, in alphabetical order: key -> record. Those of other kinds are not loaded."""
-    found = [one for one in (*_inside(_package(kind)), *_outside()) if isinstance(one, kind) and one.kind == kind.kind]
+    everybody = (*(record for record, _ in _outside()), *_inside(_package(kind)))  # of two with one key ours is the last
+    found = [one for one in everybody if isinstance(one, kind) and one.kind == kind.kind]
     return {one.key: one for one in sorted(found, key=lambda one: one.key)}
 
 
@@ -347,7 +360,7 @@ def text_of(record: Record) -> str:
         module = importlib.import_module(name)
         if getattr(module, "RECORD", None) is record:
             return inspect.getdoc(module) or ""
-    for entry in entry_points(group="stiction"):
-        if entry.load() is record:
-            return inspect.getdoc(importlib.import_module(entry.module)) or ""
+    for other, where in _outside():
+        if other is record:
+            return inspect.getdoc(importlib.import_module(where)) or ""
     return ""

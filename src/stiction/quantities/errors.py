@@ -1,10 +1,10 @@
-"""The one error that a user's input can cause."""
+"""The one error that a user's input can cause, and the one warning."""
 
 import difflib
 import re
 from collections.abc import Iterable
 
-__all__ = ["InputError", "nearest"]
+__all__ = ["InputDoubt", "InputError", "nearest"]
 
 _LONGEST = 80  # of a longer value the two ends are shown: of a path, the end says most
 
@@ -44,3 +44,7 @@ def nearest(word, known: Iterable[str]) -> str:
     close = difflib.get_close_matches(str(word), known, n=3, cutoff=0.5)
     every = ", ".join(known)
     return f"{' or '.join(close)} (all: {every})" if close else every
+
+
+class InputDoubt(UserWarning):
+    """Something given is usable, but out of all proportion: most likely it was not meant."""

@@ -73,6 +73,13 @@ _NOT_NEGATIVE = (0.0, inf, True, False)
 _FROM_ONE = (1.0, inf, True, False)
 _SHARE = (0.0, 1.0, True, True)
 _SHARE_BELOW_ONE = (0.0, 1.0, True, False)
+# Softer than any solid: a number meant in GPa, or mPa for MPa.
+_SOLID = (1e3, inf, True, False)
+# Dimensionless groups: beyond these no contact is, and sums and their limits lose their digits or all of their size.
+_GROUP = (1e-9, 1e9, True, True)
+_THETA = (1e-12, 1e40, True, True)
+_LAMBDA = (1e-60, 1e120, True, True)
+_LENGTH_RATIO = (0.0, 1e15, True, True)
 # nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
 # Below 0 nothing was checked.
 _POISSON = (0.0, 0.5, True, False)
@@ -84,11 +91,11 @@ _COUNT = "number of asperities"
 # fmt: off
 _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     # materials
-    ("youngs_modulus", "E", "E", "Pa", _POSITIVE, "210 GPa", "Young's modulus"),
+    ("youngs_modulus", "E", "E", "Pa", _SOLID, "210 GPa", "Young's modulus"),
     ("poissons_ratio", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio"),
-    ("hardness", "H", "H", "Pa", _POSITIVE, "7.3 GPa",
+    ("hardness", "H", "H", "Pa", _SOLID, "7.3 GPa",
      "hardness, the mean pressure of a fully plastic contact"),
-    ("yield_stress", "Y", "Y", "Pa", _POSITIVE, "2.5 GPa", "yield stress in tension"),
+    ("yield_stress", "Y", "Y", "Pa", _SOLID, "2.5 GPa", "yield stress in tension"),
     ("tangent_modulus", "E_t", r"E_\mathrm{t}", "Pa", _NOT_NEGATIVE, "2 GPa",
      "tangent modulus, the slope of stress over strain beyond yield"),
     ("surface_energy", "gamma_s", r"\gamma_s", "J/m^2", _POSITIVE, "1.25 J/m^2",
@@ -112,20 +119,20 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("equilibrium_distance", "epsilon", r"\varepsilon", "m", _POSITIVE, "0.3 nm",
      "equilibrium distance of two surfaces"),
     # dimensionless groups
-    ("theta", "theta", r"\theta", "", _POSITIVE, "40",
+    ("theta", "theta", r"\theta", "", _THETA, "40",
      "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2))"),
-    ("lam", "lambda", r"\lambda", "", _POSITIVE, "10",
+    ("lam", "lambda", r"\lambda", "", _LAMBDA, "10",
      "plastic adhesion index pi^2 R H^4 sigma / (18 K^2 gamma^2)"),
     ("nu", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio of the softer body"),
-    ("K_beta", "K beta", r"K\beta", "", _POSITIVE, "6.476", "normal stiffness times tangential compliance"),
-    ("n_E", "n_E", "n_E", "", _POSITIVE, "1.5", "film modulus over substrate modulus"),
-    ("n_H", "n_H", "n_H", "", _POSITIVE, "0.5", "film hardness over substrate hardness"),
-    ("tau", "tau", r"\tau", "", _NOT_NEGATIVE, "2", "film thickness over sigma, t / sigma"),
-    ("n_g", "n_g", "n_g", "", _POSITIVE, "1", "work of adhesion of the film over that of the substrate"),
-    ("film_aspect", "t/sqrt(R sigma)", r"t/\sqrt{R\sigma}", "", _NOT_NEGATIVE, "0.13",
+    ("K_beta", "K beta", r"K\beta", "", _GROUP, "6.476", "normal stiffness times tangential compliance"),
+    ("n_E", "n_E", "n_E", "", _GROUP, "1.5", "film modulus over substrate modulus"),
+    ("n_H", "n_H", "n_H", "", _GROUP, "0.5", "film hardness over substrate hardness"),
+    ("tau", "tau", r"\tau", "", _LENGTH_RATIO, "2", "film thickness over sigma, t / sigma"),
+    ("n_g", "n_g", "n_g", "", _GROUP, "1", "work of adhesion of the film over that of the substrate"),
+    ("film_aspect", "t/sqrt(R sigma)", r"t/\sqrt{R\sigma}", "", _LENGTH_RATIO, "0.13",
      "film thickness over sqrt(R sigma)"),
     ("film_nu", "nu_c", r"\nu_\mathrm{c}", "", _POISSON, "0.3", "Poisson's ratio in the film's contact"),
-    ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _POSITIVE, "6.476",
+    ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _GROUP, "6.476",
      "K beta of the film's contact"),
     ("film_friction_constant", "C/(K sqrt(R sigma))", r"C/(K\sqrt{R\sigma})", "", _POSITIVE, "1e-4",
      "constant of the film's friction (C t/W)^(1/3) over K sqrt(R sigma)"),
@@ -197,6 +204,8 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
      "share of the load on asperities that the model gives no friction"),
     ("rms_slope", "h'", r"h'", "", _NOT_NEGATIVE, "", "rms slope of the Gaussian surface that has these asperities"),
+    ("film_plasticity_index", "psi_f", r"\psi_\mathrm{f}", "", _POSITIVE, "",
+     "plasticity index (E*/H) (sigma/R)^(1/2) of the film's contact"),
     ("thickness_over_radius", "t/R", r"t/R", "", _NOT_NEGATIVE, "", "film thickness over asperity radius"),
     ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, _COUNT, "number of touching asperities"),
     ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,

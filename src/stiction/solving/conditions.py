@@ -17,6 +17,9 @@ from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
 
+# A theory that ends at full contact ends there to rounding.
+_ROUNDING = 1e-9
+
 
 def _any(problem: Problem) -> bool:
     return True
@@ -40,7 +43,7 @@ OUT_OF_PROPORTION = (
 
 RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     *((rule, _any) for rule in OUT_OF_PROPORTION),
-    (Validity("area_fraction", 0.0, 1.0, "the real contact area is above the nominal one", "impossible"), _any),
+    (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area is above the nominal one", "impossible"), _any),
     (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
     (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from stiction.contact.indices import Groups
+from stiction.contact.indices import Groups, check_film
 from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime
 from stiction.engine.summation import FARTHEST, check_threads, in_threads, scattered, totals_on_grid
@@ -68,6 +68,8 @@ def evaluate(
         raise InputError("h and groups", f"shapes {shapes}", "shapes that broadcast") from None
     columns = [column.reshape((1,) * (len(shape) - column.ndim) + column.shape) for column in columns]
     separation, laws = columns[0], dict(zip(given, columns[1:], strict=True))
+    if not missing:
+        check_film(*(laws[name] for name in ("theta", "lam", "n_E", "n_H")))
     law_shape = np.broadcast_shapes(*(column.shape for column in laws.values()))
     own_axes = all(one == 1 or other == 1 for one, other in zip(separation.shape, law_shape, strict=True))
     if own_axes and separation.size > 1:

@@ -23,6 +23,7 @@ from stiction.solving.choice import Choice
 from stiction.solving.chosen import Chosen, look_up
 
 _AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
+_RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
 _COUNT, _LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
 
@@ -290,10 +291,16 @@ def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.nda
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Normalised results at the loads that were asked for: these are the load, and what friction is compared to. What the
-    search for a separation leaves of no load makes no friction coefficient."""
-    exact = results | {"load": load}
-    return exact | with_coefficient(load, results["friction_force"]) if "friction_force" in results else exact
+    """Normalised results at the loads that were asked for: these are the load, and what friction is compared to, but where they
+    are lost in rounding: there it is the load that is carried. What the search for a separation leaves of no load makes no
+    friction coefficient."""
+    exact = results | {"load": np.where(lost_in_rounding(results["load"], load), results["load"], load)}
+    return exact | with_coefficient(exact["load"], results["friction_force"]) if "friction_force" in results else exact
+
+
+def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
+    """Where a load is so much smaller than the tension and pressure that it is the difference of that another is carried."""
+    return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 
 
 def _states(regimes: list[Regime]) -> list[str]:
@@ -310,10 +317,10 @@ def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
 
 
 def _share_without(loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
-    """Share (n, m) of the sizes of the loads (regimes, n, m) in regimes that resist nothing; 0 where all is nothing."""
-    sizes = np.abs(loads)
-    whole, lost = sizes.sum(axis=0), np.where(friction == 0.0, sizes, 0.0).sum(axis=0)
-    return np.divide(lost, whole, where=whole > 0.0, out=np.zeros_like(whole))
+    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, all of it at the most: of the net load, where
+    others pull and make that small; 0 where all is nothing."""
+    lost, net = np.where(friction == 0.0, np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
+    return np.minimum(np.divide(lost, net, where=net > 0.0, out=np.zeros_like(net)), 1.0)
 
 
 def with_surface_moments(subject: Subject, model: str) -> Subject:

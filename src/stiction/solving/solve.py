@@ -9,6 +9,7 @@ from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
+from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
@@ -17,7 +18,7 @@ from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice, without_old_names
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.method_spread import with_measured
-from stiction.solving.problem import Problem, as_asked, make_problem, with_surface_moments
+from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_problem, with_surface_moments
 from stiction.solving.results import as_dataset, as_variables, summary_of, with_shares
 
 if TYPE_CHECKING:
@@ -96,13 +97,14 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     dims = all_dims(problem, [point, *factors.values()])
     unit = "N" if given == "load" else "m"
     wanted = np.broadcast_to(aligned(point, dims) / aligned(factors[unit], dims), tuple(dims.values()))
-    found = None
+    found = carried = None
     if problem.needs_load:
         tables = _at_load(problem, wanted, aligned(factors["N"], dims))
     elif given == "load":
         found = inverted(problem, wanted, aligned(factors["N"], dims))
         h = found.h.reshape(wanted.shape)
-        tables = {"mean_separation": h} | as_asked(_sum(problem, h, wanted.shape), wanted)
+        results = _sum(problem, h, wanted.shape)
+        tables, carried = {"mean_separation": h} | as_asked(results, wanted), results["load"]
     else:
         if not np.abs(wanted).max(initial=0.0) <= FARTHEST:
             raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
@@ -117,9 +119,29 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     if given in getattr(point, "dims", ()):
         coords[given] = (given, point.values, variables.pop(given)[2])
     data = as_dataset(variables, coords).assign_attrs(summary_of(subject, problem, tables))
-    if found is None:
+    if found is None or carried is None:
         return data
+    kept = as_variables(subject, {"load": carried}, factors, dims)["load"] if given in data.coords else None
+    data = _with_carried(data, carried, wanted, kept)
     return data.assign_attrs(convergence=f"all separations converged in at most {found.evaluations} evaluations")
+
+
+def _with_carried(data: "xarray.Dataset", carried: np.ndarray, asked: np.ndarray, beside: tuple | None) -> "xarray.Dataset":
+    """The dataset with the doubt that loads asked for are lost in rounding, where any are, and with the loads that are carried
+    beside those asked for, where these are a coordinate."""
+    lost = lost_in_rounding(carried, asked)
+    if not lost.any():
+        return data
+    if beside is not None:
+        dims, values, attributes = beside
+        data["load_carried"] = (dims, values, attributes | {"long_name": "net normal load that is carried"})
+    where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
+    off = np.abs(carried[lost] / asked[lost] - 1.0).max()
+    why = (
+        f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the "
+        f"load that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
+    )
+    return with_doubts(data, [Doubt(why)])
 
 
 def _convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:

@@ -55,6 +55,9 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
     if groups.sharpness is not None and groups.roughness_parameter is not None:
         slope_squared = 2.0 * (9.0 / 64.0) / (6.0 * math.sqrt(3.0)) / groups.roughness_parameter
         found["rms_slope"] = groups.sharpness * np.sqrt(slope_squared)
+    if groups.has_film:
+        # eta = pi H sqrt(R/sigma)/K and K = 4 E*/3
+        found["film_plasticity_index"] = 0.75 * math.pi / groups.film().eta
     if groups.sharpness is not None and groups.has_film and groups.film_aspect is not None:
         found["thickness_over_radius"] = groups.film_aspect * groups.sharpness
     return found

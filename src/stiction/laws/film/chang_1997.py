@@ -105,7 +105,10 @@ RECORD = FilmLaw(
     wants=NO_ADHESION,
     verified="independent quadrature; load and area at the depth of the film; trends of the abstract",
     needs=("theta", "lam", "n_H", "tau"),
-    validity=(Validity("n_H", 0.0, 1.0, "the film is soft"),),
+    validity=(
+        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
+        Validity("n_H", 0.0, 1.0, "the film is soft"),
+    ),
     notes="With the asperity law chang_etsion_bogy_1987 this is the model named; others may be taken. As in the abstract, "
     "the area is less changed by the film at high plasticity index, and a thin film stiffens a lightly loaded "
     "contact; the load is less sensitive too unless the film is very soft (n_H = 0.6 but not 0.1). The area is that "

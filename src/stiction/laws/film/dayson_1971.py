@@ -93,7 +93,7 @@ RECORD = FilmLaw(
     verified="closed forms for Gaussian heights; film and substrate alone in the limits; trends of the abstract",
     needs=("theta", "lam", "hardness_to_yield", "n_H", "tau"),
     validity=(
-        Validity("plasticity_index", 1.0, math.inf, "asperities are taken as plastic at any load"),
+        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),
     ),
     notes="The shear strength that the contact states is the film's; the substrate shears at Y/sqrt(3), with H/Y of the "

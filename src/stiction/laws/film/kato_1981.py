@@ -191,6 +191,7 @@ RECORD = FilmLaw(
     verified="independent quadrature of the pressure; film and substrate alone in the limits; trends of the abstracts",
     needs=("theta", "lam", "hardness_to_yield", "n_H", "tau", "film_aspect"),
     validity=(
+        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
         Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),
     ),

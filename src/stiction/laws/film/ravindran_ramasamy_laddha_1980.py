@@ -111,7 +111,7 @@ RECORD = FilmLaw(
     verified="the power laws of one asperity; independent quadrature; film and substrate alone in the limits",
     needs=("theta", "lam", "n_H", "tau", "shear_strength"),
     validity=(
-        Validity("plasticity_index", 1.0, math.inf, "film and substrate are taken as plastic at any load"),
+        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),
     ),
     notes="mu = (C t/W)^(1/3) of each asperity, between shear strength over film hardness and shear strength over substrate "
