@@ -223,6 +223,7 @@ _RESULT_EXAMPLES = {"mean_separation": "48 nm", "load": "1 N"}  # results that a
 
 # Names for axes, where the meaning with its unit is longer than the 30 characters to which xarray's plots break their labels.
 _SHORT = {
+    "film_plasticity_index": "film plasticity index",
     "friction_constant": "film friction constant",
     "film_friction_constant": "film constant over K",
     "hardness": "hardness",
