@@ -1,12 +1,14 @@
 """From two materials, a film and a rough surface to the dimensionless groups (docs/theory.md)."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
+from stiction.contact import measuring
 from stiction.contact.indices import HARDNESS_TO_YIELD, Indices, plain_number
 from stiction.contact.materials import Material, as_material
 from stiction.contact.subject import Scales, Subject
@@ -68,6 +70,18 @@ class Roughness(Input):
     height_distribution: str = "gaussian"
     height_parameters: dict[str, _Parameter] = Field(default_factory=dict)
     surface: "Roughness | None" = Field(default=None, description="a table with sigma, R and N of a Gaussian surface")
+    _measured: Any = PrivateAttr(None)
+
+    @property
+    def measured(self) -> Any:
+        """What scans say by all ways of finding asperities (studies.measured.Measured), where these numbers are from scans."""
+        return self._measured
+
+    def as_measured(self, measured: Any) -> "Roughness":
+        """The same numbers, found in scans that say this."""
+        found = self.model_copy()
+        found._measured = measured
+        return found
 
     @model_validator(mode="after")
     def _surface_is_gaussian(self):
@@ -78,14 +92,31 @@ class Roughness(Input):
         return self
 
 
+def _rough(value):
+    """Numbers as they are, scans as the roughness that is found in them."""
+    if isinstance(value, Roughness | str | int | float | None) or (
+        isinstance(value, Mapping) and not value.keys() & {"first", "second"}
+    ):
+        return value
+    return measuring.measure(value)
+
+
+_Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]
+
+
 class Contact(Subject):
     """Two bodies with rough surfaces, perhaps a film between them.
 
     first, second: Material, name of a preset, or dict of numbers; which is which changes no result. The strength of a contact
     is that of the softer body; of two as hard, of the one that yields first: of the lower yield stress, then of the lower
-    Poisson's ratio, then of the lower tangent modulus. work_of_adhesion: of the bodies' surfaces, see the function of that
-    name; left out or zero, nothing adheres, and models that need it say so. hardness_to_yield: H/Y; left out, it is hardness
-    over yield_stress of the softer body, or 2.8 if that has no yield_stress. interfacial_shear_strength and
+    Poisson's ratio, then of the lower tangent modulus.
+    roughness: Roughness, or dict of its numbers; or a scan of the first body, the second being smooth: a HeightMap, a
+    topography of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size); or a dict like the table
+    of a case file, with a scan or numbers as `first`, `second` or both, and how asperities are found. With a scan, results say
+    the spread over the ways of finding asperities, and `roughness.measured` what each finds.
+    work_of_adhesion: of the bodies' surfaces, see the function of that name; left out or zero, nothing adheres, and models that
+    need it say so. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that has no
+    yield_stress. interfacial_shear_strength and
     pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
     tangential energy release that peels an adhesive asperity (Savkoor and Briggs: all). Every number may be an array with a
     named dimension (`stiction.axis`). Raises InputError.
@@ -93,7 +124,7 @@ class Contact(Subject):
 
     first: Body = Field(description="a material: the name of a preset, or its numbers")
     second: Body = Field(description="a material: the name of a preset, or its numbers")
-    roughness: Roughness = Field(description="a table with sigma, R and N of the asperities")
+    roughness: _Rough = Field(description="a table with sigma, R and N of the asperities")
     work_of_adhesion: OptionalNumber = None
     nominal_area: Number
     coating: Coating | None = None
@@ -199,6 +230,48 @@ class Contact(Subject):
     def heights(self) -> tuple[str, dict[str, Any]]:
         return self.roughness.height_distribution, self.roughness.height_parameters
 
+    def optional_inputs(self) -> dict[str, str]:
+        names = {
+            "work_of_adhesion": "adhesion",
+            "interfacial_shear_strength": "shear_strength",
+            "pressure_coefficient": "pressure_coefficient",
+            "peeling": "peeling",
+            "hardness_to_yield": "hardness_to_yield",
+        }
+        found = {name: group for name, group in names.items() if getattr(self, name) is not None}
+        of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening"}
+        for body in ("first", "second"):
+            found |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
+        if self.coating is None:
+            return found
+        found |= {f"coating.material.{name}": "" for name in of_bodies if self.coating.material.is_own(name)}
+        return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
+
+    def remarks(self) -> list[str]:
+        if self.coating is None or self.coating.bodies == "both":
+            return []
+        film, other = self.coating.material, self._against_film(self.coating)
+        below = np.asarray(other.hardness) < np.asarray(film.hardness)  # of sweeps, anywhere, as far as they can be lined up
+        if not (below.any() if below.shape else bool(below)):
+            return []
+        ratio = other.hardness / _pair(self.first, self.second).hardness
+        n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
+        return [
+            f"the counterbody {other.name} is softer than the film {film.name} and yields first: where they meet its hardness "
+            f"counts ({n_H}), and the hardness of the film changes nothing"
+        ]
+
+    def notes(self) -> list[str]:
+        found = [] if self.measured is None else [f"roughness measured, by {self.measured.method}"]
+        return [*found, *self.remarks()]
+
+    @property
+    def measured(self) -> Any:
+        return self.roughness.measured
+
+    def as_numbers(self) -> "Contact":
+        return self if self.measured is None else self.replace(roughness=self.roughness.replace())
+
     def with_surface_moments(self) -> "Contact":
         surface = self.roughness.surface
         return self if surface is None else self.model_copy(update={"roughness": surface})
@@ -230,8 +303,7 @@ class Contact(Subject):
         return show(value, name, digits)
 
     def attributes(self, name: str) -> dict[str, str]:
-        quantity = QUANTITIES[name]
-        return {"long_name": quantity.meaning, "symbol": quantity.symbol, "units": quantity.unit or "1"}
+        return QUANTITIES[name].attributes
 
     def scales(self) -> Scales:
         """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""

@@ -10,6 +10,7 @@ from pydantic import model_validator
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import check_names, flattened
 from stiction.quantities.errors import InputError
+from stiction.quantities.foreign import as_sequence, has_unit
 from stiction.quantities.inputs import Number, OptionalNumber, floats
 from stiction.quantities.table import QUANTITIES
 
@@ -227,6 +228,9 @@ class Indices(Subject):
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def read(self, value: Any, name: str) -> Any:
+        value = as_sequence(value)
+        if has_unit(value):
+            raise InputError(name, str(value), "numbers without a unit, normalised like the indices")
         normalised, labelled = "numbers, normalised like the indices", hasattr(value, "dims")
         array = floats(value.values if labelled else value, name, normalised)
         if not np.all(np.isfinite(array)):
@@ -252,8 +256,7 @@ class Indices(Subject):
 
     def attributes(self, name: str) -> dict[str, str]:
         quantity = QUANTITIES[name]
-        attributes = {"long_name": quantity.meaning, "symbol": quantity.symbol, "units": quantity.unit or "1"}
-        return attributes | ({"units": "1", "normalised_by": quantity.normalised_by} if quantity.normalised_by else {})
+        return quantity.attributes | ({"units": "1", "normalised_by": quantity.normalised_by} if quantity.normalised_by else {})
 
 
 class Groups(Indices):

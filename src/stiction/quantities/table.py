@@ -4,7 +4,7 @@ Validators, docstrings, command-line help, result attributes and axis labels rea
 unit or a bound. The symbols are those of docs/theory.md.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, isinf
 
 __all__ = ["QUANTITIES", "Quantity"]
@@ -16,7 +16,8 @@ class Quantity:
 
     name: the key; symbol: plain text; latex: without dollar signs; unit: SI, "" if none; meaning: a phrase;
     lower, upper: bounds in the unit, with lower_included, upper_included (infinite values are never allowed);
-    normalised_by: what the dimensionless form is divided by, "" if it has none; example: an accepted input.
+    normalised_by: what the dimensionless form is divided by, "" if it has none; example: an accepted input; short: a name that
+    fits on an axis of a plot together with its unit.
     """
 
     name: str
@@ -30,6 +31,13 @@ class Quantity:
     upper_included: bool = False
     normalised_by: str = ""
     example: str = ""
+    short: str = ""
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """Attributes of a variable: long_name, symbol and units; comment, the meaning in full where the name is short."""
+        comment = {"comment": self.meaning} if self.short else {}
+        return {"long_name": self.short or self.meaning, "symbol": self.symbol, "units": self.unit or "1"} | comment
 
     @property
     def allowed(self) -> str:
@@ -227,10 +235,84 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
 
 _RESULT_EXAMPLES = {"mean_separation": "48 nm", "load": "1 N"}  # results that are also what is solved for
 
-QUANTITIES: dict[str, Quantity] = {
+# Names for axes, where the meaning with its unit is longer than the 30 characters to which xarray's plots break their labels.
+_SHORT = {
+    "film_plasticity_index": "film plasticity index",
+    "friction_constant": "film friction constant",
+    "film_friction_constant": "film constant over K",
+    "hardness": "hardness",
+    "tangent_modulus": "tangent modulus",
+    "surface_energy": "surface energy",
+    "asperity_height_deviation": "asperity deviation",
+    "asperity_density": "asperities per area",
+    "interfacial_energy": "interfacial energy",
+    "thickness": "film thickness",
+    "hardness_to_yield": "hardness over yield",
+    "interfacial_shear_strength": "shear strength",
+    "equilibrium_distance": "equilibrium distance",
+    "theta": "elastic adhesion index",
+    "lam": "plastic adhesion index",
+    "nu": "Poisson's ratio",
+    "K_beta": "K beta",
+    "n_E": "film modulus ratio",
+    "n_H": "film hardness ratio",
+    "tau": "thickness over sigma",
+    "n_g": "film adhesion ratio",
+    "film_aspect": "t over sqrt(R sigma)",
+    "film_nu": "Poisson's ratio, film",
+    "film_K_beta": "K beta of the film",
+    "tabor_parameter": "Tabor parameter",
+    "roughness_parameter": "N R sigma",
+    "nominal_width": "sqrt(A_n) over sigma",
+    "shear_strength": "shear strength over H",
+    "pressure_coefficient": "pressure coefficient",
+    "peeling": "peeling share",
+    "hardening": "hardening E_t/E",
+    "scan_size": "scan size",
+    "shear_modulus": "shear modulus",
+    "contact_modulus": "contact modulus",
+    "tangential_compliance": "compliance beta",
+    "plasticity_index": "plasticity index",
+    "mean_separation": "mean separation",
+    "load": "net normal load",
+    "load_elastic": "load, elastic",
+    "load_plastic": "load, plastic",
+    "load_elastic_plastic": "load, elastic-plastic",
+    "load_film": "load on the film",
+    "load_substrate": "load on the substrate",
+    "contact_area_elastic": "real area, elastic",
+    "contact_area_plastic": "real area, plastic",
+    "contact_area_elastic_plastic": "area, elastic-plastic",
+    "friction_force": "friction force",
+    "friction_slip_limited": "friction, slip first",
+    "friction_yield_limited": "friction, yield first",
+    "friction_film": "friction of the film",
+    "friction_substrate": "friction, substrate",
+    "friction_coefficient": "friction coefficient",
+    "tangential_stiffness": "tangential stiffness",
+    "area_fraction": "real area fraction",
+    "nominal_pressure": "nominal pressure",
+    "nominal_pressure_over_hardness": "pressure over hardness",
+    "mean_pressure_over_hardness": "contact pressure over H",
+    "touching_share": "share that touches",
+    "asperity_area_over_yield": "area over that at yield",
+    "adhesion_share": "pull-off over load",
+    "load_share_without_friction": "load without friction",
+    "rms_slope": "rms slope",
+    "thickness_over_radius": "thickness over radius",
+    "touching_asperities": "touching asperities",
+    "pull_off_force": "pull-off force",
+    "pull_off_separation": "pull-off separation",
+    "load_share_beyond_film": "load share with a > t",
+    "friction_share_beyond_film": "friction share, a > t",
+}
+
+_ROWS: dict[str, Quantity] = {
     name: Quantity(name, symbol, latex, unit, meaning, *bounds, example=example)
     for name, symbol, latex, unit, bounds, example, meaning in _INPUTS
 } | {
     name: Quantity(name, symbol, latex, unit, meaning, *bounds, divisor, _RESULT_EXAMPLES.get(name, ""))
     for name, symbol, latex, unit, bounds, divisor, meaning in _OUTPUTS
 }
+
+QUANTITIES: dict[str, Quantity] = {name: replace(row, short=_SHORT.get(name, "")) for name, row in _ROWS.items()}

@@ -164,8 +164,10 @@ RECORD = FilmLaw(
     regimes=regimes,
     verified="second implementation of six laws; bare at n_E = n_H = 1, substrate for tau -> 0, film for tau -> infinity",
     needs=("theta", "lam", "n_E", "n_H", "tau", "film_aspect"),
+    takes=("hardness_to_yield",),
     wants={"2015": "it is that asperity with properties that change with depth"},
     own_asperity=True,
+    one_body=True,
     tangential="soft_coating_2015",
     load_falls=False,
     accuracy=2e-9,  # the worst of 400 000 laws of the whole range; 1 in 10 000 is above 1e-10
