@@ -146,7 +146,20 @@ class Contact(Subject):
                 "film_nu": film.nu,
                 "film_K_beta": film.K * film.beta,
             }
+            groups |= self._layer(self.coating)
         return groups
+
+    def _layer(self, coating: Coating) -> dict[str, Any]:
+        """How the film is spread, and the elastic constants of each body."""
+        coated, other = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
+        stiffness = coated.youngs_modulus / (1 - coated.poissons_ratio**2)
+        return {
+            "film_bodies": 2.0 if coating.bodies == "both" else 1.0,
+            "coated_share": self.contact_modulus / stiffness,
+            "layer_nu": coating.material.poissons_ratio,
+            "coated_nu": coated.poissons_ratio,
+            "other_nu": other.poissons_ratio,
+        }
 
     @property
     def has_film(self) -> bool:

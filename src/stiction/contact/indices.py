@@ -18,7 +18,9 @@ __all__ = ["Groups", "Indices", "hardness_group", "stiffness_group"]
 # H/Y where no material says otherwise: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
 HARDNESS_TO_YIELD = 2.8
 
-_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta")
+# How the film is spread over the bodies, and their elastic constants one by one: what an exact elastic solution asks for.
+_LAYER = ("film_bodies", "coated_share", "layer_nu", "coated_nu", "other_nu")
+_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", *_LAYER)
 
 
 def hardness_group(theta, lam):
@@ -37,7 +39,9 @@ class Indices(Subject):
     Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
-    half-space to every asperity. The last eight are needed by some laws only. Raises InputError.
+    half-space to every asperity. film_bodies left out is 1; coated_share left out is 1, a rigid counterbody, or 1/2, bodies alike,
+    if both carry the film; layer_nu left out is film_nu, coated_nu and other_nu are nu. The last eight are needed by some laws
+    only. Raises InputError.
     """
 
     theta: Number
@@ -52,6 +56,11 @@ class Indices(Subject):
     K_beta: OptionalNumber = None
     film_nu: OptionalNumber = None
     film_K_beta: OptionalNumber = None
+    film_bodies: OptionalNumber = None
+    coated_share: OptionalNumber = None
+    layer_nu: OptionalNumber = None
+    coated_nu: OptionalNumber = None
+    other_nu: OptionalNumber = None
     tabor_parameter: OptionalNumber = None
     sharpness: OptionalNumber = None
     roughness_parameter: OptionalNumber = None
@@ -73,12 +82,14 @@ class Indices(Subject):
     def _film_is_whole(self):
         needed = ("n_E", "n_H", "tau")
         missing = [name for name in needed if getattr(self, name) is None]
-        beside = [name for name in ("film_aspect", "film_nu", "film_K_beta") if getattr(self, name) is not None]
+        beside = [name for name in _FILM if name not in needed and getattr(self, name) is not None]
         if np.any(self.n_g != 1):
             beside.append("n_g")
         if missing and (len(missing) < len(needed) or beside):
             given = next((name for name in needed if name not in missing), None) or beside[0]
             raise InputError(missing[0], None, f"a film needs n_E, n_H and tau together ({given} is given)")
+        if self.film_bodies is not None and not np.isin(self.film_bodies, (1, 2)).all():
+            raise InputError("film_bodies", self.film_bodies, "1 or 2")
         self.check_dimensions()
         return self
 
@@ -107,7 +118,16 @@ class Indices(Subject):
         film_K_beta = self.film_K_beta
         if film_K_beta is None:
             film_K_beta = K_beta if self.film_nu is None else stiffness_group(film_nu)
-        return self.with_changes(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta)
+        bodies = 1.0 if self.film_bodies is None else self.film_bodies
+        layer = {
+            "film_bodies": bodies,
+            "coated_share": 1.0 / bodies,
+            "layer_nu": film_nu,
+            "coated_nu": self.nu,
+            "other_nu": self.nu,
+        }
+        given = {name: getattr(self, name) for name in layer if getattr(self, name) is not None}
+        return self.with_changes(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta, **layer | given)
 
     def film(self) -> Self:
         """The groups of the film as a half-space: theta n_E/n_g, lambda n_H^4/(n_E n_g)^2, with nu and K beta of the film.

@@ -70,8 +70,10 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
     """Compliance (n,) of both bodies together at the wavenumbers x = k t (n,), over that of the two surfaces that meet as
     half-spaces, 2/(E1 k); t is the thickness of one film."""
-    bare = 1.0 - sum(layer.share for layer in pair)
-    return bare + sum(layer.share * _film(x, layer.ratio, layer.excess) for layer in pair)
+    whole = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
+    for layer in pair:
+        whole += layer.share * _film(x, layer.ratio, layer.excess)
+    return whole
 
 
 def modulus_without_film(pair: Pair) -> float:

@@ -23,7 +23,7 @@ from numpy.polynomial import chebyshev
 from stiction.contact.layered.compliance import Pair, modulus_without_film
 from stiction.contact.layered.sphere import Response, respond
 
-__all__ = ["CURVES", "TERMS", "curves", "fit"]
+__all__ = ["CURVES", "POWERS", "TERMS", "curves"]
 
 CURVES, TERMS = 3, 19
 # Contact radii of the exact solutions, over the thickness of one film.
@@ -31,7 +31,7 @@ RADII = np.geomspace(0.002, 600.0, 24)
 # What a slope counts beside a value.
 _SLOPE = 0.3
 # Chebyshev's polynomials in powers of z, a row each.
-_POWERS = np.array(
+POWERS = np.array(
     [np.pad(chebyshev.cheb2poly(row), (0, TERMS - 1 - order)) for order, row in enumerate(np.tri(TERMS) - np.tri(TERMS, k=-1))]
 )
 
@@ -62,7 +62,7 @@ def fit(solved: np.ndarray, below: float) -> np.ndarray:
         left = np.log(at[name]) - 0.5 * (1.0 + z) * rise
         wanted.append(np.concatenate([left, _SLOPE * (at[f"{name}_slope"] - 0.5 * rise * by_radius)]))
     found = np.linalg.lstsq(table, np.stack(wanted, axis=1), rcond=1e-12)[0]
-    return found.T @ _POWERS
+    return found.T @ POWERS
 
 
 def _basis(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -83,7 +83,7 @@ RECORD = AsperityLaw(
         Source("hertz_1882", "the elastic asperity"),
     ),
     pieces=pieces,
-    traits=frozenset({"no adhesion", "Hertz"}),
+    traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     verified="closed forms at both ends, where load, area and the slope of the area are continuous; independent evaluation",
     needs=("theta", "lam"),
     validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
