@@ -39,9 +39,9 @@ class Indices(Subject):
     Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
-    half-space to every asperity. film_bodies left out is 1; coated_share left out is 1, a rigid counterbody, or 1/2, bodies alike,
-    if both carry the film; layer_nu left out is film_nu, coated_nu and other_nu are nu. The last eight are needed by some laws
-    only. Raises InputError.
+    half-space to every asperity. film_bodies left out is 1; coated_share left out is 1, a rigid counterbody, or 1/2, bodies
+    alike, if both carry the film; layer_nu left out is film_nu, coated_nu and other_nu are nu. The last eight are needed by
+    some laws only. Raises InputError.
     """
 
     theta: Number

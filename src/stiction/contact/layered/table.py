@@ -2,9 +2,9 @@ r"""The curves of a film on one body, for any materials, from a table: where tho
 
 A table of exact solutions (`curves.npz`, made by `python -m stiction.contact.layered.table`, two minutes) in three coordinates:
 ln r over ln 200, r the ratio of moduli; the excess of `compliance.Layer`; and v = sqrt(r) W/(1 - W + sqrt(r) W), W the film's
-share, which is 0 for a film that is not felt and 1 on a rigid counterbody. The curves are Chebyshev series in them, exact where
-film and body below are alike. Interpolated, E_P, D, E_S are within 0.4 % of exact solutions, B within 0.8 %. Other bodies (films
-on two unlike ones, moduli farther apart) are solved one by one, each of them once.
+share, which is 0 for a film that is not felt and 1 on a rigid counterbody. The curves are Chebyshev series in them: E_P, D and
+E_S are within 0.4 % of exact solutions, B within 0.8 %. Other bodies (films on two unlike ones, moduli farther apart) are
+solved one by one, each of them once.
 """
 
 from functools import cache
@@ -26,7 +26,7 @@ _FILE = "curves.npz"
 
 
 def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) -> np.ndarray:
-    """The coefficients (n, CURVES, TERMS), as `curves` gives them, of a film on one of two bodies: a Layer each, as arrays (n,)."""
+    """The coefficients (n, CURVES, TERMS), as `curves` gives them, of a film on one of two bodies: Layers as arrays (n,)."""
     places = np.stack([np.log(ratio) / _RANGE, excess, 2.0 * _together(share, ratio) - 1.0], axis=1)
     tabled = np.abs(places[:, 0]) <= 1.0
     out = np.empty((len(places), CURVES, TERMS))

@@ -3,8 +3,8 @@ r"""A sphere on a bonded film: the exact elastic solution, with adhesion by ener
 *Assumes*: film bonded to its body, smooth sphere, $a\ll R$, no friction while it is pressed. *Source*:
 [perriot_barthel_2004] for the elastic solution, as an integral equation, derived and solved anew in `contact/layered`;
 [johnson_kendall_roberts_1971] for the energy of an adhesive edge, taken to layered bodies as [barthel_perriot_2007] do.
-With $a=\sqrt{xR\sigma}$ and the moduli $E_P$, $E_S$, $B$ (over that of the bodies without a film) and the approach $D$, functions
-of $a/t$ and the elastic constants of film and bodies,
+With $a=\sqrt{xR\sigma}$ and the moduli $E_P$, $E_S$, $B$ (over that of the bodies without a film) and the approach $D$,
+functions of $a/t$ and the elastic constants of film and bodies,
 
 $$
 \begin{aligned}
@@ -16,15 +16,16 @@ $$
 $S=\sqrt{6\pi/\theta}$; DMT's adhesion is $P=P_H-2\pi n_g/\theta$. In SI $\delta=\delta_H-\sqrt{4\pi a\gamma/S'}$ and
 $P=P_H-S\sqrt{4\pi a\gamma/S'}$ with the stiffness $S=2aE_S$ and $S'=dS/da=2B$.
 
-*Bodies*: both feel one pressure, so that their compliances add: exact for a film on one body against any other, for films on two
-like bodies (each half against a rigid plane between) and on two unlike ones, half of the thickness on each. Of `Indices`, a film
-is on one body against a rigid one, unless `film_bodies` and the groups after it say otherwise.
+*Bodies*: both feel one pressure, so that their compliances add: exact for a film on one body against any other, for films on
+two like bodies (each half against a rigid plane between) and on two unlike ones, half of the thickness on each. Of `Indices`,
+a film is on one body against a rigid one, unless `film_bodies` and the groups after it say otherwise.
 
-*Yield*: where the mean pressure reaches that at which the chosen asperity law yields on a half-space of modulus $E_P$ and hardness
-$\chi H$, $\chi$ by [`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or the composite chosen; from there the law's own plastic
-pieces follow with the modulus and Poisson's ratio felt there, on displacement, load and area of the layered contact, their load
-(but not the pull of adhesion) being as the hardness at their depth. *Reconstructed*: this continuation; it is the asperity law
-itself for thin and for thick films, and where film and body are alike. Where a hard film lets go, the load may fall with depth.
+*Yield*: where the mean pressure reaches that at which the chosen asperity law yields on a half-space of modulus $E_P$ and
+hardness $\chi H$, $\chi$ by [`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or the composite chosen. From there the law's
+own plastic pieces follow with the modulus and Poisson's ratio felt there, on displacement, load and area of the layered
+contact; their load (but not the pull of adhesion) is as the hardness at their depth. *Reconstructed*: this continuation; it is
+the asperity law itself for thin and for thick films, and where film and body are alike. Where the substrate lets a hard film
+down, the load may fall with depth.
 
 *Limit*: the asperity law on the substrate for $t\to0$ (with the film's work of adhesion) and without mismatch, on the film for
 $t\to\infty$; no jump but those of the asperity law. *Check*, $\nu=0.3$, $E_f/E_s=0.1$, rigid sphere, $a=t$: $E_P=0.1219$,
@@ -58,7 +59,7 @@ from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import FilmLaw, Validity, composites_of
 from stiction.laws.sources import Source
 
-# Between film and substrate the elastic asperity is smooth, but over decades of a/t: places u over that at a = t, where it is cut.
+# Between film and substrate the elastic asperity is smooth, but over decades of a/t: it is cut at these u, over that at a = t.
 _CUTS = np.array([20.0, 400.0, 8000.0])
 
 
@@ -118,9 +119,9 @@ RECORD = FilmLaw(
     tangential="interface",
     composites={"hardness": "bhattacharya_nix_1988"},
     own_options={"soft_film_exponent": ("2", "1")},
-    verified="integral equation solved another way, at 90 cases; closed limits; energy of an adhesive contact; asperity laws in "
-    "the limits of no film and of nothing but film",
-    needs=("theta", "lam", "nu", "n_E", "n_H", "tau", "film_aspect", "film_nu"),
+    verified="integral equation solved another way, at 90 cases; closed limits; energy of an adhesive contact; asperity laws "
+    "in the limits of no film and of nothing but film",
+    needs=("n_E", "film_aspect", "film_bodies", "coated_share", "layer_nu", "coated_nu", "other_nu"),
     validity=(Validity("n_E", 0.01, 100.0, "moduli for which the elastic solution was compared"),),
     load_falls=False,
     accuracy=1e-7,

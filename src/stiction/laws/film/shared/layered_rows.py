@@ -15,8 +15,8 @@ _THINNEST, _THICKEST = 1e-60, 1e200
 
 
 def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
-    """The parameters (n,) that `layered_sphere` takes, for contacts with a film whose groups are complete (`resolved`). pull: of
-    adhesion, as the formulas take it. Raises InputError for bodies that cannot be."""
+    """The parameters (n,) that `layered_sphere` takes, for contacts with a film whose groups are complete (`resolved`). pull:
+    of adhesion, as the formulas take it. Raises InputError for bodies that cannot be."""
     laws = len(groups)
     aspect = np.broadcast_to(groups.film_aspect / groups.film_bodies, laws)
     n_E = np.where(aspect > 0.0, groups.n_E, 1.0)

@@ -1,12 +1,14 @@
-r"""Where an asperity on a film yields, and how it goes on: an asperity law with the modulus and hardness felt there.
+"""Where an asperity on a film yields, and how it goes on: an asperity law with the modulus and hardness felt there.
 
-It yields where its mean pressure reaches that at which the asperity law yields on a half-space of the modulus E_P(a/t) and the
-hardness chi felt at this radius and depth, which is that of the same contact without the stretch of adhesion. From there on the law's own plastic pieces follow, on that half-space, moved to
-the displacement, load and area of the layered contact; all but the adhesion is as the hardness at its depth.
+It yields where its mean pressure reaches that at which the asperity law yields on a half-space of the modulus E_P and the
+hardness chi that are felt at this radius and depth; depth is that of the same contact without the stretch of adhesion. From there
+on the law's own plastic pieces follow, on that half-space, moved to the displacement, load and area of the layered contact; their
+load, but for the pull of adhesion, is as the hardness at its depth.
 """
 
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -15,11 +17,11 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.film.shared.layered_sphere import _hertzian, edged, touch
-from stiction.laws.joining import Law, coordinates, normal_states
+from stiction.laws.joining import Law, normal_states
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import Composite
 
-_STEP, _FARTHEST, _MOST_STEPS = 1.15, 1e30, 80
+_STEP, _FARTHEST, _MOST_STEPS = 1.3, 1e30, 80
 # Rounds in which the pressure at yield, which depends on the modulus under adhesion, is found.
 _ROUNDS = 6
 
@@ -37,9 +39,8 @@ class Hardness:
         self.constant = (
             record.constants(np.where(tau > 0.0, groups.n_E, 1.0), self.n_H, self.n_H) if record.constants else self.n_H
         )
-        self.depths = (
-            self.tau[:, None] * record.landmarks(self.constant, self.exponent) if record.landmarks else np.empty((laws, 0))
-        )
+        places = record.landmarks(self.constant, self.exponent) if record.landmarks else np.empty((laws, 0))
+        self.depths = self.tau[:, None] * places[:, ::2]  # every other one is enough for the accuracy of the law
 
     @property
     def row(self) -> tuple[np.ndarray, ...]:
@@ -120,7 +121,7 @@ def cut_at_yield(
         find(table, groups.eta * of_yield, of_hardness, found)
         own = felt(groups, *found[:, 1:4].T)
         pieces = law.pieces(own)
-        if np.allclose(of_yield, before, rtol=1e-12, atol=0.0):
+        if np.allclose(of_yield, before, rtol=1e-9, atol=0.0):
             break
     last = np.maximum(found[:, 0], elastic.edges[:, 0])
     until = replace(elastic, edges=np.minimum(elastic.edges, last[:, None]))
@@ -135,7 +136,7 @@ def _pressure_at_yield(pieces: list[NormalPiece], own: Groups) -> np.ndarray:
 
 
 def _last_elastic(pieces: list[NormalPiece]) -> NormalPiece:
-    return next(before for before, after in zip(pieces, pieces[1:], strict=False) if after.state != "elastic")
+    return next(before for before, after in pairwise(pieces) if after.state != "elastic")
 
 
 def _following(elastic, pieces, found, hardness: Hardness, pull) -> list[NormalPiece]:
@@ -152,22 +153,43 @@ def _following(elastic, pieces, found, hardness: Hardness, pull) -> list[NormalP
             continue
         normal, coordinate = _moved(piece.normal, piece.coordinate, hardness.value, len(piece.parameters))
         one = NormalPiece(normal, coordinate, (*piece.parameters, *move), piece.edges, piece.state)
-        kinks = (
-            np.stack([coordinates(one, w) for w in (hardness.depths - shallower[:, None]).T], axis=1)
-            if hardness.depths.size
-            else None
-        )
-        moved.append(
-            one if kinks is None else replace(one, edges=np.sort(np.concatenate([piece.edges, kinks], axis=1), axis=1))
-        )
+        kinks = _places(one, hardness.depths - shallower[:, None])
+        moved.append(replace(one, edges=np.sort(np.concatenate([piece.edges, kinks], axis=1), axis=1)))
     return moved
+
+
+def _places(piece: NormalPiece, w: np.ndarray) -> np.ndarray:
+    """Coordinates (n, m) where the displacement is w (n, m); the nearer end where the piece does not have it."""
+    out, edges = np.empty(w.shape), np.ascontiguousarray(piece.edges)
+    fill = _filling(piece.normal, piece.coordinate, len(piece.parameters))
+    fill(np.ascontiguousarray(w), columns(piece.parameters, len(w)), edges, out)
+    return out
+
+
+@cache
+def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
+    @kernel
+    def fill_places(w, table, edges, out):
+        for i in range(w.shape[0]):
+            row = unpack(table[i], parameters)
+            first, last = edges[i, 0], edges[i, edges.shape[1] - 1]
+            w_first, w_last = normal(first, *row)[0], normal(last, *row)[0]
+            for at in range(w.shape[1]):
+                inside = w_first < w[i, at] < w_last
+                out[i, at] = (
+                    min(max(coordinate(w[i, at], *row), first), last) if inside else first if w[i, at] <= w_first else last
+                )
+
+    return fill_places
 
 
 @cache
 def _moved(normal: Any, coordinate: Any, hardness: Any, parameters: int) -> tuple[Any, Any]:
-    """The formulas of a piece of so many parameters, moved. After them: what is added to displacement and load, the modulus, what
-    is added to the area, the pull, 1 over the hardness at yield, what depth is more than displacement, and the parameters of the
-    hardness."""
+    """The formulas of a piece of so many parameters, moved.
+
+    After them: what is added to displacement and load, the modulus, what is added to the area, the pull, 1 over the hardness at
+    yield, what depth is more than displacement, and the parameters of the hardness.
+    """
 
     @formula
     def along(u, *row):
