@@ -56,7 +56,7 @@ from stiction.laws.film.shared.layered_sphere import (
 from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
 from stiction.laws.joining import Law, normal_states
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Validity, composites_of
+from stiction.laws.registry import FilmLaw, Limit, Validity, composites_of
 from stiction.laws.sources import Source
 
 # Between film and substrate the elastic asperity is smooth, but over decades of a/t: it is cut at these u, over that at a = t.
@@ -123,6 +123,7 @@ RECORD = FilmLaw(
     "in the limits of no film and of nothing but film",
     needs=("n_E", "film_aspect", "film_bodies", "coated_share", "layer_nu", "coated_nu", "other_nu"),
     validity=(Validity("n_E", 0.01, 100.0, "moduli for which the elastic solution was compared"),),
+    limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-6),),
     load_falls=False,
     accuracy=1e-7,
     notes="The load passes through film and substrate alike, and is counted as the film's. After yield it is a reconstruction: "

@@ -1,9 +1,9 @@
 """Where an asperity on a film yields, and how it goes on: an asperity law with the modulus and hardness felt there.
 
 It yields where its mean pressure reaches that at which the asperity law yields on a half-space of the modulus E_P and the
-hardness chi that are felt at this radius and depth; depth is that of the same contact without the stretch of adhesion. From there
-on the law's own plastic pieces follow, on that half-space, moved to the displacement, load and area of the layered contact; their
-load, but for the pull of adhesion, is as the hardness at its depth.
+hardness chi that are felt at this radius and depth; depth is that of the same contact without the stretch of adhesion. From
+there on the law's own plastic pieces follow, on that half-space, moved to the displacement, load and area of the layered
+contact; their load, but for the pull of adhesion, is as the hardness at its depth.
 """
 
 from dataclasses import replace
