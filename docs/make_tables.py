@@ -151,7 +151,6 @@ def section(model: dict) -> str:
     options = options_of(model)
     lines = [f"### {heading(model)}", "", text_of(record), "", f"- Grade {model['grade']}: {GRADES[model['grade']]}"]
     lines += [f"- Source: {source}" for source in model["source"]]
-    lines += [f"- Missing: {model['unknown']}", f"- Nearest to it here: {model['nearest']}"] if "unknown" in model else []
     lines += [f"- Checked against: {model['verified']}"]
     lines += [f"- Reference values: [`{name}`](../tests/reference/{name})" for name in reference_tables(record)]
     good = "Sigma and R of wide paraboloids" if model["kind"] == "asperity method" else "Sums"
@@ -160,7 +159,7 @@ def section(model: dict) -> str:
     lines += [f"- Only with asperity laws marked {trait}: {why}" for trait, why in model.get("wants", {}).items()]
     lines += [f"- Marked: {', '.join(model['traits'])}"] if model.get("traits") else []
     lines += more(record)
-    lines += [f"- Valid for: {rule}" for rule in model["validity"] or ["no range is stated"] if "unknown" not in model]
+    lines += [f"- Valid for: {rule}" for rule in model["validity"] or ["no range is stated"]]
     lines += [f"- Depends on: {', '.join(f'`{name}`' for name in model['needs'])}"] if model["needs"] else []
     lines += [f"- Options, the default first: {'; '.join(options)}"] if options else []
     lines += [f"- Note: {model['notes']}"] if model["notes"] else []
@@ -264,7 +263,6 @@ NAMES = {
     "stiffness before sliding": "presliding",
     "criteria": "criterion",
     "ways of finding asperities": "asperity method",
-    "models that are not available": "not available",
 }
 
 TABLES = {

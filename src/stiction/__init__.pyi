@@ -9,6 +9,7 @@ from .engine.heights import height_distribution as height_distribution
 from .laws.finding import asperities as asperities
 from .laws.overview import cite as cite
 from .laws.overview import models as models
+from .quantities.errors import InputDoubt as InputDoubt
 from .quantities.errors import InputError as InputError
 from .quantities.units import axis as axis
 from .solving.evaluate import Evaluation as Evaluation

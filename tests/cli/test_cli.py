@@ -253,7 +253,7 @@ def test_the_command_itself_prints_one_line_and_no_traceback(tmp_path):
     code = "from stiction.cli import main; main()"
     done = subprocess.run([sys.executable, "-c", code, "run", str(case)], capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.startswith("stiction: indices.theta: -1") and done.stderr.endswith("; allowed: > 0\n")
+    assert done.stderr.startswith("stiction: indices.theta: -1") and done.stderr.endswith("; allowed: >= 1e-12 and <= 1e+40\n")
     assert done.stderr.count("\n") == 1
 
 

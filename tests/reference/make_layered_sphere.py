@@ -1,4 +1,4 @@
-"""`layered_sphere.csv` of `layered`: a rigid sphere on a bonded film; and a coated body pressed by an elastic one. Half a minute.
+"""`layered_sphere.csv` of `layered`: a rigid sphere on a bonded film; and a coated body pressed by an elastic one. 30 s.
 
 The compliance of each wave is that of six equations: displacements and tractions of a film on a half-space in plane strain,
 from stress functions (a + b z) exp(-z) + (c + d z) exp(z). The integral equation is solved on Gauss-Legendre points of the

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from stiction.quantities import units
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import axis, show, to_si
@@ -161,6 +162,7 @@ def test_show(value, name, text):
     st.floats(1e-20, 1e20),
 )
 def test_what_is_shown_reads_back(name, value):
+    value = max(value, QUANTITIES[name].lower)
     assert to_si(show(value, name), name) == pytest.approx(value, rel=1e-5)
 
 
@@ -194,3 +196,17 @@ def test_slow_libraries_are_not_imported_before_they_are_needed():
     code = f"import stiction.studies.case, sys; print(sorted({slow} & set(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_damaged_definitions_of_units_are_made_anew(tmp_path, monkeypatch):
+    monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))
+    units._registry.cache_clear()
+    units._registry()
+    kept = {file: file.stat().st_size for file in tmp_path.rglob("*") if file.is_file()}
+    assert kept
+    for file in kept:
+        file.write_bytes(file.read_bytes()[:20])
+    units._registry.cache_clear()
+    assert units._registry().Quantity(1, "inch").to("m").magnitude == pytest.approx(0.0254)
+    assert {file: file.stat().st_size for file in kept} == kept
+    units._registry.cache_clear()

@@ -4,6 +4,7 @@ from typing import Annotated
 
 import typer
 
+from stiction.cli.output import print_json
 from stiction.cli.program import Json, app, console
 
 
@@ -18,9 +19,7 @@ def models(
 
     rows = all_models(keys or None)
     if json:
-        from stiction.report.files import as_json
-
-        print(as_json(rows))
+        print_json(rows)
         return
     from stiction.report.tables import grades, model_in_full, models_tables
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stiction.cli.output import print_json
 from stiction.cli.program import Json, Out, TakesOptionsOfRecords, app, busy, console, options_of_records, solving, written
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import without_old_names
@@ -31,12 +32,13 @@ def run(
     context: typer.Context,
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact and what to solve.")],
     out: Out = None,
-    model: Annotated[str | None, typer.Option(help="Key of a rough-surface model, see: stiction models.")] = None,
+    model: Annotated[str | None, typer.Option(help="Any model that stiction compare shows, or: recommended.")] = None,
     asperity: Annotated[str | None, typer.Option(help="Asperity law in place of its own.")] = None,
     tangential: Annotated[str | None, typer.Option(help="Tangential law in place of its own; none: contact only.")] = None,
     film: Annotated[str | None, typer.Option(help="Film law in place of its own.")] = None,
     coating_law: Annotated[str | None, typer.Option(hidden=True)] = None,
     presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
+    load: Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')] = None,
     json: Json = False,
 ) -> None:
     """Solve a case: friction coefficient, contact area and load along a curve.
@@ -53,6 +55,7 @@ def run(
         from stiction.studies.case import read_case
 
         chosen = read_case(case)
+        chosen = chosen if load is None else chosen.at_load(load)
     given = {"film": film, "coating_law": coating_law, "presliding": presliding}
     laws = {"model": model, "asperity": asperity, "tangential": tangential} | without_old_names(given)
     data = _solve(chosen, laws, options_of_records(context))
@@ -94,10 +97,10 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
 
 
 def _print_json(case: "Case", data: "xarray.Dataset") -> None:
-    from stiction.report.files import as_json, record
+    from stiction.report.files import record
 
     measured = {} if case.measured is None else {"measured": case.measured.record()}
-    print(as_json(record(data, case.subject.groups()) | measured))
+    print_json(record(data, case.subject.groups()) | measured)
 
 
 def _print_run(case: "Case", data: "xarray.Dataset") -> None:

@@ -10,6 +10,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.contact.indices import HARDNESS_TO_YIELD, Indices, plain_number
 from stiction.contact.materials import Material, as_material
 from stiction.contact.subject import Scales, Subject
+from stiction.quantities.dimensions import coordinates, named_by
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
@@ -39,7 +40,8 @@ class Coating(Input):
 
     material: Material, name of a preset, or dict of its numbers. bodies: which body carries it; with
     "both", the default and the paper's case, film meets film and `thickness` is the sum of the two.
-    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact.
+    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact. friction_constant: C
+    of mu = (C t/W)^(1/3), which one film law takes (Ravindran et al. 1980); left out, it follows from strength and hardness.
     The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
     yield_stress or tangent_modulus of the film is not used. Raises InputError.
     """
@@ -48,6 +50,7 @@ class Coating(Input):
     thickness: Number
     bodies: Literal["both", "first", "second"] = "both"
     work_of_adhesion: OptionalNumber = None
+    friction_constant: OptionalNumber = None
 
 
 class Roughness(Input):
@@ -111,7 +114,9 @@ class Contact(Subject):
                 groups = self._groups()
         except ArithmeticError:
             raise InputError("contact", "numbers out of all proportion", "numbers of real materials") from None
-        return Indices(**groups)
+        # Of quantities along one dimension each would name its points, and a group takes the names of whichever it depends on.
+        names = coordinates(self.arrays())
+        return Indices(**{name: named_by(value, names) for name, value in groups.items()})
 
     def _groups(self) -> dict[str, Any]:
         bare = _pair(self.first, self.second)
@@ -135,7 +140,7 @@ class Contact(Subject):
             groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
         if self.coating is not None:
             film = _pair(self.coating.material, self._against_film(self.coating))
-            film_gamma = self.coating.work_of_adhesion
+            film_gamma, constant = self.coating.work_of_adhesion, self.coating.friction_constant
             groups |= {
                 # theory 4; the ratio of K is the paper's n_E = E_c/E_s where film and bodies share one nu
                 "n_E": film.K / bare.K,
@@ -145,6 +150,7 @@ class Contact(Subject):
                 "film_aspect": self.coating.thickness / (radius * sigma) ** 0.5,
                 "film_nu": film.nu,
                 "film_K_beta": film.K * film.beta,
+                "film_friction_constant": None if constant is None else constant / (bare.K * (radius * sigma) ** 0.5),
             }
             groups |= self._layer(self.coating)
         return groups
@@ -210,6 +216,7 @@ class Contact(Subject):
             contact_area=pi * self._radius * self._sigma,
             separation=self._sigma,
             asperities=self.roughness.asperity_density * self.nominal_area,
+            nominal_area=self.nominal_area,
         )
 
     @property

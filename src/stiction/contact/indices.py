@@ -8,9 +8,9 @@ import numpy as np
 from pydantic import model_validator
 
 from stiction.contact.subject import Scales, Subject
-from stiction.quantities.dimensions import flattened
+from stiction.quantities.dimensions import check_names, flattened
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Number, OptionalNumber
+from stiction.quantities.inputs import Number, OptionalNumber, floats
 from stiction.quantities.table import QUANTITIES
 
 __all__ = ["Groups", "Indices", "hardness_group", "stiffness_group"]
@@ -20,7 +20,7 @@ HARDNESS_TO_YIELD = 2.8
 
 # How the film is spread over the bodies, and their elastic constants one by one: what an exact elastic solution asks for.
 _LAYER = ("film_bodies", "coated_share", "layer_nu", "coated_nu", "other_nu")
-_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", *_LAYER)
+_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", "film_friction_constant", *_LAYER)
 
 
 def hardness_group(theta, lam):
@@ -33,15 +33,25 @@ def stiffness_group(nu):
     return 8.0 / 3.0 * (2.0 - nu) / (1.0 - nu)
 
 
+def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
+    """Raise InputError unless the film alone, as a half-space, has groups within the bounds of theta and lambda. Arrays."""
+    with np.errstate(over="ignore"):
+        alone = {"theta": (theta * n_E / n_g, n_E), "lam": (lam * (n_H * n_H / (n_E * n_g)) ** 2, n_H)}
+    for (name, (value, ratio)), field in zip(alone.items(), ("n_E", "n_H"), strict=True):
+        bounds = QUANTITIES[name]
+        if not np.all((value >= bounds.lower) & (value <= bounds.upper)):
+            raise InputError(field, ratio, f"what leaves {bounds.symbol} of the film alone {bounds.allowed}")
+
+
 class Indices(Subject):
     """The dimensionless groups of theory 1 and 4: all that a model needs to know of a contact.
 
     Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
-    half-space to every asperity. film_bodies left out is 1; coated_share left out is 1, a rigid counterbody, or 1/2, bodies
-    alike, if both carry the film; layer_nu left out is film_nu, coated_nu and other_nu are nu. The last eight are needed by
-    some laws only. Raises InputError.
+    half-space to every asperity; film_friction_constant left out follows from strength and hardness. film_bodies left out is 1;
+    coated_share left out is 1, a rigid counterbody, or 1/2, bodies alike, if both carry the film; layer_nu left out is film_nu,
+    coated_nu and other_nu are nu. These and the last eight are needed by some laws only. Raises InputError.
     """
 
     theta: Number
@@ -56,6 +66,7 @@ class Indices(Subject):
     K_beta: OptionalNumber = None
     film_nu: OptionalNumber = None
     film_K_beta: OptionalNumber = None
+    film_friction_constant: OptionalNumber = None
     film_bodies: OptionalNumber = None
     coated_share: OptionalNumber = None
     layer_nu: OptionalNumber = None
@@ -91,6 +102,8 @@ class Indices(Subject):
         if self.film_bodies is not None and not np.isin(self.film_bodies, (1, 2)).all():
             raise InputError("film_bodies", self.film_bodies, "1 or 2")
         self.check_dimensions()
+        if not missing and self.theta is not None:
+            check_film(self.theta, self.lam, self.n_E, self.n_H, self.n_g)
         return self
 
     @property
@@ -157,12 +170,19 @@ class Indices(Subject):
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def read(self, value: Any, name: str) -> Any:
-        try:
-            array = value if hasattr(value, "dims") else np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(name, value, "numbers, normalised like the indices") from None
+        normalised, labelled = "numbers, normalised like the indices", hasattr(value, "dims")
+        array = floats(value.values if labelled else value, name, normalised)
         if not np.all(np.isfinite(array)):
             raise InputError(name, value, "finite numbers")
+        if labelled:
+            check_names(value, name)
+            if (unit := value.attrs.get("units", "1")) not in ("", "1"):
+                raise InputError(name, f"numbers in {unit}", f"{normalised}: they have no unit")
+            return value.copy(data=array) if array.ndim else float(array)
+        if array.ndim > 1:
+            raise InputError(
+                name, f"array of shape {array.shape}", "one number, one row of them, or an array with named dimensions"
+            )
         return array if array.ndim else float(array)
 
     def read_point(self, entry: Any, name: str, where: str) -> float:

@@ -13,17 +13,20 @@ class Scales:
     """What the dimensionless results of a contact are multiplied by to be in SI units.
 
     load [N] and contact_area [m^2] per asperity, separation [m], asperities: their number on the nominal
-    area. The load of the whole contact is its dimensionless value times load times asperities.
+    area, nominal_area [m^2], None where it is not known. The load of the whole contact is its dimensionless value times load
+    times asperities.
     """
 
     load: Any = 1.0
     contact_area: Any = 1.0
     separation: Any = 1.0
     asperities: Any = 1.0
+    nominal_area: Any = None
 
     def factors(self) -> dict[str, Any]:
         """The factor of results of the whole contact for each scale of the table of quantities: an SI unit, or "count"."""
-        return {
+        pressure = {} if self.nominal_area is None else {"Pa": self.load * self.asperities / self.nominal_area}
+        return pressure | {
             "N": self.load * self.asperities,
             "m^2": self.contact_area * self.asperities,
             "m": self.separation,

@@ -22,17 +22,29 @@ TRAITS = {
 }
 
 
+# What it means to leave a range, the worst first.
+KINDS_OF_DOUBT = {
+    "impossible": "cannot be so",
+    "effect": "leaves out what matters here",
+    "assumption": "an assumption of the model fails",
+    "fit": "beyond the numbers it was fitted to",
+    "statistics": "too few asperities for an average",
+}
+
+
 @dataclass(frozen=True)
 class Validity:
     """A range in which the authors claim their model, or beyond which an assumption fails.
 
-    quantity: a name in `quantities`, in the sense used there; low and high: the range; why: what fails outside.
+    quantity: a name in `quantities`, in the sense used there; low and high: the range; why: what fails outside; kind: which
+    of KINDS_OF_DOUBT that is.
     """
 
     quantity: str
     low: float
     high: float
     why: str
+    kind: str = "assumption"
 
     @property
     def range(self) -> str:

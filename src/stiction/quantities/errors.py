@@ -1,8 +1,8 @@
-"""The one error that a user's input can cause."""
+"""The one error that a user's input can cause, and the one warning."""
 
 import re
 
-__all__ = ["InputError"]
+__all__ = ["InputDoubt", "InputError"]
 
 _LONGEST = 80  # of a longer value the two ends are shown: of a path, the end says most
 
@@ -34,3 +34,7 @@ class InputError(ValueError):
     def __str__(self) -> str:
         field, allowed = (re.sub(r"\s+", " ", text) for text in (self.field, self.allowed))
         return f"{field}: {_short(self.value)}; allowed: {allowed}"
+
+
+class InputDoubt(UserWarning):
+    """Something given is usable, but out of all proportion: most likely it was not meant."""

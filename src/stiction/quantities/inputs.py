@@ -13,7 +13,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES, Quantity
 from stiction.quantities.units import to_si
 
-__all__ = ["Input", "Number", "OptionalNumber", "nearest", "unnamed"]
+__all__ = ["Input", "Number", "OptionalNumber", "floats", "nearest", "unnamed"]
 
 
 def nearest(word: str, known) -> str:
@@ -21,6 +21,18 @@ def nearest(word: str, known) -> str:
     close = difflib.get_close_matches(str(word), list(known), n=3, cutoff=0.5)
     every = ", ".join(known)
     return f"{' or '.join(close)} (all: {every})" if close else every
+
+
+def floats(value: Any, field: str, allowed: str) -> np.ndarray:
+    """Numbers without a unit, of any shape, as an array of floats, checked no further; InputError for what are none: dates,
+    bytes, complex numbers and truths, too, which numpy would turn into some."""
+    try:
+        given = np.asarray(value)
+        if given.dtype.kind not in "iufUO":
+            raise TypeError
+        return given.astype(float, copy=False)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(field, value, allowed) from None
 
 
 @contextmanager

@@ -65,6 +65,13 @@ _NOT_NEGATIVE = (0.0, inf, True, False)
 _FROM_ONE = (1.0, inf, True, False)
 _SHARE = (0.0, 1.0, True, True)
 _SHARE_BELOW_ONE = (0.0, 1.0, True, False)
+# Softer than any solid: a number meant in GPa, or mPa for MPa.
+_SOLID = (1e3, inf, True, False)
+# Dimensionless groups: beyond these no contact is, and sums and their limits lose their digits or all of their size.
+_GROUP = (1e-9, 1e9, True, True)
+_THETA = (1e-12, 1e40, True, True)
+_LAMBDA = (1e-60, 1e120, True, True)
+_LENGTH_RATIO = (0.0, 1e15, True, True)
 # nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
 # Below 0 nothing was checked.
 _POISSON = (0.0, 0.5, True, False)
@@ -76,11 +83,11 @@ _COUNT = "number of asperities"
 # fmt: off
 _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     # materials
-    ("youngs_modulus", "E", "E", "Pa", _POSITIVE, "210 GPa", "Young's modulus"),
+    ("youngs_modulus", "E", "E", "Pa", _SOLID, "210 GPa", "Young's modulus"),
     ("poissons_ratio", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio"),
-    ("hardness", "H", "H", "Pa", _POSITIVE, "7.3 GPa",
+    ("hardness", "H", "H", "Pa", _SOLID, "7.3 GPa",
      "hardness, the mean pressure of a fully plastic contact"),
-    ("yield_stress", "Y", "Y", "Pa", _POSITIVE, "2.5 GPa", "yield stress in tension"),
+    ("yield_stress", "Y", "Y", "Pa", _SOLID, "2.5 GPa", "yield stress in tension"),
     ("tangent_modulus", "E_t", r"E_\mathrm{t}", "Pa", _NOT_NEGATIVE, "2 GPa",
      "tangent modulus, the slope of stress over strain beyond yield"),
     ("surface_energy", "gamma_s", r"\gamma_s", "J/m^2", _POSITIVE, "1.25 J/m^2",
@@ -96,26 +103,28 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "energy of the closed interface"),
     ("thickness", "t", "t", "m", _POSITIVE, "200 nm",
      "film thickness, of both films together if there are two"),
+    ("friction_constant", "C", "C", "N/m", _POSITIVE, "2 N/m",
+     "constant of the film's friction mu = (C t/W)^(1/3) of one asperity"),
     ("hardness_to_yield", "k", "k", "", _FROM_ONE, "2.8", "hardness over yield stress, H/Y"),
     ("interfacial_shear_strength", "tau_0", r"\tau_0", "Pa", _NOT_NEGATIVE, "20 MPa",
      "shear strength of the interface at no pressure"),
     ("equilibrium_distance", "epsilon", r"\varepsilon", "m", _POSITIVE, "0.3 nm",
      "equilibrium distance of two surfaces"),
     # dimensionless groups
-    ("theta", "theta", r"\theta", "", _POSITIVE, "40",
+    ("theta", "theta", r"\theta", "", _THETA, "40",
      "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2))"),
-    ("lam", "lambda", r"\lambda", "", _POSITIVE, "10",
+    ("lam", "lambda", r"\lambda", "", _LAMBDA, "10",
      "plastic adhesion index pi^2 R H^4 sigma / (18 K^2 gamma^2)"),
     ("nu", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio of the softer body"),
-    ("K_beta", "K beta", r"K\beta", "", _POSITIVE, "6.476", "normal stiffness times tangential compliance"),
-    ("n_E", "n_E", "n_E", "", _POSITIVE, "1.5", "film modulus over substrate modulus"),
-    ("n_H", "n_H", "n_H", "", _POSITIVE, "0.5", "film hardness over substrate hardness"),
-    ("tau", "tau", r"\tau", "", _NOT_NEGATIVE, "2", "film thickness over sigma, t / sigma"),
-    ("n_g", "n_g", "n_g", "", _POSITIVE, "1", "work of adhesion of the film over that of the substrate"),
-    ("film_aspect", "t/sqrt(R sigma)", r"t/\sqrt{R\sigma}", "", _NOT_NEGATIVE, "0.13",
+    ("K_beta", "K beta", r"K\beta", "", _GROUP, "6.476", "normal stiffness times tangential compliance"),
+    ("n_E", "n_E", "n_E", "", _GROUP, "1.5", "film modulus over substrate modulus"),
+    ("n_H", "n_H", "n_H", "", _GROUP, "0.5", "film hardness over substrate hardness"),
+    ("tau", "tau", r"\tau", "", _LENGTH_RATIO, "2", "film thickness over sigma, t / sigma"),
+    ("n_g", "n_g", "n_g", "", _GROUP, "1", "work of adhesion of the film over that of the substrate"),
+    ("film_aspect", "t/sqrt(R sigma)", r"t/\sqrt{R\sigma}", "", _LENGTH_RATIO, "0.13",
      "film thickness over sqrt(R sigma)"),
     ("film_nu", "nu_c", r"\nu_\mathrm{c}", "", _POISSON, "0.3", "Poisson's ratio in the film's contact"),
-    ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _POSITIVE, "6.476",
+    ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _GROUP, "6.476",
      "K beta of the film's contact"),
     ("film_bodies", "n_b", r"n_\mathrm{b}", "", (1.0, 2.0, True, True), "2",
      "bodies that carry the film: one, or both, half of it each"),
@@ -124,6 +133,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("layer_nu", "nu_f", r"\nu_\mathrm{f}", "", _POISSON, "0.3", "Poisson's ratio of the film itself"),
     ("coated_nu", "nu_1", r"\nu_1", "", _POISSON, "0.3", "Poisson's ratio of the coated body, of the first if both are"),
     ("other_nu", "nu_2", r"\nu_2", "", _POISSON, "0.3", "Poisson's ratio of the other body"),
+    ("film_friction_constant", "C/(K sqrt(R sigma))", r"C/(K\sqrt{R\sigma})", "", _POSITIVE, "1e-4",
+     "constant of the film's friction (C t/W)^(1/3) over K sqrt(R sigma)"),
     ("tabor_parameter", "mu_T", r"\mu_\mathrm{T}", "", _POSITIVE, "2",
      "Tabor parameter (R gamma^2 / (E*^2 epsilon^3))^(1/3)"),
     ("sharpness", "sqrt(sigma/R)", r"\sqrt{\sigma/R}", "", _POSITIVE, "0.03", "sqrt(sigma/R)"),
@@ -178,6 +189,23 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "static friction coefficient T/P, undefined where P <= 0"),
     ("tangential_stiffness", "k_t", r"k_\mathrm{t}", "N/m", _NOT_NEGATIVE, "K R^(1/2) sigma^(1/2) per asperity",
      "tangential stiffness before anything slides"),
+    ("area_fraction", "A/A_n", r"A/A_\mathrm{n}", "", _NOT_NEGATIVE, "", "real contact area over the nominal one"),
+    ("nominal_pressure", "P/A_n", r"P/A_\mathrm{n}", "Pa", _ANY, _LOAD, "net load over the nominal contact area"),
+    ("nominal_pressure_over_hardness", "P/(A_n H)", r"P/(A_\mathrm{n}H)", "", _ANY, "",
+     "nominal pressure over the hardness of what is softest"),
+    ("mean_pressure_over_hardness", "P/(A H)", r"P/(AH)", "", _ANY, "",
+     "mean pressure in contacts over the hardness of what bears the load"),
+    ("touching_share", "n/(N A_n)", r"n/(NA_\mathrm{n})", "", _SHARE, "", "share of the asperities that touch"),
+    ("asperity_area_over_yield", "A/(n A_c)", r"A/(nA_\mathrm{c})", "", _NOT_NEGATIVE, "",
+     "mean contact area of a touching asperity over that at first yield"),
+    ("adhesion_share", "n P_0/P", r"nP_0/P", "", _NOT_NEGATIVE, "",
+     "pull-off forces of the touching asperities over the load"),
+    ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
+     "share of the load on asperities that the model gives no friction"),
+    ("rms_slope", "h'", r"h'", "", _NOT_NEGATIVE, "", "rms slope of the Gaussian surface that has these asperities"),
+    ("film_plasticity_index", "psi_f", r"\psi_\mathrm{f}", "", _POSITIVE, "",
+     "plasticity index (E*/H) (sigma/R)^(1/2) of the film's contact"),
+    ("thickness_over_radius", "t/R", r"t/R", "", _NOT_NEGATIVE, "", "film thickness over asperity radius"),
     ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, _COUNT, "number of touching asperities"),
     ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,
      "largest tension that is carried"),

@@ -4,6 +4,7 @@ pint knows the units; it is slow to import, so it is imported when the first uni
 """
 
 import re
+import shutil
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
@@ -12,8 +13,10 @@ from numbers import Real
 import numpy as np
 
 from stiction.quantities.cache import cache_folder
-from stiction.quantities.dimensions import without_indexes
+from stiction.quantities.dimensions import check_names, without_indexes
 from stiction.quantities.errors import InputError
+from stiction.quantities.hardness import from_hardness_test
+from stiction.quantities.hints import meant, too_soft, with_a_point
 from stiction.quantities.table import QUANTITIES, Quantity
 
 __all__ = ["axis", "show", "to_si"]
@@ -23,6 +26,7 @@ _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s
 _POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
 _UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
 _LONGEST_TEXT = 100  # no quantity takes more, and the patterns above take their time over megabytes
+_DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 
@@ -71,13 +75,15 @@ def axis(name: str, values, dimension: str | None = None):
     """
     import xarray
 
-    if name not in QUANTITIES:
+    if not isinstance(name, str) or name not in QUANTITIES:
         raise InputError("axis", name, "the name of a quantity: " + ", ".join(QUANTITIES))
     quantity = QUANTITIES[name]
     numbers = np.atleast_1d(np.asarray(to_si(values, name)))
     if numbers.ndim != 1:
         raise InputError(name, f"array of shape {numbers.shape}", "one row of values")
     dimension = dimension or name
+    if not isinstance(dimension, str):
+        raise InputError("dimension", dimension, "a name, as text")
     attributes = {"units": quantity.unit or "1", "long_name": quantity.meaning}
     coordinate = xarray.DataArray(numbers, dims=(dimension,), attrs=attributes)
     return xarray.DataArray(numbers, dims=(dimension,), coords={dimension: coordinate}, name=name, attrs=attributes)
@@ -85,14 +91,16 @@ def axis(name: str, values, dimension: str | None = None):
 
 def _from_text(text: str, quantity: Quantity) -> float:
     match = _NUMBER_AND_UNIT.fullmatch(text) if len(text) <= _LONGEST_TEXT else None
-    if match is None:
-        raise InputError(quantity.name, text, quantity.wanted)
+    if match is None or _DECIMAL_COMMA.match(text[:_LONGEST_TEXT]):
+        raise InputError(quantity.name, text, quantity.wanted + with_a_point(text))
     number, unit = match.groups()
     rounded = float(number)
     if not unit:
         if quantity.unit:
-            raise InputError(quantity.name, text, "a number with its unit: " + quantity.wanted)
+            raise InputError(quantity.name, text, f"a number with its unit: {quantity.wanted}{meant(number, '', quantity)}")
         return rounded
+    if quantity.name == "hardness" and (pressure := from_hardness_test(rounded, unit, text)) is not None:
+        return pressure
     factor = _factor(unit, quantity, text)
     if rounded == 0 or not np.isfinite(rounded):
         return rounded  # also keeps a number like 1e999999999 away from exact arithmetic
@@ -110,7 +118,9 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
         import pint
 
         problem = "another dimension" if isinstance(error, pint.DimensionalityError) else "no known unit"
-        raise InputError(quantity.name, text, f"{quantity.wanted} (what was given has {problem})") from None
+        number = text.removesuffix(unit).strip()
+        told = f"{quantity.wanted} (what was given has {problem}){meant(number, unit, quantity)}"
+        raise InputError(quantity.name, text, told) from None
 
 
 @cache
@@ -126,10 +136,13 @@ def _registry():
     kept for another release, or cannot be read or written, is made anew."""
     import pint
 
-    try:
-        return pint.UnitRegistry(non_int_type=Fraction, cache_folder=cache_folder(f"units-{pint.__version__}"))
-    except Exception:  # of a damaged file, anything that unpickling may raise
-        return pint.UnitRegistry(non_int_type=Fraction)
+    kept = cache_folder(f"units-{pint.__version__}")
+    for _ in range(2):
+        try:
+            return pint.UnitRegistry(non_int_type=Fraction, cache_folder=kept)
+        except Exception:  # of a damaged file, anything that unpickling may raise: it is made anew
+            shutil.rmtree(kept, ignore_errors=True)
+    return pint.UnitRegistry(non_int_type=Fraction)
 
 
 @cache
@@ -153,6 +166,7 @@ def _unit_errors() -> tuple[type[Exception], ...]:
 
 
 def _from_labelled(array, quantity: Quantity):
+    check_names(array, quantity.name)
     values = _from_numbers(array.values, quantity)
     unit = str(array.attrs.get("units", quantity.unit))
     if unit not in (quantity.unit, quantity.unit or "1"):  # xarray users write "1" where there is no unit
@@ -197,6 +211,18 @@ def _check(number, quantity: Quantity, given) -> None:
     below = values <= quantity.upper if quantity.upper_included else values < quantity.upper
     good = np.isfinite(values) & above & below
     if not good.all():
-        worst = values[~good][0]
+        place = tuple(index[0] for index in np.nonzero(~good)) if values.ndim else ()
+        worst = float(values[place])
         allowed = quantity.allowed if np.isfinite(worst) else f"finite, {quantity.allowed}"
-        raise InputError(quantity.name, given if isinstance(given, str) else float(worst), allowed)
+        told = _as_given(given, place, worst)
+        raise InputError(quantity.name, told, allowed + too_soft(told, worst, quantity))
+
+
+def _as_given(given, place: tuple[int, ...], worst: float):
+    """The one value that is out of bounds as it was written, with its unit if it had one."""
+    if isinstance(given, str):
+        return given
+    if isinstance(given, list | tuple) and len(place) == 1:
+        return given[place[0]]
+    unit = getattr(given, "attrs", {}).get("units", "")
+    return f"{given.values[place]:g} {unit}" if unit not in ("", "1") else worst

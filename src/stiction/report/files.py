@@ -1,9 +1,13 @@
 """What leaves the program: one JSON object, and a folder with a table, a netCDF file and a picture."""
 
 import csv
+import io
 import json
 import math
+import re
+import shutil
 import tempfile
+import time
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,11 +22,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _DOTS_PER_INCH = 150
+_ABANDONED = 600.0  # s: in less, whoever is alive has written something
 
 
-def as_json(content: Any) -> str:
-    """Strict JSON: NaN and infinities, which it does not know, become null."""
-    return json.dumps(_plain(content), ensure_ascii=False, allow_nan=False, indent=2)
+def as_json(content: Any, only_ascii: bool = False) -> str:
+    """Strict JSON: NaN and infinities, which it does not know, become null; only_ascii: other characters are escaped."""
+    return json.dumps(_plain(content), ensure_ascii=only_ascii, allow_nan=False, indent=2)
 
 
 def _plain(value: Any) -> Any:
@@ -81,8 +86,13 @@ def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]]) 
 
 
 def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
-    """netCDF4, to be opened again with xarray.open_dataset(path)."""
-    data.to_netcdf(path, engine="h5netcdf")
+    """netCDF4, to be opened again with xarray.open_dataset(path).
+
+    Made in memory first: on a disk that is full the library would not only fail, but take the program down with it.
+    """
+    made = io.BytesIO()
+    data.to_netcdf(made, engine="h5netcdf")
+    path.write_bytes(made.getbuffer())
 
 
 def write_picture(figure: "Figure", path: Path) -> None:
@@ -106,6 +116,7 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
     folder = folder.resolve()
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
+        _clear_abandoned(folder)
         with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as beside:
             made = Path(beside) / "files"  # with the usual permissions, which a temporary folder has not
             made.mkdir()
@@ -118,3 +129,14 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
                 (made / name).replace(folder / name)
     except OSError as error:
         raise InputError("--out", str(folder), f"a folder that can be written ({error.strerror or error})") from None
+
+
+def _clear_abandoned(folder: Path) -> None:
+    """Remove what a program that was killed left beside the folder: nothing has been written there for a while."""
+    made_up = re.compile(rf"\.{re.escape(folder.name)}-[a-z0-9_]{{8}}")  # as tempfile names them
+    for beside in folder.parent.iterdir():
+        if made_up.fullmatch(beside.name) and beside.is_dir() and not beside.is_symlink():
+            inside = [one.name for one in beside.iterdir()]
+            written = [one.lstat().st_mtime for one in (beside, *beside.rglob("*"))]
+            if inside in ([], ["files"]) and max(written) < time.time() - _ABANDONED:
+                shutil.rmtree(beside, ignore_errors=True)

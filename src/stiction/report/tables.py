@@ -15,6 +15,7 @@ from stiction.laws.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSu
 from stiction.laws.validity import doubts_of, read_doubts
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.report.comparison_rows import run_command
 
 if TYPE_CHECKING:
     import xarray
@@ -221,13 +222,14 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
     if "working_load" in used:
         plain = data["load"].attrs.get("units", "1") == "1"
         load = f"{used['working_load']:.4g}" if plain else shown(used["working_load"], "load")
-        lines.append(
-            Text(
-                f"working load {load}: mu {_range(used['spread'])} over all models, "
-                f"{_range(used['spread_within_validity'])} within their validity"
-            )
-        )
+        lines.append(Text(f"working load {load}: mu {_range(used['spread'])} over all models, {_within(data)}"))
         lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
+        if used["recommended"] in data["model"]:
+            low, high = used["recommended_range"]
+            lines.append(Text(f"two thirds of the weight of the models: mu {low:.3g} to {high:.3g}", style="bold"))
+            lines.append(Text(f"to run it: {run_command(data, used['recommended'])}"))
+        if used["advice"]:
+            lines.append(Text(f"what would have to change: {used['advice']}", style="bold yellow"))
         if "friction_coefficient_at_load_low" in data and used["recommended"] in data["model"]:
             best = data.sel(model=used["recommended"])
             mu = _short(float(best["friction_coefficient_at_load"]))
@@ -239,6 +241,17 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
     lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts(data), start=1)]
     lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]
     return lines
+
+
+def _within(data: "xarray.Dataset") -> str:
+    """The spread of the models within their validity, and of how many: one is an opinion and no range."""
+    judged = np.isfinite(data["friction_coefficient_at_load"].values)
+    within = [one for one in np.flatnonzero(judged) if not data["outside_validity"].values[one]]
+    if len(within) == 1:
+        one = data.isel(model=int(within[0]))
+        mu = _short(float(one["friction_coefficient_at_load"]))
+        return f"{mu} by the only one within its validity, {one['model'].item()} of grade {one['grade'].item()}: no range"
+    return f"{_range(data.attrs['spread_within_validity'])} of the {len(within)} within their validity"
 
 
 def _range(ends: list[float]) -> str:
@@ -255,9 +268,9 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
         table = Table(box=SIMPLE_HEAD, title=kind, title_style="bold", title_justify="left", pad_edge=False, expand=True)
         table.add_column("key", no_wrap=True, width=31)
         table.add_column("grade", no_wrap=True)
-        table.add_column("what is not known" if "unknown" in some[0] else "what it is, and for what it is valid", ratio=1)
+        table.add_column("what it is, and for what it is valid", ratio=1)
         for row in some:
-            said = row.get("unknown") or "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
+            said = "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
             table.add_row(Text(row["key"]), Text(row["grade"]), Text(said))
         tables.append(table)
     return Group(*tables)
@@ -267,7 +280,7 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
 _LINE_ENDS = re.compile(r"(?<=\S)(?<!\$\$)\n(?!\$\$)(?=[^\s|-])")
 # What a record says in full, besides its options: the name of the entry and how it is called.
 _IN_FULL = {
-    "source": "source", "unknown": "not known", "nearest": "nearest to it", "verified": "checked against", "jumps": "jumps",
+    "source": "source", "verified": "checked against", "jumps": "jumps",
     "traits": "marked", "validity": "valid for", "limits": "becomes", "needs": "depends on", "notes": "note",
 }  # fmt: skip
 

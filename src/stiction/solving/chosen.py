@@ -64,6 +64,8 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         return Chosen(model, None, tangential, None, None, _options(choice, model, tangential))
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
+    if choice.film and not coated:
+        find(choice.film, FilmLaw)  # one that is known waits for a contact with a film; one that nobody knows is refused
     for one in (tangential, film):
         if one is not None and (reason := incompatibility(one, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)
@@ -101,7 +103,7 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
     """InputError for what a theory in closed form cannot be combined with."""
     if coated:
-        raise InputError("model", model.key, "a model of asperities; this contact has a film")
+        raise InputError("model", model.key, "a sum over asperities, which this model is not: this contact has a film")
     if choice.asperity:
         raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
     if choice.presliding:

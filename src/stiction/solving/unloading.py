@@ -23,7 +23,7 @@ from stiction.laws.registry import AsperityLaw, RoughSurface, TangentialLaw, fin
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.choice import Choice
+from stiction.solving.choice import Choice, without_old_names
 from stiction.solving.inversion import largest_tension
 from stiction.solving.problem import Sum, as_asked, make_problem
 from stiction.solving.results import labelled, summary_of
@@ -66,7 +66,7 @@ def unload(
     with an asperity law that adheres also pull_off_separation and zero_load_separation, where the load has fallen to nothing.
     Raises InputError for bad input, and for laws of which it is not known how they unload.
     """
-    way = _make_way(contact, Choice.of(model, {"tangential": "none"} | laws), heights)
+    way = _make_way(contact, Choice.of(model, {"tangential": "none"} | without_old_names(laws)), heights)
     subject = way.pressed.subject
     turn = _one_of(subject, pressed_to=pressed_to, pressed_with=pressed_with)
     point = _one_of(subject, separation=separation, distance=distance)
@@ -161,6 +161,8 @@ def _one_of(subject: Subject, **either: Any) -> Any:
         value = points_asked(subject, quantity, either[name])
     except InputError as error:
         raise InputError(name, error.value, error.allowed) from None
+    if not np.size(value):
+        raise InputError(name, "no values", "at least one value")
     renamed = quantity in getattr(value, "dims", ()) and name != "separation"
     return value.rename({quantity: name}) if renamed else value
 

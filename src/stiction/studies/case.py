@@ -1,6 +1,7 @@
 """Case files: one TOML file that says what is in contact and what is to be solved."""
 
 import tomllib
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,10 +13,11 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.contact.contact import Contact, Indices
 from stiction.contact.subject import Subject
 from stiction.laws.registry import all_options
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
+from stiction.solving.conditions import questions
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
 
 __all__ = ["Case", "json_schema", "parse_case", "read_case"]
@@ -47,6 +49,16 @@ class Case:
         if self.measured is None or not isinstance(self.subject, Contact):
             return {}
         return self.measured.contacts(self.subject)
+
+    def at_load(self, load: Any) -> "Case":
+        """The case at this load only, as a user writes it. Raises InputError."""
+        try:
+            value = float(self.subject.read(load, "load"))
+        except InputError as error:
+            raise InputError("--load", error.value, error.allowed) from None
+        except (TypeError, ValueError):
+            raise InputError("--load", load, "one load") from None
+        return replace(self, separation=None, load=np.array([value]))
 
     def with_surface_moments(self, model: str) -> "Case":
         """The case as the model of this key takes it: a theory of the whole surface has no methods of finding asperities."""
@@ -149,7 +161,8 @@ def read_case(path) -> Case:
     """The case in a TOML file.
 
     Raises InputError, one line, if the file cannot be read or is not TOML, for a key that is not known, and
-    for a number that is missing, has no unit where it needs one, or is out of bounds.
+    for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
+    are no rough surface: sigma and R swapped, a metre of roughness.
     """
     text = _text(Path(path))
     try:
@@ -168,6 +181,8 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     file = _CaseFile(**content)
     subject = file.contact or file.indices
     assert subject is not None  # the validator of _CaseFile has seen to it
+    for question in questions(subject):
+        warnings.warn(question, InputDoubt, stacklevel=2)
     solve = file.solve
     return Case(
         title=file.title,
@@ -220,7 +235,7 @@ def _text(path: Path) -> str:
     try:
         if path.stat().st_size > _LARGEST_FILE:
             raise _not_a_case(path, f"this one is larger than {_LARGEST_FILE} bytes")
-        return path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding
     except OSError as error:
         raise _not_a_case(path, f"this one cannot be read ({error.strerror})") from None
     except UnicodeDecodeError:

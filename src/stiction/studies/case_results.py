@@ -1,6 +1,7 @@
 """A case, solved or compared: also one whose surface was measured, with the spread over the methods of finding asperities."""
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -9,10 +10,11 @@ from stiction import __version__
 from stiction.contact.contact import Contact
 from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.errors import InputError
-from stiction.solving.choice import Choice
+from stiction.solving.candidates import choice_of
+from stiction.solving.choice import LAWS, Choice
 from stiction.solving.solve import solve
 from stiction.studies.case import Case
-from stiction.studies.comparison import compare
+from stiction.studies.comparison import compare, working_load
 from stiction.studies.method_spread import with_method_spread, with_range_over_methods
 
 if TYPE_CHECKING:
@@ -21,14 +23,18 @@ if TYPE_CHECKING:
 __all__ = ["compare_case", "solve_case"]
 
 
+RECOMMENDED = "recommended"
+
+
 def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
-    """The points of a case, as `solve` gives them; choice: other laws and options than those of the case.
+    """The points of a case, as `solve` gives them; choice: other laws and options than those of the case; the model may be any
+    that `compare` shows, or "recommended": the one that it recommends at the working load.
 
     Where the case names scans, friction_coefficient is that of the method which stands for the surface, and the result has
     also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high; its
     attributes say the method and what was done to the scans. Raises InputError.
     """
-    choice = choice or case.choice
+    choice = choice_of_case(case, choice or case.choice)
     case = case.with_surface_moments(choice.model)
     try:
         data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
@@ -38,6 +44,19 @@ def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
     if case.measured is not None:
         data = with_method_spread(data, case.by_method, case.measured.counts, choice)
     return _said(data, case).assign_attrs(case.subject.groups())
+
+
+def choice_of_case(case: Case, choice: Choice) -> Choice:
+    """The choice with the model that its name stands for. Raises InputError where none is recommended."""
+    name = choice.model
+    if name == RECOMMENDED:
+        said = compare(case.subject, load=working_load(replace(case, choice=Choice()), None)).attrs
+        name = said.get("recommended", "none")
+        if name == "none":
+            why = said.get("reason", "without a working load, which is above 0, no model is judged")
+            raise InputError("model", RECOMMENDED, "; ".join(filter(None, ["a model by its key", why, said.get("advice")])))
+    given = {law: getattr(choice, law) for law in LAWS if law != "model"} | dict(choice.options)
+    return choice_of(name, given, case.subject)
 
 
 def compare_case(
@@ -50,6 +69,8 @@ def compare_case(
     Raises InputError.
     """
     data = compare(case.subject, load=load, progress=progress("Asking the models"))
+    if case.load is not None:
+        data = data.assign_attrs(case_loads=np.asarray(case.load, dtype=float))
     if case.measured is not None:
         data = _over_methods(data, case.by_method, load, progress("Asking them for every way to find asperities"))
     return _said(data, case)

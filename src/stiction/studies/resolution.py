@@ -162,7 +162,7 @@ def resolution_study(
 
 def fan(*arguments: Any, **keywords: Any) -> "xarray.Dataset":
     """The old name of `resolution_study`; gone in the next release."""
-    warnings.warn("stiction.fan is now stiction.resolution_study", DeprecationWarning, stacklevel=2)
+    warnings.warn("stiction.fan is now stiction.resolution_study", FutureWarning, stacklevel=2)
     return resolution_study(*arguments, **keywords)
 
 

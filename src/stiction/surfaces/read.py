@@ -20,6 +20,7 @@ from stiction.quantities.units import show
 from stiction.surfaces import readers as formats
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan, Reader
+from stiction.surfaces.readers.shared.packed import check_packed
 
 __all__ = ["FEWEST_POINTS", "read_scan"]
 
@@ -63,6 +64,7 @@ def readers() -> tuple[Reader, ...]:
 
 def _read(path: Path, channel) -> RawScan:
     """What the first reader says that takes the file; InputError if none does."""
+    check_packed(path)
     ending = path.suffix.lower()
     asked = [one for one in readers() if ending in one.endings or not one.endings]
     for reader in asked:

@@ -106,7 +106,7 @@ RECORD = FilmLaw(
     verified="independent quadrature; load and area at the depth of the film; trends of the abstract",
     needs=("theta", "lam", "n_H", "tau"),
     validity=(
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
+        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),
     ),
     notes="With the asperity law chang_etsion_bogy_1987 this is the model named; others may be taken. As in the abstract, "

@@ -102,7 +102,6 @@ RECORD = FilmLaw(
     validity=(
         Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),
         Validity("n_E", 0.0, 0.1, "a rigid substrate and indenter: the film is much less stiff"),
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
     ),
     notes="The substrate is rigid and never felt, however deep: for films of much smaller modulus than substrate and indenter. "
     "Which of the bounds the paper has is not known. At film_nu near 1/2 the compressible bound has no meaning.",

@@ -17,7 +17,6 @@ and falls with load towards $\tau_0$ over the substrate's hardness; it has no mi
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
-import math
 from functools import cache
 from typing import Any
 
@@ -27,7 +26,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Limit, Validity, composites_of
+from stiction.laws.registry import FilmLaw, Limit, composites_of
 from stiction.laws.sources import Source
 
 _THINNEST = 1e-100  # film over sigma, of one that is not there
@@ -178,7 +177,6 @@ RECORD = FilmLaw(
     own_options={"soft_film_exponent": ("2", "1")},
     verified="substrate and film alone in the limits; mean pressure at the onset; independent quadrature",
     needs=("theta", "lam", "nu", "n_E", "n_H", "tau", "film_aspect", "film_nu"),
-    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-9),),
     load_falls=False,
     notes="A reconstruction. soft_film_exponent is m of Bhattacharya & Nix for a soft film; a hard one has 3 - m. Under a "
