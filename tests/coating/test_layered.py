@@ -58,7 +58,7 @@ def random_contacts(rng, n, **fixed):
 
 def test_area_at_load_and_load_at_approach():
     """Against another solution of the integral equation: 1 %, which is the aim; 0.5 % is what is found."""
-    rows = read("layered_sphere.csv")
+    rows = read("layered.csv")
     piece = elastic(rows_as_groups(rows).resolved(), law_of("hertz"))
     u, n_E = np.sqrt(column(rows, "radius")), rows_as_groups(rows).n_E
     w, load = column(rows, "approach") * u**4, n_E * column(rows, "load") * u**6
@@ -159,7 +159,7 @@ def test_adhesion_is_the_least_energy(n_E, aspect, monkeypatch):
     """Radius and load at a displacement against the least of elastic energy less work of adhesion, found by trying radii. At
     one radius the energy is that of the sphere without adhesion and of a flat punch on top, by the table's own method."""
     monkeypatch.syspath_prepend(str(REFERENCE))
-    independent = importlib.import_module("make_layered_sphere")
+    independent = importlib.import_module("make_layered")
     theta, nu = 3.0, 0.3
     a = np.linspace(0.02, 4.0, 4000)  # over sqrt(R sigma), E* of the substrate 1
     coarse = np.linspace(0.02, 4.0, 90)

@@ -12,7 +12,7 @@ from stiction.contact.layered.curves import curves
 from stiction.contact.layered.sphere import Response, respond
 from tables import REFERENCE, column, read
 
-ROWS = read("layered_sphere.csv")
+ROWS = read("layered.csv")
 FIELDS = Response._fields[:4]
 LIMITS = [("soft", 0.02), ("like", 1.0), ("hard", 50.0)]
 
@@ -21,7 +21,7 @@ LIMITS = [("soft", 0.02), ("like", 1.0), ("hard", 50.0)]
 def independent(monkeypatch):
     """The script that made the table."""
     monkeypatch.syspath_prepend(str(REFERENCE))
-    return importlib.import_module("make_layered_sphere")
+    return importlib.import_module("make_layered")
 
 
 def pair_of(row):

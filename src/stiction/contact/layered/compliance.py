@@ -6,7 +6,7 @@ A pressure p cos(kx) on the bonded film displaces its surface by u = C(k) p cos(
 
 E1 the film's plane-strain modulus E/(1 - nu^2). Source: the frequency response of a layered half-space as Nogi & Kato (1997)
 and O'Sullivan & King (1988) have it, known here from secondary sources; derived again from displacements and tractions that
-are continuous at the interface (tests/reference/make_layered_sphere.py solves these six equations one wave at a time). L and
+are continuous at the interface (tests/reference/make_layered.py solves these six equations one wave at a time). L and
 K, like everything that the surface of a bilayer shows under given pressure, depend on the elastic constants through Dundurs'
 two parameters only (Dundurs 1969): K = (alpha - beta)/(1 - beta), L = (alpha + beta)/(1 + beta). c is 1 for short waves,
 which know the film only, and E1/E2 for long ones, which know the substrate only.

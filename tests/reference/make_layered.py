@@ -1,13 +1,13 @@
-"""`layered_sphere.csv` of `layered`: a rigid sphere on a bonded film; and a coated body pressed by an elastic one. 30 s.
+"""A rigid sphere on a bonded film, and a coated body pressed by an elastic one: numpy. 30 s.
 
 The compliance of each wave is that of six equations: displacements and tractions of a film on a half-space in plane strain,
 from stress functions (a + b z) exp(-z) + (c + d z) exp(z). The integral equation is solved on Gauss-Legendre points of the
 contact (Nystrom), six points and more in a thickness; good to 1e-8, `edge` to 1e-6.
 
-Columns: `share` (of the film in the compliance of the surfaces that meet), `ratio` (plane-strain modulus of the film over that
-of the body below), `nu`, `nu_below`, `radius` (of the contact over the thickness); `load` E_P = 3PR/(4a^3), `approach` D =
-delta R/a^2, `stiffness` E_S = (dP/d delta)/(2a) over the modulus of the surfaces that meet, and `edge` B = (dS/da)/2, a
-difference of S.
+- `layered.csv`: `share` (of the film in the compliance of the surfaces that meet), `ratio` (plane-strain modulus of the film
+  over that of the body below), `nu`, `nu_below`, `radius` (of the contact over the thickness); `load` E_P = 3PR/(4a^3), `approach`
+  D = delta R/a^2, `stiffness` E_S = (dP/d delta)/(2a) over the modulus of the surfaces that meet, and `edge` B = (dS/da)/2, a
+  difference of S.
 """
 
 import csv
@@ -99,7 +99,7 @@ def main():
     for _ in range(60):
         share = 1.0 if rng.random() < 0.6 else rng.uniform(0.05, 1.0)
         cases.append((share, 10 ** rng.uniform(-1.7, 1.7), *rng.uniform(0.0, 0.49, 2), 10 ** rng.uniform(-1.7, 1.7)))
-    with Path(__file__).with_name("layered_sphere.csv").open("w", newline="", encoding="utf-8") as file:
+    with Path(__file__).with_name("layered.csv").open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(NAMES)
         for one in cases:
