@@ -5,9 +5,9 @@ from stress functions (a + b z) exp(-z) + (c + d z) exp(z). The integral equatio
 contact (Nystrom), six points and more in a thickness; good to 1e-8, `edge` to 1e-6.
 
 - `layered.csv`: `share` (of the film in the compliance of the surfaces that meet), `ratio` (plane-strain modulus of the film
-  over that of the body below), `nu`, `nu_below`, `radius` (of the contact over the thickness); `load` E_P = 3PR/(4a^3), `approach`
-  D = delta R/a^2, `stiffness` E_S = (dP/d delta)/(2a) over the modulus of the surfaces that meet, and `edge` B = (dS/da)/2, a
-  difference of S.
+  over that of the body below), `nu`, `nu_below`, `radius` (of the contact over the thickness); `load` E_P = 3PR/(4a^3),
+  `approach` D = delta R/a^2, `stiffness` E_S = (dP/d delta)/(2a) over the modulus of the surfaces that meet, and `edge`
+  B = (dS/da)/2, a difference of S.
 """
 
 import csv

@@ -21,7 +21,7 @@ from stiction.laws.joining import Law, normal_states
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import Composite
 
-_STEP, _FARTHEST, _MOST_STEPS = 1.3, 1e30, 80
+_STEP, _FARTHEST, _MOST_STEPS = 1.5, 1e30, 80
 # Rounds in which the pressure at yield, which depends on the modulus under adhesion, is found.
 _ROUNDS = 6
 
@@ -54,11 +54,11 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
     @formula
     def excess(u, row, pressure, of_hardness):
-        """Load less that of yield on the same area; and the hardness."""
+        """Load less that of yield on the same area."""
         _, _, load, area = along(u, *row)
         n_H, tau, constant, exponent = of_hardness
         chi = hardness(n_H, _hertzian(u, row)[3] * area / tau, constant, exponent)
-        return load - area * pressure * chi, chi
+        return load - area * pressure * chi
 
     @kernel
     def find(table, pressure, of_hardness, out):
@@ -68,27 +68,27 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
             low = touch(row) if edge else 1e-8
             least = min(hard[0], 1.0) * max(pressure[i], 0.0) * min(np.exp(-row[0]), 1.0)
             low = max(low, 0.5 * np.sqrt(least))
-            high, value = low, excess(low, row, pressure[i], hard)[0]
+            high, value = low, excess(low, row, pressure[i], hard)
             below = value
             while value < 0.0 and high < _FARTHEST:
                 low, below = high, value
                 high *= _STEP
-                value = excess(high, row, pressure[i], hard)[0]
-            above = value
-            for _ in range(_MOST_STEPS):  # regula falsi after Illinois
-                if not (high - low > 1e-15 * high and above > 0.0 > below):
-                    break
+                value = excess(high, row, pressure[i], hard)
+            above, u = value, high
+            for _ in range(_MOST_STEPS if below < 0.0 else 0):  # regula falsi after Illinois
+                before = u
                 u = high - above * (high - low) / (above - below)
-                value = excess(u, row, pressure[i], hard)[0]
+                if abs(u - before) <= 1e-14 * u:
+                    break
+                value = excess(u, row, pressure[i], hard)
                 if value < 0.0:
                     low, below, above = u, value, 0.5 * above
                 else:
                     high, above, below = u, value, 0.5 * below
-            out[i, 0] = high
-            out[i, 1] = _hertzian(high, row)[2]
-            out[i, 2] = excess(high, row, 1.0, hard)[1]
-            out[i, 3] = _hertzian(high, row)[0]
-            out[i, 4] = _hertzian(high, row)[3] * high**4
+            z, _, modulus, approach, _, _ = _hertzian(u, row)
+            depth = approach * u**4
+            chi = hardness(hard[0], depth / hard[1], hard[2], hard[3])
+            out[i, 0], out[i, 1], out[i, 2], out[i, 3], out[i, 4] = u, modulus, chi, z, depth
 
     return find
 
