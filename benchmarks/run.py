@@ -127,11 +127,6 @@ def speed_of_model(choice: Choice, film: bool) -> float:
             "film_aspect": 0.5 * ones,
             "film_nu": nu,
             "film_K_beta": 6.4762 * ones,
-            "film_bodies": ones,
-            "coated_share": ones,
-            "layer_nu": nu,
-            "coated_nu": nu,
-            "other_nu": nu,
         }
     others = {"tabor_parameter": 10 ** rng.uniform(-1, 1, count), "sharpness": 0.03 * ones, "roughness_parameter": 0.05 * ones}
     others |= {"nominal_width": 2e4 * ones, "shear_strength": 0.1 * ones, "pressure_coefficient": 0.05 * ones}

@@ -59,9 +59,7 @@ def groups(theta=1.0, lam=1.0, nu=0.3, hardness_to_yield=2.8, **others) -> Group
     given = {"theta": theta, "lam": lam, "nu": nu, "hardness_to_yield": hardness_to_yield}
     given["K_beta"] = 8 / 3 * (2 - nu) / (1 - nu)
     if not others.keys().isdisjoint(FILM_GROUPS):
-        film = {"n_g": 1.0, "film_aspect": np.inf, "film_nu": nu, "film_K_beta": given["K_beta"], "film_bodies": 1.0} | others
-        layer = {"coated_share": 1.0 / np.asarray(film["film_bodies"]), "layer_nu": film["film_nu"]}
-        others = layer | {"coated_nu": nu, "other_nu": nu} | film
+        others = {"n_g": 1.0, "film_aspect": np.inf, "film_nu": nu, "film_K_beta": given["K_beta"]} | others
     whole = given | others
     arrays = np.broadcast_arrays(*(np.atleast_1d(np.asarray(value, dtype=float)) for value in whole.values()))
     return Groups(**dict(zip(whole, map(np.ascontiguousarray, arrays), strict=True)))

@@ -18,7 +18,7 @@ $P=P_H-S\sqrt{4\pi a\gamma/S'}$ with the stiffness $S=2aE_S$ and $S'=dS/da=2B$.
 
 *Bodies*: both feel one pressure, so that their compliances add: exact for a film on one body against any other, for films on
 two like bodies (each half against a rigid plane between) and on two unlike ones, half of the thickness on each. Of `Indices`,
-a film is on one body against a rigid one, unless `film_bodies` and the groups after it say otherwise.
+a film is on one body against a rigid one, unless `films` and the groups after it say otherwise.
 
 *Yield*: where the mean pressure reaches that at which the chosen asperity law yields on a half-space of modulus $E_P$ and
 hardness $\chi H$, $\chi$ by [`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or the composite chosen. From there the law's
@@ -121,7 +121,7 @@ RECORD = FilmLaw(
     own_options={"soft_film_exponent": ("2", "1")},
     verified="integral equation solved another way, at 90 cases; closed limits; energy of an adhesive contact; asperity laws "
     "in the limits of no film and of nothing but film",
-    needs=("n_E", "film_aspect", "film_bodies", "coated_share", "layer_nu", "coated_nu", "other_nu"),
+    needs=("n_E", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu"),
     validity=(Validity("n_E", 0.01, 100.0, "moduli for which the elastic solution was compared"),),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-6),),
     load_falls=False,

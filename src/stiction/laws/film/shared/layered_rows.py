@@ -18,7 +18,7 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
     """The parameters (n,) that `layered_sphere` takes, for contacts with a film whose groups are complete (`resolved`). pull:
     of adhesion, as the formulas take it. Raises InputError for bodies that cannot be."""
     laws = len(groups)
-    aspect = np.broadcast_to(groups.film_aspect / groups.film_bodies, laws)
+    aspect = np.broadcast_to(groups.film_aspect / groups.films, laws)
     n_E = np.where(aspect > 0.0, groups.n_E, 1.0)
     per_root = 1.0 / np.sqrt(np.clip(aspect, _THINNEST, _THICKEST))
     return np.log(n_E), per_root, np.broadcast_to(pull, laws), *coefficients(groups).reshape(laws, -1).T
@@ -26,7 +26,7 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
 
 def coefficients(groups: Groups) -> np.ndarray:
     """The curves (n, CURVES, TERMS) of all contacts: each pair of materials is looked up once."""
-    named = ("n_E", "film_bodies", "coated_share", "layer_nu", "coated_nu", "other_nu")
+    named = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
     given = np.stack([np.broadcast_to(getattr(groups, name), len(groups)) for name in named])
     if (given == given[:, :1]).all():
         return np.broadcast_to(_curves(given[:, :1]), (len(groups), *_curves(given[:, :1]).shape[1:]))

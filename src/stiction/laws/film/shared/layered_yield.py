@@ -96,10 +96,11 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
     """The groups of a half-space of these (n,), over the bodies' without a film, with the film's work of adhesion. Poisson's
     ratio, which some laws ask for where they yield, passes from the film's to the substrate's with the place z."""
-    tabor = groups.tabor_parameter
+    theta, lam, tabor, eta = groups.theta, groups.lam, groups.tabor_parameter, groups.hardness_group
     return groups.substrate().with_changes(
-        theta=groups.theta * modulus / groups.n_g,
-        lam=groups.lam * (hardness * hardness / (modulus * groups.n_g)) ** 2,
+        theta=None if theta is None else theta * modulus / groups.n_g,
+        lam=None if lam is None else lam * (hardness * hardness / (modulus * groups.n_g)) ** 2,
+        hardness_group=None if eta is None else eta * hardness / modulus,
         nu=0.5 * ((1.0 - place) * groups.film_nu + (1.0 + place) * groups.nu),
         tabor_parameter=None if tabor is None else tabor * (groups.n_g / modulus) ** (2.0 / 3.0),
     )
