@@ -121,7 +121,7 @@ RECORD = FilmLaw(
     own_options={"soft_film_exponent": ("2", "1")},
     verified="integral equation solved another way, at 90 cases; closed limits; energy of an adhesive contact; asperity laws "
     "in the limits of no film and of nothing but film",
-    needs=("n_E", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu"),
+    needs=("nu", "n_E", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu"),
     validity=(Validity("n_E", 0.01, 100.0, "moduli for which the elastic solution was compared"),),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-6),),
     load_falls=False,
