@@ -1,0 +1,120 @@
+"""From the pressure on every point of a map to the displacement of every point, by fast Fourier transforms.
+
+Periodic: the transform of the pressure times C(k) (Stanley & Kato 1997, J. Tribology 119, 481). Where the bodies are half-spaces,
+the mean displacement of one period is infinite; it is left out, and displacements are about their mean.
+
+Free: the map ends, and nothing presses outside of it. Pressure is uniform on each pixel; convolution on a grid twice as large
+along both axes, so that no copy of the map is seen (Hockney; Liu, Wang & Liu 2000, Wear 243, 101: DC-FFT). The influence of one
+pixel of sides 2a, 2b on a half-space is (Love 1929; Johnson 1985, Contact Mechanics, eq. 3.25)
+
+    u(x, y) = p/(pi E*) [f(x+a, y+b) - f(x+a, y-b) - f(x-a, y+b) + f(x-a, y-b)],   f = x arsinh(y/|x|) + y arsinh(x/|y|)   (1)
+
+and with a film three parts, far = 1/E* of long, near = 1/E* of short waves:
+
+    C(k) = near (2/k) + (far - near) (2/k) e^(-k c) + D(k)                                                                (2)
+
+The first is (1); the second in real space 1/(pi (r^2 + c^2)^(1/2)) for a point force, taken as such at pixels (its middle is
+smooth where c is larger than a pixel; where it is not, what is meant by a film of less than a pixel does not matter); D is
+finite at k = 0, falls off as e^(-2 k t), and is transformed on the doubled grid. c = 1.5 t. Derived here; checked against (2) of
+`compliance` on a large periodic grid.
+"""
+
+import math
+
+import numpy as np
+from scipy.fft import fftfreq, irfft2, next_fast_len, rfft2, rfftfreq
+
+from stiction.surfaces.boundary_elements.compliance import Compliance
+
+__all__ = ["FreeBoundary", "PeriodicBoundary", "wavevectors"]
+
+_WORKERS = 2
+_DEPTH = 1.5  # c over t
+
+
+def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray:
+    """|k| of the entries of `rfft2` [1/m]; size: (y, x) [m] of the grid."""
+    (rows, columns), (high, wide) = shape, size
+    along_y = 2.0 * math.pi * fftfreq(rows, high / rows)
+    along_x = 2.0 * math.pi * rfftfreq(columns, wide / columns)
+    return np.hypot(along_y[:, None], along_x)
+
+
+class PeriodicBoundary:
+    """Displacements of one period of a map. shape: (rows, columns); size: (y, x) [m].
+
+    knows_approach: whether displacements count from where the bodies were; if not, from their mean.
+    """
+
+    def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
+        self.shape = shape
+        self.knows_approach = compliance.far == 0.0
+        self._kernel = compliance.at(wavevectors(shape, size))
+
+    def __call__(self, pressure: np.ndarray) -> np.ndarray:
+        """Displacement [m], positive away from the pressure [Pa]; both of the map's shape."""
+        waves = rfft2(pressure, workers=_WORKERS)
+        waves *= self._kernel
+        return irfft2(waves, s=self.shape, workers=_WORKERS, overwrite_x=True)
+
+
+class FreeBoundary:
+    """Displacements of a map outside of which nothing presses. shape: (rows, columns); size: (y, x) [m]."""
+
+    knows_approach = True
+
+    def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
+        self.shape = shape
+        pitch = (size[0] / shape[0], size[1] / shape[1])
+        self._doubled = tuple(next_fast_len(2 * count, real=True) for count in shape)
+        kernel = compliance.near * _of_pixels(self._doubled, pitch)
+        if compliance.film is not None:
+            kernel += (compliance.far - compliance.near) * _of_buried_points(self._doubled, pitch, _DEPTH * compliance.film.thickness)
+        self._kernel = rfft2(kernel, workers=_WORKERS).real.copy()  # even in both directions: no imaginary part
+        if compliance.film is not None:
+            self._kernel += _rest(compliance, self._doubled, pitch)
+
+    def __call__(self, pressure: np.ndarray) -> np.ndarray:
+        """Displacement [m], positive away from the pressure [Pa]; both of the map's shape."""
+        waves = rfft2(pressure, s=self._doubled, workers=_WORKERS)
+        waves *= self._kernel
+        doubled = irfft2(waves, s=self._doubled, workers=_WORKERS, overwrite_x=True)
+        return doubled[: self.shape[0], : self.shape[1]].copy()
+
+
+def _distances(shape, pitch):
+    """(y, x) [m] from the first point of a grid that is carried around its ends, of the nearest copy."""
+    rows, columns = shape
+    return fftfreq(rows, 1.0 / (rows * pitch[0]))[:, None], fftfreq(columns, 1.0 / (columns * pitch[1]))
+
+
+def _of_pixels(shape, pitch):
+    """(1) times E*/p [m]."""
+    y, x = _distances(shape, pitch)
+    b, a = 0.5 * pitch[0], 0.5 * pitch[1]
+    total = _corner(x + a, y + b)
+    total -= _corner(x + a, y - b)
+    total -= _corner(x - a, y + b)
+    total += _corner(x - a, y - b)
+    return total / math.pi
+
+
+def _corner(x, y):
+    """f of (1); no corner of a pixel lies on an axis."""
+    return x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
+
+
+def _of_buried_points(shape, pitch, depth):
+    """The second part of (2) in real space over (far - near), of the force on one pixel over its pressure [m]."""
+    y, x = _distances(shape, pitch)
+    return pitch[0] * pitch[1] / math.pi / np.sqrt(x * x + y * y + depth * depth)
+
+
+def _rest(compliance, shape, pitch):
+    """D(k) of (2) [m/Pa] on a grid; of a pixel of uniform pressure."""
+    k = wavevectors(shape, (shape[0] * pitch[0], shape[1] * pitch[1]))
+    depth = _DEPTH * compliance.film.thickness
+    k[0, 0] = 1e-3 / depth  # D is finite at 0, and this near to it
+    rest = compliance.times_half_k(k) - compliance.near
+    rest -= (compliance.far - compliance.near) * np.exp(-depth * k)
+    return 2.0 * rest / k
