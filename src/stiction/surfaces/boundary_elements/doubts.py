@@ -18,7 +18,7 @@ STEEPEST = 0.3  # rms gradient: small slopes are assumed
 LEAST_CONTACT = 100  # points in contact
 MOST_AT_ENDS = 0.01  # share of the load on the outermost points of a map that ends
 LEAST_LOAD_ERROR = 1e-9
-THICKEST = 0.25  # of a film beside a map that ends: side of the map
+THICKEST = 0.15  # of a film beside a map that ends: side of the map
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from stiction.surfaces.boundary_elements.minimise import Displacement
+from stiction.surfaces.boundary_elements.minimise import Displacement, dot
 
 __all__ = ["stiffness_per_area"]
 
@@ -21,26 +21,28 @@ _MOST = 300
 
 
 def stiffness_per_area(displacement: Displacement, free: np.ndarray, start: np.ndarray) -> float:
-    """Change of the mean pressure over that of the approach [Pa/m] with contact as it is; NaN where no point is free.
+    """Change of the mean pressure over that of the approach [Pa/m] with contact as it is; NaN where no point is free, infinite in
+    full contact of half-spaces without end.
 
     free: which points answer, bool, of the map's shape; start: any positive increment, for instance the pressure.
     """
     count = int(np.count_nonzero(free))
     if not count:
         return math.nan
-    q = np.where(free, start, 0.0)
+    q = np.ones(free.shape) if count == free.size else np.where(free, start, 0.0)
     q *= 1.0 / q.mean()
     moved = displacement(q)
     direction, square = None, 0.0
     for _ in range(_MOST):
         level = float(np.mean(moved, where=free))
         rest = np.where(free, level - moved, 0.0)
-        last, square = square, float(np.vdot(rest, rest))
+        last, square = square, dot(rest, rest)
         if math.sqrt(square / count) <= _TOLERANCE * abs(level):
             break
         direction = rest if direction is None else rest + (square / last) * direction
         answer = displacement(direction)
-        length = square / float(np.vdot(direction, answer))
+        length = square / dot(direction, answer)
         q += length * direction
         moved += length * answer
-    return 1.0 / float(np.mean(q * moved))
+    given = dot(q, moved) / free.size
+    return 1.0 / given if given > 0.0 else math.inf

@@ -39,6 +39,11 @@ class Edges:
     def count(self) -> int:
         return self.along_y + self.along_x
 
+    @property
+    def counted_for_area(self) -> float:
+        """As many of them as (1) should count."""
+        return self.elastic
+
 
 def edges(pressure: np.ndarray, hardness: float, periodic: bool) -> Edges:
     """Of a pressure map [Pa]; periodic: the last point is beside the first."""

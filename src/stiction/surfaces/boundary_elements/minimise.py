@@ -27,7 +27,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["Found", "Problem", "minimise", "on_level"]
+__all__ = ["Found", "Problem", "dot", "minimise", "on_level"]
 
 Displacement = Callable[[np.ndarray], np.ndarray]
 
@@ -127,16 +127,16 @@ class _Directions:
     def next(self, state: _State) -> np.ndarray:
         """The direction from this state: its sum over the free points is 0, and all others stay."""
         gradient = np.where(state.free, state.gap, 0.0)
-        square = _dot(gradient, gradient)
+        square = dot(gradient, gradient)
         direction = -gradient
         if self._direction is not None and self._square > 0.0:
-            part = (square - _dot(gradient, self._gradient)) / self._square
+            part = (square - dot(gradient, self._gradient)) / self._square
             if part > 0.0:
                 kept = np.where(state.free, self._direction, 0.0)
                 kept -= np.where(state.free, kept.sum() / state.count, 0.0)
                 kept *= part
                 direction += kept
-                if _dot(direction, gradient) >= 0.0:
+                if dot(direction, gradient) >= 0.0:
                     direction = -gradient
         self._gradient, self._square, self._direction = gradient, square, direction
         return direction
@@ -148,9 +148,9 @@ def _conjugate_step(problem, state, search, step_length):
         return None, step_length
     direction = search.next(state)
     response = problem.displacement(direction)
-    bent = _dot(direction, response)
+    bent = dot(direction, response)
     if bent > 0.0:
-        step_length = -_dot(direction, state.gap) / bent
+        step_length = -dot(direction, state.gap) / bent
     if not step_length > 0.0:
         return None, 0.0
     pressure = state.pressure + step_length * direction
@@ -170,7 +170,7 @@ def _projected_step(problem, state, step_length):
     for _ in range(60):
         moved = _at(problem, _nearest(state.pressure - length * state.gap, problem))
         change = moved.pressure - state.pressure
-        if _energy_change(state, moved) <= -_ENOUGH / length * _dot(change, change) < 0.0:
+        if _energy_change(state, moved) <= -_ENOUGH / length * dot(change, change) < 0.0:
             return moved, length
         length *= 0.5
     return None, length
@@ -183,11 +183,12 @@ def _at(problem: Problem, pressure: np.ndarray) -> _State:
 def _energy_change(state: _State, moved: _State) -> float:
     """Of (1), times the number of points, without the difference of two large numbers."""
     change = moved.pressure - state.pressure
-    return _dot(change, state.gap) + 0.5 * _dot(change, moved.displacement - state.displacement)
+    return dot(change, state.gap) + 0.5 * dot(change, moved.displacement - state.displacement)
 
 
-def _dot(first: np.ndarray, second: np.ndarray) -> float:
-    return float(np.vdot(first, second))
+def dot(first: np.ndarray, second: np.ndarray) -> float:
+    """Of two arrays, without the threads of a BLAS library: they are slow to wake beside those of the transforms."""
+    return float(np.einsum("ij,ij->", first, second))
 
 
 def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:

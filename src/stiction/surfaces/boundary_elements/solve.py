@@ -257,7 +257,7 @@ def _without_excess(asked: _Asked, pressure: np.ndarray, pixel: float) -> tuple[
     """Area [m2] without what pixels at edges add, and length of the edges [m]."""
     sides = edges(pressure, asked.hardness, asked.periodic)
     counted = np.count_nonzero(pressure) * pixel
-    corrected = counted - PIXEL_EXCESS * sides.EDGE * pixel
+    corrected = counted - PIXEL_EXCESS * sides.counted_for_area * pixel
     least = float(pressure.sum()) * pixel / asked.hardness  # every point at the hardness
     pitch = asked.size[0] / pressure.shape[0], asked.size[1] / pressure.shape[1]
     perimeter = 0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1])
