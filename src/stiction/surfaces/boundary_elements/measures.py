@@ -1,13 +1,17 @@
 """What is read off a pressure map and a height map: edges of contact, waves.
 
-Contact counted in pixels is too large, by a part of the pixels at its edge. For elastic contact the mean excess is
-(Yastrebov, Anciaux & Molinari 2017, Tribology Int. 114, 161: from a straight edge at any angle across a pixel)
+Contact counted in pixels is too large, by a part of the pixels at its edge:
 
-    A = A_pixels - (pi - 1 + ln 2)/24 S d                                                                                 (1)
+    A = A_pixels - c S d                                                                                                  (1)
 
-S: length of the sides of pixels between contact and none; d: the pixel's side (so that S d is the number of such sides times a
-pixel's area, as it is taken here where pixels are not square). The length of the true edge is pi/4 S, whatever its angle on
-average. Where the pressure at the edge is the hardness, see `EDGE_SHARE`.
+S: length of the sides of pixels between contact and none; d: the pixel's side (S d is the number of such sides times a pixel's
+area, and is taken so where pixels are not square). Yastrebov, Anciaux & Molinari (2017, Tribology Int. 114, 161) find
+c = (pi - 1 + ln 2)/24 = .118 from a straight edge at any angle across a pixel. What this solver counts was measured on
+Westergaard's waves, whose area is known, at 23 angles (a test repeats it with fewer): c = .19 along the pixels, .11 at 14 degrees,
+.08 from 30 to 45, and .100 on average over all, which is used. With it the mean area of rough maps at 8 points in the
+shortest wave is within 1 % of that at 32, with .118 it is 1 to 2 % low.
+Where the pressure at most of the edge is the hardness, c is smaller; the area is never less than the load over the hardness, and
+that is close where it is reached. The length of the edge itself is pi/4 S, on average over its directions.
 """
 
 import math
@@ -20,7 +24,7 @@ from stiction.surfaces.boundary_elements.operators import wavevectors
 
 __all__ = ["PIXEL_EXCESS", "Edges", "Waves", "edges", "rms_step", "waves"]
 
-PIXEL_EXCESS = (math.pi - 1.0 + math.log(2.0)) / 24.0
+PIXEL_EXCESS = 0.100
 _SHORT = 0.01  # share of the mean square gradient in waves shorter than the shortest
 _LONG = 0.5  # share of the mean square height in waves longer than the longest
 _WORKERS = 2
@@ -28,43 +32,26 @@ _WORKERS = 2
 
 @dataclass(frozen=True)
 class Edges:
-    """Sides of pixels between contact and none: along y (next to each other in x) and along x; elastic: those of them, in
-    number, at whose pressed side the pressure is below the hardness."""
+    """Sides of pixels between contact and none: along y (of neighbours in x), and along x."""
 
     along_y: int
     along_x: int
-    elastic: int
 
     @property
     def count(self) -> int:
+        """All of them."""
         return self.along_y + self.along_x
 
-    @property
-    def counted_for_area(self) -> float:
-        """As many of them as (1) should count."""
-        return self.elastic
+
+def edges(contact: np.ndarray, periodic: bool) -> Edges:
+    """Of the points in contact, bool (rows, columns); periodic: the last point is beside the first."""
+    return Edges(_changes(contact, periodic), _changes(contact.T, periodic))
 
 
-def edges(pressure: np.ndarray, hardness: float, periodic: bool) -> Edges:
-    """Of a pressure map [Pa]; periodic: the last point is beside the first."""
-    contact, flows = pressure > 0.0, pressure >= hardness
-    counts, elastic = [], 0
-    for axis in (1, 0):
-        ahead, behind = _neighbours(contact, axis, periodic)
-        side = ahead != behind
-        flow_ahead, flow_behind = _neighbours(flows, axis, periodic)
-        counts.append(int(np.count_nonzero(side)))
-        elastic += int(np.count_nonzero(side & ~(flow_ahead | flow_behind)))
-    return Edges(counts[0], counts[1], elastic)
-
-
-def _neighbours(field, axis, periodic):
-    """Each point's next along the axis, and the point."""
-    if periodic:
-        return np.roll(field, -1, axis), field
-    first, last = [slice(None)] * 2, [slice(None)] * 2
-    first[axis], last[axis] = slice(1, None), slice(None, -1)
-    return field[tuple(first)], field[tuple(last)]
+def _changes(contact, periodic):
+    """Along the rows."""
+    count = int(np.count_nonzero(contact[:, 1:] != contact[:, :-1]))
+    return count + int(np.count_nonzero(contact[:, 0] != contact[:, -1])) if periodic else count
 
 
 @dataclass(frozen=True)

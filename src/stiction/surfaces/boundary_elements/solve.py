@@ -10,11 +10,12 @@ goes elsewhere, and every load is reached from none (no memory of the loads befo
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import nearest
 from stiction.surfaces.boundary_elements.compliance import Compliance, Film
 from stiction.surfaces.boundary_elements.doubts import MapDoubt, doubts_of_load, doubts_of_map
 from stiction.surfaces.boundary_elements.increments import stiffness_per_area
@@ -110,7 +111,7 @@ def solve_map(
     A load that did not converge has a doubt `not_converged`. Interrupted by the keyboard, it gives the loads that are done.
     Raises InputError for what cannot be used, also for a load that the hardness cannot carry, or too little memory.
     """
-    asked = _Asked.of(heights, size, hardness, loads, periodic, _How(**how))
+    asked = _Asked.of(heights, size, hardness, loads, periodic, _How.of(**how))
     compliance = Compliance(modulus, film)
     of_map = doubts_of_map(asked.heights, asked.size, film, periodic)
     order = np.argsort(asked.pressures, kind="stable")
@@ -142,6 +143,17 @@ class _How:
     keep_maps: bool = True
     stiffness: bool = True
     progress: Callable[[Progress], None] | None = None
+
+    @classmethod
+    def of(cls, **how) -> "_How":
+        known = [entry.name for entry in fields(cls)]
+        for name in how:
+            if name not in known:
+                raise InputError(name, how[name], f"nothing: known are {nearest(name, known)}")
+        made = cls(**how)
+        if not 0.0 < made.tolerance < 1.0:
+            raise InputError("tolerance", made.tolerance, "> 0, < 1")
+        return made
 
 
 @dataclass(frozen=True)
@@ -175,8 +187,8 @@ class _Asked:
 
 def _usable(heights) -> np.ndarray:
     heights = np.ascontiguousarray(heights, dtype=np.float64)
-    if heights.ndim != 2 or min(heights.shape) < 1 or heights.size < 16:
-        raise InputError("heights", f"shape {heights.shape}", "(rows, columns) of at least 16 points")
+    if heights.ndim != 2 or min(heights.shape) < 4:
+        raise InputError("heights", f"shape {heights.shape}", "(rows, columns), at least 4 of each")
     bad = int(heights.size - np.count_nonzero(np.isfinite(heights)))
     if bad:
         raise InputError("heights", f"{bad} of {heights.size} points not finite", "a height at every point: fill missing ones first")
@@ -233,8 +245,8 @@ def _contact(asked: _Asked, problem: Problem, found: Found) -> MapContact:
     error = abs(mean / problem.mean - 1.0)
     highest = float(asked.heights.max())
     return MapContact(
-        load=problem.mean * nominal,
-        mean_pressure=problem.mean,
+        load=float(problem.mean) * nominal,
+        mean_pressure=float(problem.mean),
         nominal_area=nominal,
         area=corrected,
         area_pixels=int(np.count_nonzero(contact)) * pixel,
@@ -255,10 +267,10 @@ def _contact(asked: _Asked, problem: Problem, found: Found) -> MapContact:
 
 def _without_excess(asked: _Asked, pressure: np.ndarray, pixel: float) -> tuple[float, float]:
     """Area [m2] without what pixels at edges add, and length of the edges [m]."""
-    sides = edges(pressure, asked.hardness, asked.periodic)
-    counted = np.count_nonzero(pressure) * pixel
-    corrected = counted - PIXEL_EXCESS * sides.counted_for_area * pixel
-    least = float(pressure.sum()) * pixel / asked.hardness  # every point at the hardness
+    sides = edges(pressure > 0.0, asked.periodic)
+    counted = int(np.count_nonzero(pressure)) * pixel
+    corrected = counted - PIXEL_EXCESS * sides.count * pixel
+    least = float(pressure.sum()) * pixel / asked.hardness
     pitch = asked.size[0] / pressure.shape[0], asked.size[1] / pressure.shape[1]
     perimeter = 0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1])
     return max(corrected, least), perimeter
