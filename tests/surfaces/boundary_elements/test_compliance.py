@@ -1,4 +1,4 @@
-"""The compliance of a film on a half-space: against the boundary conditions of one wave solved as they stand, and its limits."""
+"""The compliance of a film on a half-space: against the boundary conditions of one wave solved directly, and limits."""
 
 import math
 

@@ -109,7 +109,9 @@ def love(x, y, a, b):
     def term(u, v, w):
         return u * math.log((v + math.hypot(v, u)) / (w + math.hypot(w, u)))
 
-    return (term(x + a, y + b, y - b) + term(y + b, x + a, x - a) + term(x - a, y - b, y + b) + term(y - b, x - a, x + a)) / math.pi
+    return (
+        term(x + a, y + b, y - b) + term(y + b, x + a, x - a) + term(x - a, y - b, y + b) + term(y - b, x - a, x + a)
+    ) / math.pi
 
 
 def dense(count, periodic, size=1.0):
@@ -117,7 +119,7 @@ def dense(count, periodic, size=1.0):
     step = size / count
     places = [(i, j) for i in range(count) for j in range(count)]
     if not periodic:
-        return np.array([[love((j - l) * step, (i - k) * step, step / 2, step / 2) for k, l in places] for i, j in places])
+        return np.array([[love((j - n) * step, (i - m) * step, step / 2, step / 2) for m, n in places] for i, j in places])
     waves = [(m, n) for m in range(-(count // 2), count // 2) for n in range(-(count // 2), count // 2) if m or n]
     matrix = np.zeros((count**2, count**2))
     i, j = np.array(places).T
@@ -151,7 +153,7 @@ def test_few_points_solved_as_a_quadratic_program(periodic, hardness):
 
 @pytest.mark.parametrize(("thickness", "substrate"), [(0.4, 5.0), (0.15, 0.2), (0.3, math.inf)])
 def test_a_film_under_a_map_that_ends_gives_way_as_the_integral_over_its_waves_says(thickness, substrate):
-    """u(r) = 1/(2 pi) Int C(k) p(k) J0(k r) k dk of the pressure exp(-r^2/2 w^2), whose transform is 2 pi w^2 exp(-k^2 w^2/2)."""
+    """u(r) = 1/(2 pi) Int C(k) p(k) J0(k r) k dk of the pressure exp(-r^2/2 w^2), transformed 2 pi w^2 exp(-k^2 w^2/2)."""
     compliance = Compliance(3.0, Film(thickness, 1.0, 0.45, substrate, 0.3))
     y, x = grid(160, 8.0)
     width = 0.5
@@ -175,8 +177,12 @@ def test_a_thick_film_under_a_sphere_is_a_half_space_and_a_thin_one_is_not_there
 
     hard, soft = 7e10 / (1.0 - 0.3**2), 2e10 / (1.0 - 0.4**2)
     assert area(math.inf, Film(1e-9, 2e10, 0.4, 7e10, 0.3)) == pytest.approx(area(hard), rel=0.005)
-    thick = solve_map(heights, (size, size), modulus=math.inf, loads=[load], periodic=True, film=Film(1.0, 2e10, 0.4, 7e10, 0.3))
-    assert thick[0].area == pytest.approx(solve_map(heights, (size, size), modulus=soft, loads=[load], periodic=True)[0].area, rel=1e-6)
+    thick = solve_map(
+        heights, (size, size), modulus=math.inf, loads=[load], periodic=True, film=Film(1.0, 2e10, 0.4, 7e10, 0.3)
+    )
+    assert thick[0].area == pytest.approx(
+        solve_map(heights, (size, size), modulus=soft, loads=[load], periodic=True)[0].area, rel=1e-6
+    )
 
 
 def test_periodic_displacement_of_a_single_wave():

@@ -102,7 +102,7 @@ def test_units_scale_out():
 
 @pytest.mark.parametrize("hardness", [None, 0.03, 0.01])
 def test_the_corrected_area_hardly_depends_on_the_points(hardness):
-    """Four surfaces at 32, 16, 8 points in the shortest wave: counted area rises by some 5 %, the corrected stays within 1 %."""
+    """Four surfaces at 32, 16, 8 points in the shortest wave: counted area rises by 5 %, the corrected stays within 1 %."""
     counted, corrected = np.zeros((4, 3)), np.zeros((4, 3))
     for seed in range(4):
         finest = rough(256, points=32.0, rolloff=0.25, seed=seed)

@@ -12,7 +12,8 @@ moduli; one wave of the layered half-space of O'Sullivan & King (1988, J. Tribol
     L = 1 - 4 (1 - nu1) / (1 + G (3 - 4 nu2)),          K = (G - 1) / (G + 3 - 4 nu1)
 
 Grade B: (2) was not compared with print but with the six boundary conditions of one wave, solved directly (tests). t -> 0 and
-G -> 1 give (1) of the substrate, t -> infinity that of the film, G -> 0 a film on a rigid base, nu1 = 1/2 an incompressible one.
+G -> 1 give (1) of the substrate, t -> infinity that of the film; G = 0 is a film on a rigid base, nu1 = 1/2 an incompressible
+one.
 
 With y = 2x, and both lines times e^y, (2) is free of differences of nearly equal numbers as x -> 0, where a film on a rigid
 base gives way in proportion to t, an incompressible one to k^2 t^3:
@@ -70,9 +71,9 @@ class Film:
 
     @property
     def at_zero(self) -> float:
-        """What is left of (2) as k -> 0 beside 2 (1/E2*) / k [m/Pa]: of a film on a rigid base t over its oedometric modulus."""
-        k = 1e-6 / self.thickness
-        return float(self.over_half_space(np.array([k]))[0] / self.plane_strain - self.far) * 2.0 / k
+        """(2) at k = 0 for a film on a rigid base: thickness over its oedometric modulus (1 - nu) E/((1 + nu)(1 - 2 nu))."""
+        nu = self.poisson
+        return self.thickness / self.modulus * (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu)
 
     def over_half_space(self, k: np.ndarray) -> np.ndarray:
         """(2) over the compliance 2/(E1* k) of a half-space of the film; k: wavevectors > 0 [1/m], any shape."""
@@ -140,8 +141,10 @@ class Compliance:
         return half_space if self.film is None else half_space + self.film.over_half_space(k) / self.film.plane_strain
 
     def at(self, k: np.ndarray) -> np.ndarray:
-        """C(k) [m/Pa]; k: wavevectors >= 0 [1/m]. At k = 0 its limit if finite, else 0: mean displacements are then not known."""
+        """C(k) [m/Pa]; k: wavevectors >= 0 [1/m]. At k = 0 its limit if finite, else 0: the mean is not known."""
         k = np.asarray(k, dtype=float)
         positive = k > 0.0
         safe = np.where(positive, k, 1.0)
-        return np.where(positive, 2.0 * self.times_half_k(safe) / safe, 0.0 if self.far > 0.0 or self.film is None else self.film.at_zero)
+        return np.where(
+            positive, 2.0 * self.times_half_k(safe) / safe, 0.0 if self.far > 0.0 or self.film is None else self.film.at_zero
+        )

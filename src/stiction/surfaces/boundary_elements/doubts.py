@@ -1,4 +1,4 @@
-"""What makes a solved map doubtful, as data: too few points in the shortest wave, too few of the longest waves, and the like."""
+"""What makes a solved map doubtful, as data: few points in the shortest wave, few of the longest waves, and the like."""
 
 import math
 from dataclasses import dataclass
@@ -39,16 +39,20 @@ def doubts_of_map(heights: np.ndarray, size: tuple[float, float], film: Film | N
     pitch = max(length / count for length, count in zip(size, heights.shape, strict=True) if count > 1)
     side = min(length for length, count in zip(size, heights.shape, strict=True) if count > 1)
     seen = waves(heights, size, periodic)
-    return tuple(_doubts_of_waves(seen, pitch, side)) + tuple(() if film is None else _doubts_of_film(film, pitch, side, periodic))
+    return tuple(_doubts_of_waves(seen, pitch, side)) + tuple(
+        () if film is None else _doubts_of_film(film, pitch, side, periodic)
+    )
 
 
 def _doubts_of_waves(seen, pitch, side):
     points, periods = seen.shortest / pitch, side / seen.longest
     if points < LEAST_PIXELS:
-        why = f"the shortest waves ({show(seen.shortest, 'scan_size')}) have {points:.2g} points, at least {LEAST_PIXELS:g} make the area converge"
+        length = show(seen.shortest, "scan_size")
+        why = f"the shortest waves ({length}) have {points:.2g} points, at least {LEAST_PIXELS:g} make the area converge"
         yield MapDoubt("points_in_shortest_wave", points, LEAST_PIXELS, why)
     if periods < LEAST_WAVES:
-        why = f"a side of the map holds {periods:.2g} of its longest waves ({show(seen.longest, 'scan_size')}), with fewer than {LEAST_WAVES:g} it is no sample"
+        length = show(seen.longest, "scan_size")
+        why = f"a side holds {periods:.2g} of the longest waves ({length}), with fewer than {LEAST_WAVES:g} it is no sample"
         yield MapDoubt("longest_waves_on_a_side", periods, LEAST_WAVES, why)
     if seen.gradient > STEEPEST:
         why = f"the rms gradient is {seen.gradient:.2g}; small slopes are assumed, up to about {STEEPEST:g}"
@@ -57,7 +61,8 @@ def _doubts_of_waves(seen, pitch, side):
 
 def _doubts_of_film(film, pitch, side, periodic):
     if film.thickness < pitch:
-        why = f"the film ({show(film.thickness, 'thickness')}) is thinner than a point of the map is wide ({show(pitch, 'scan_size')})"
+        thickness, width = show(film.thickness, "thickness"), show(pitch, "scan_size")
+        why = f"the film ({thickness}) is thinner than a point of the map is wide ({width})"
         yield MapDoubt("film_thickness", film.thickness, pitch, why)
     if not periodic and film.thickness > THICKEST * side:
         why = f"the film is thicker than {THICKEST:g} of the map's side, and what presses at the ends is less exact"
@@ -66,7 +71,9 @@ def _doubts_of_film(film, pitch, side, periodic):
 
 def doubts_of_load(found: Found, load_error: float, periodic: bool, tolerance: float) -> tuple[MapDoubt, ...]:
     """Of one solution."""
-    return tuple(_doubts_of_solution(found, load_error, tolerance)) + (() if periodic else tuple(_doubts_of_ends(found.pressure)))
+    return tuple(_doubts_of_solution(found, load_error, tolerance)) + (
+        () if periodic else tuple(_doubts_of_ends(found.pressure))
+    )
 
 
 def _doubts_of_solution(found, load_error, tolerance):
@@ -74,7 +81,9 @@ def _doubts_of_solution(found, load_error, tolerance):
         why = f"not converged: residual {found.residual:.2g} after {found.steps} steps, {tolerance:g} asked for"
         yield MapDoubt("not_converged", found.residual, tolerance, why)
     if not load_error <= LEAST_LOAD_ERROR:
-        yield MapDoubt("load_error", load_error, LEAST_LOAD_ERROR, f"the pressures carry the load but for {load_error:.2g} of it")
+        yield MapDoubt(
+            "load_error", load_error, LEAST_LOAD_ERROR, f"the pressures carry the load but for {load_error:.2g} of it"
+        )
     points = int(np.count_nonzero(found.pressure))
     if points < LEAST_CONTACT:
         why = f"{points} points of the map are in contact, fewer than {LEAST_CONTACT} give a rough area only"

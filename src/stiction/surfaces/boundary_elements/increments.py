@@ -1,4 +1,4 @@
-"""How the load answers to an approach while contact stays where it is: one linear system over the points that are free to answer.
+"""How the load answers to an approach while contact stays where it is: a linear system over the points that are free.
 
 An increment q of the pressure that moves the face of all free points alike (0 < p < H; those that flow carry no more, those
 that do not touch nothing) has C q = w on them. The compliance of a map is w over the mean of q; by Rayleigh's principle
@@ -21,9 +21,9 @@ _MOST = 300
 
 
 def stiffness_per_area(displacement: Displacement, free: np.ndarray, start: np.ndarray) -> float:
-    """Change of the mean pressure over that of the approach [Pa/m] with contact as it is; NaN where no point is free, infinite in
-    full contact of half-spaces without end.
+    """Change of the mean pressure over that of the approach [Pa/m] with contact as it is.
 
+    NaN where no point is free, infinite in full contact of half-spaces without end.
     free: which points answer, bool, of the map's shape; start: any positive increment, for instance the pressure.
     """
     count = int(np.count_nonzero(free))

@@ -7,11 +7,11 @@ Contact counted in pixels is too large, by a part of the pixels at its edge:
 S: length of the sides of pixels between contact and none; d: the pixel's side (S d is the number of such sides times a pixel's
 area, and is taken so where pixels are not square). Yastrebov, Anciaux & Molinari (2017, Tribology Int. 114, 161) find
 c = (pi - 1 + ln 2)/24 = .118 from a straight edge at any angle across a pixel. What this solver counts was measured on
-Westergaard's waves, whose area is known, at 23 angles (a test repeats it with fewer): c = .19 along the pixels, .11 at 14 degrees,
-.08 from 30 to 45, and .100 on average over all, which is used. With it the mean area of rough maps at 8 points in the
+Westergaard's waves, whose area is known, at 23 angles (a test repeats it with fewer): c = .19 along the pixels, .11 at 14
+degrees, .08 from 30 to 45, and .100 on average over all, which is used. With it the mean area of rough maps at 8 points in the
 shortest wave is within 1 % of that at 32, with .118 it is 1 to 2 % low.
-Where the pressure at most of the edge is the hardness, c is smaller; the area is never less than the load over the hardness, and
-that is close where it is reached. The length of the edge itself is pi/4 S, on average over its directions.
+Where the pressure at most of the edge is the hardness, c is smaller; the area is never less than the load over the hardness,
+and that is close where it is reached. The length of the edge itself is pi/4 S, on average over its directions.
 """
 
 import math

@@ -8,8 +8,8 @@ from stiction.quantities.errors import InputError
 __all__ = ["available_memory", "needed_memory", "require_memory"]
 
 _NUMBER = 8  # bytes
-_PERIODIC = 16  # arrays as large as the map that are alive at once; measured 14
-_FREE = 26  # the same, with the doubled grid; measured 24
+_PERIODIC = 20  # arrays as large as the map that are alive at once; measured: 17
+_FREE = 30  # the same, with the doubled grid; measured: 25
 _GIGA = 1e9
 
 
@@ -37,5 +37,5 @@ def require_memory(shape: tuple[int, int], *, periodic: bool = True, kept: int =
     """Raise InputError if a map of this shape cannot be solved in the memory there is: before it is made, or read."""
     needed, there = needed_memory(shape, periodic=periodic, kept=kept), available_memory()
     if there is not None and needed > there:
-        allowed = f"a map that needs no more than the {there / _GIGA:.2g} GB of memory that are free; this one needs {needed / _GIGA:.2g} GB"
+        allowed = f"a map for which the {there / _GIGA:.2g} GB of free memory are enough; it needs {needed / _GIGA:.2g} GB"
         raise InputError("heights", f"{shape[0]} x {shape[1]} points", allowed)

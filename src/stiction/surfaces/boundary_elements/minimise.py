@@ -6,8 +6,8 @@ With u = C p the displacement of the pressure p and h the heights, among all p o
 
 which is a contact without friction (Kalker & van Randen 1972; Polonsky & Keer 1999, Wear 231, 206) of bodies that are elastic
 until the pressure is H, and then flow under it (Almqvist, Sahlin, Larsson & Glavatskih 2007, Tribology Int. 40, 574). C has
-only positive eigenvalues, the bounds are convex: there is one minimum, and it is known by its conditions (Karush, Kuhn & Tucker),
-with one length a, and the gap g = u - h - a:
+only positive eigenvalues, the bounds are convex: there is one minimum, known by its conditions (Karush, Kuhn & Tucker), with
+one length a, and the gap g = u - h - a:
 
     p = 0: g >= 0        0 < p < H: g = 0        p = H: g <= 0, the depth to which the point has flowed                   (2)
 
@@ -121,7 +121,9 @@ class _Directions:
         self.forget()
 
     def forget(self) -> None:
-        self._gradient = self._direction = None
+        """Begin anew along the gradient."""
+        self._gradient: np.ndarray | None = None
+        self._direction: np.ndarray | None = None
         self._square = 0.0
 
     def next(self, state: _State) -> np.ndarray:
@@ -129,7 +131,7 @@ class _Directions:
         gradient = np.where(state.free, state.gap, 0.0)
         square = dot(gradient, gradient)
         direction = -gradient
-        if self._direction is not None and self._square > 0.0:
+        if self._direction is not None and self._gradient is not None and self._square > 0.0:
             part = (square - dot(gradient, self._gradient)) / self._square
             if part > 0.0:
                 kept = np.where(state.free, self._direction, 0.0)

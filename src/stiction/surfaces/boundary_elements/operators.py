@@ -1,7 +1,7 @@
 """From the pressure on every point of a map to the displacement of every point, by fast Fourier transforms.
 
-Periodic: the transform of the pressure times C(k) (Stanley & Kato 1997, J. Tribology 119, 481). Where the bodies are half-spaces,
-the mean displacement of one period is infinite; it is left out, and displacements are about their mean.
+Periodic: the transform of the pressure times C(k) (Stanley & Kato 1997, J. Tribology 119, 481). Where the bodies are
+half-spaces, the mean displacement of one period is infinite; it is left out, and displacements are about their mean.
 
 Free: the map ends, and nothing presses outside of it. Pressure is uniform on each pixel; convolution on a grid twice as large
 along both axes, so that no copy of the map is seen (Hockney; Liu, Wang & Liu 2000, Wear 243, 101: DC-FFT). The influence of one
@@ -15,7 +15,7 @@ and with a film three parts, far = 1/E* of long, near = 1/E* of short waves:
 
 The first is (1). The second is 1/(pi (r^2 + c^2)^(1/2)) of a point force; over a pixel, in place of f of (1),
 
-    f = x arsinh(y/(x^2 + c^2)^(1/2)) + y arsinh(x/(y^2 + c^2)^(1/2)) - c arctan(x y/(c (x^2 + y^2 + c^2)^(1/2)))             (3)
+    f = x arsinh(y/(x^2 + c^2)^(1/2)) + y arsinh(x/(y^2 + c^2)^(1/2)) - c arctan(x y/(c (x^2 + y^2 + c^2)^(1/2)))         (3)
 
 D is finite at k = 0, falls off as e^(-2 k t), and is transformed on the doubled grid; c = 1.5 t. (2) and (3) derived here.
 The copies of D that this leaves shift displacements by about (t/L)^3 of the largest, L the side of the map: 1e-3 at L = 10 t.
@@ -69,9 +69,7 @@ class FreeBoundary:
         self._doubled = tuple(next_fast_len(2 * count, real=True) for count in shape)
         kernel = compliance.near * _of_pixels(self._doubled, pitch)
         if compliance.film is not None:
-            kernel += (compliance.far - compliance.near) * _of_pixels(
-                self._doubled, pitch, _DEPTH * compliance.film.thickness
-            )
+            kernel += (compliance.far - compliance.near) * _of_pixels(self._doubled, pitch, _DEPTH * compliance.film.thickness)
         self._kernel = rfft2(kernel).real.copy()  # even in both directions: no imaginary part
         if compliance.film is not None:
             self._kernel += _rest(compliance, self._doubled, pitch)

@@ -3,9 +3,9 @@
     found = solve_map(surface.heights, surface.size, modulus=1e11, loads=[1.0, 10.0], periodic=True)
     found[-1].area, found[-1].separation, found.doubts
 
-Assumptions: small slopes, no friction, no adhesion; bodies are half-spaces (with or without a film) whose compliance carries the
-load of the whole map; plastic flow is a pressure that does not rise above the hardness, without hardening, without volume that
-goes elsewhere, and every load is reached from none (no memory of the loads before).
+Assumptions: small slopes, no friction, no adhesion; bodies are half-spaces (with or without a film) whose compliance carries
+the load of the whole map; plastic flow is a pressure that does not rise above the hardness, without hardening, without volume
+that goes elsewhere, and every load is reached from none (no memory of the loads before).
 """
 
 import math
@@ -38,11 +38,12 @@ class MapContact:
     """Contact of a map at one load. All numbers are of the whole map.
 
     load [N]; mean_pressure: over the nominal area [Pa]; nominal_area [m2]; area: real, corrected for pixels [m2]; area_pixels:
-    as counted [m2]; perimeter: of the real area [m]; separation: of the mean planes of the undeformed heights and the face, [m]
-    (where bodies are half-spaces and the map periodic, of the deformed face); mean_gap: mean distance of the faces, 0 where they
-    touch [m]; approach: since first touch [m], None where a periodic half-space leaves it unknown; stiffness: of load over
-    approach [N/m], NaN if no point can answer; plastic_area [m2]: where the pressure is the hardness; plastic_share: of the load,
-    carried there [1]; pressure: (rows, columns) [Pa], None if not kept; residual, steps: of the solution; load_error: relative.
+    as counted [m2]; perimeter: of the real area [m]; separation: of the mean planes of the undeformed heights and the face [m]
+    (where bodies are half-spaces and the map periodic, of the deformed face); mean_gap: mean distance of the faces [m], 0 where
+    they touch; approach: since first touch [m], None where a periodic half-space leaves it unknown; stiffness: of load over
+    approach [N/m], NaN if no point can answer; plastic_area [m2]: where the pressure is the hardness; plastic_share: of the
+    load, carried there [1]; pressure: (rows, columns) [Pa], None if not kept; residual, steps: of the solution;
+    load_error: relative.
     """
 
     load: float
@@ -191,7 +192,9 @@ def _usable(heights) -> np.ndarray:
         raise InputError("heights", f"shape {heights.shape}", "(rows, columns), at least 4 of each")
     bad = int(heights.size - np.count_nonzero(np.isfinite(heights)))
     if bad:
-        raise InputError("heights", f"{bad} of {heights.size} points not finite", "a height at every point: fill missing ones first")
+        raise InputError(
+            "heights", f"{bad} of {heights.size} points not finite", "a height at every point: fill missing ones first"
+        )
     if float(heights.min()) == float(heights.max()):
         raise InputError("heights", "all alike", "a rough map: a flat face touches everywhere")
     return heights
@@ -212,7 +215,7 @@ def _rising(asked: _Asked, compliance: Compliance, pressures: np.ndarray) -> Ite
             seen = _reporting(asked.how.progress, index, len(pressures))
         found = minimise(problem, start, tolerance=asked.how.tolerance, most=asked.how.most_steps, seen=seen)
         start = found.pressure
-        yield _contact(asked, problem, found)
+        yield _contact(asked, problem, found, displacement.knows_approach)
         start = start * (pressures[min(index + 1, len(pressures) - 1)] / mean)
 
 
@@ -231,7 +234,7 @@ def _from_coarser(asked, compliance, boundary, mean, heights) -> np.ndarray:
     return found.pressure.repeat(2, axis=0).repeat(2, axis=1)
 
 
-def _contact(asked: _Asked, problem: Problem, found: Found) -> MapContact:
+def _contact(asked: _Asked, problem: Problem, found: Found, knows_approach: bool) -> MapContact:
     """The numbers of one load."""
     pressure, gap = found.pressure, found.gap
     nominal = asked.size[0] * asked.size[1]
@@ -253,7 +256,7 @@ def _contact(asked: _Asked, problem: Problem, found: Found) -> MapContact:
         perimeter=perimeter,
         separation=-found.offset - float(asked.heights.mean()),
         mean_gap=float(np.mean(gap, where=gap > 0.0)) * float(np.mean(gap > 0.0)) if (gap > 0.0).any() else 0.0,
-        approach=highest + found.offset if problem.displacement.knows_approach else None,
+        approach=highest + found.offset if knows_approach else None,
         stiffness=per_area * nominal,
         plastic_area=plastic * pixel,
         plastic_share=plastic * asked.hardness / (mean * pressure.size) if plastic else 0.0,
