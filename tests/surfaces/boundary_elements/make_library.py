@@ -3,7 +3,7 @@
     python make_library.py > library.csv        in an environment of its own: pip install ContactMechanics==1.8.3
 
 Maps: sums of waves of amplitudes q^-1.8 with phases of `numpy.random.default_rng(seed)`, as `heights` here; side 1, E* = 1.
-Columns: seed; boundary; hardness (inf: elastic); mean: pressure; area: share of points in contact; square: mean square pressure;
+Columns: seed; boundary; hardness (inf: elastic); mean: pressure; area: share of points in contact; square: mean of p^2;
 largest: pressure. A case that the library does not converge on is left out (hardness .01, mean .005).
 """
 

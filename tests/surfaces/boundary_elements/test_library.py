@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from make_library import heights
 
 from stiction.surfaces.boundary_elements.solve import solve_map
-from make_library import heights
 
 ROWS = list(csv.DictReader((Path(__file__).parent / "library.csv").read_text(encoding="utf-8").splitlines()))
 

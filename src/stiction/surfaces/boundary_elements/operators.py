@@ -28,18 +28,22 @@ from scipy.fft import fftfreq, irfft2, next_fast_len, rfft2, rfftfreq
 
 from stiction.surfaces.boundary_elements.compliance import Compliance
 
-__all__ = ["FreeBoundary", "PeriodicBoundary", "wavevectors"]
+__all__ = ["FreeBoundary", "PeriodicBoundary", "components", "wavevectors"]
 
 _THREADED = 2**19  # points from which on two threads are faster than one
 _DEPTH = 1.5  # c over t
 
 
-def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray:
-    """|k| of the entries of `rfft2` [1/m]; size: (y, x) [m] of the grid."""
+def components(shape: tuple[int, int], size: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
+    """k_y as a column and k_x as a row [1/m], of the entries of `rfft2`; size: (y, x) [m] of the grid."""
     (rows, columns), (high, wide) = shape, size
     along_y = 2.0 * math.pi * fftfreq(rows, high / rows)
-    along_x = 2.0 * math.pi * rfftfreq(columns, wide / columns)
-    return np.hypot(along_y[:, None], along_x)
+    return along_y[:, None], 2.0 * math.pi * rfftfreq(columns, wide / columns)
+
+
+def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray:
+    """|k| of the entries of `rfft2` [1/m]; size: (y, x) [m] of the grid."""
+    return np.hypot(*components(shape, size))
 
 
 class PeriodicBoundary:

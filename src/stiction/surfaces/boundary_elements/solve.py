@@ -206,7 +206,7 @@ def _rising(asked: _Asked, compliance: Compliance, pressures: np.ndarray) -> Ite
     displacement = boundary(compliance, asked.heights.shape, asked.size)
     length = rms_step(asked.heights)
     start = None
-    for index, mean in enumerate(pressures):
+    for index, mean in enumerate(pressures.tolist()):
         if start is None:
             start = _from_coarser(asked, compliance, boundary, mean, asked.heights)
         problem = Problem(displacement, asked.heights, mean, asked.hardness, length)
