@@ -1,7 +1,7 @@
 """Elastic contact area of a map without its solution: from its slopes, or from the solution of some of its points.
 
-This project's own formulas, grade B: their evidence is solved maps. All begin with Persson's theory (2001), A/A0 = erf(2^(1/2) p), p: mean
-pressure over E* h', h' the rms gradient of the map, and widen it:
+This project's own formulas, grade B: their evidence is solved maps. All begin with Persson's theory (2001),
+A/A0 = erf(2^(1/2) p), p: mean pressure over E* h', h' the rms gradient of the map, and widen it:
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
 

@@ -175,7 +175,7 @@ class _Asked:
         if loads.ndim != 1 or loads.size == 0 or not (np.isfinite(loads) & (loads > 0.0)).all():
             raise InputError("loads", loads.tolist(), "a list of finite loads > 0 N")
         require_memory(np.shape(heights), periodic=periodic, kept=len(loads) if how.keep_maps else 1)
-        heights = _usable(heights)
+        heights = usable_map(heights)
         hardness = math.inf if hardness is None else float(hardness)
         pressures = loads / (size[0] * size[1])
         if not hardness > 0.0:
@@ -186,7 +186,7 @@ class _Asked:
         return cls(heights, size, hardness, pressures, periodic, how)
 
 
-def _usable(heights) -> np.ndarray:
+def usable_map(heights) -> np.ndarray:
     heights = np.ascontiguousarray(heights, dtype=np.float64)
     if heights.ndim != 2 or min(heights.shape) < 4:
         raise InputError("heights", f"shape {heights.shape}", "(rows, columns), at least 4 of each")
