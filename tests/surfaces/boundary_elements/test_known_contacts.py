@@ -31,8 +31,10 @@ def test_hertz_to_one_per_cent_at_forty_points_across():
     radius, size, count = 1e-3, 60e-6, 60
     a = 20.3 * size / count
     load = 4.0 * MODULUS * a**3 / (3.0 * radius)
-    (found,) = solve_map(paraboloid(count, size, radius), (size, size), modulus=MODULUS, loads=[load], periodic=False)
+    heights = 3e-6 + paraboloid(count, size, radius)  # where heights count from does not matter
+    (found,) = solve_map(heights, (size, size), modulus=MODULUS, loads=[load], periodic=False)
     assert found.area == pytest.approx(math.pi * a**2, rel=0.01)
+    assert found.separation == pytest.approx(3e-6 - a**2 / radius - heights.mean(), rel=0.005)
     assert found.area_pixels == pytest.approx(math.pi * a**2, rel=0.03)
     assert found.perimeter == pytest.approx(2.0 * math.pi * a, rel=0.02)
     assert found.approach == pytest.approx(a**2 / radius, rel=0.005)
