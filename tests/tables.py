@@ -50,7 +50,7 @@ def columns_of_groups(rows: list[dict[str, str]]) -> dict[str, np.ndarray]:
     return {name: column(rows, title) for name, title in named.items() if name in known}
 
 
-FILM_GROUPS = ("n_E", "n_H", "tau", "n_g", "film_aspect", "film_nu", "film_K_beta")
+FILM_GROUPS = ("n_E", "n_H", "tau", "n_g", "film_aspect", "film_nu", "film_K_beta", "film_friction_constant")
 
 
 def groups(theta=1.0, lam=1.0, nu=0.3, hardness_to_yield=2.8, **others) -> Groups:

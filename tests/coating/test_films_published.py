@@ -116,7 +116,7 @@ def test_composites_are_film_at_the_surface_and_substrate_far_below(n):
         assert hardness.value(n, 1e200, 0.5, 2.0) == pytest.approx(1.0, rel=1e-12)
 
 
-FIRST_YIELD = 9  # among the parameters of a regime
+FIRST_YIELD = 15  # among the parameters of a regime
 
 
 def halling(row_groups, choice, tangential=None):
@@ -343,10 +343,7 @@ def test_other_friction_than_that_of_the_interface_is_refused(film):
         problem_of(given, Choice("chang_etsion_bogy_1988", film=film.RECORD.key))
 
 
-@pytest.mark.parametrize("author", ["dayson", "finkin", "halling", "kato", "ogilvy", "chang", "liu"])
-def test_every_film_of_the_papers_introduction_has_its_record(author):
-    """Working, or with the statement of what its source leaves unknown."""
-    found = [one for one in records() if one.key.startswith(author) and one.kind in ("film", "not available")]
-    assert found
-    for one in found:
-        assert one.kind == "film" or (one.unknown and one.nearest)
+@pytest.mark.parametrize("author", ["dayson", "finkin", "halling", "kato", "ravindran", "ogilvy", "chang", "liu"])
+def test_every_film_of_the_papers_introduction_computes(author):
+    """And the one of Ravindran and others, of the same years."""
+    assert [one for one in records() if one.key.startswith(author) and one.kind == "film"]

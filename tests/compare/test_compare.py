@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import warnings
 
 import numpy as np
@@ -13,8 +14,8 @@ import stiction as st
 from cases import STEEL_ON_STEEL
 from stiction.cli import app
 from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, of_kind
+from stiction.report.comparison_pictures import comparison_figure
 from stiction.report.comparison_rows import at_load_rows, comparison
-from stiction.report.pictures import comparison_figure
 from stiction.studies.case import read_case
 from stiction.studies.case_results import compare_case
 from stiction.studies.comparison import candidates, compare, working_load
@@ -96,9 +97,9 @@ def on(**surface):
 
 
 def test_validity_is_judged_at_the_working_load():
-    """Plasticity index, Tabor parameter and theta: a smooth, clean contact and one of sharp asperities leave them."""
+    """Plasticity index, Tabor parameter and pull of adhesion: a smooth, clean contact and sharp asperities leave them."""
     smooth = " ".join(compare(on(asperity_height_deviation="5 nm"), load="1 N")["outside_validity"].values)
-    assert "theta = " in smooth and "mu_T = " in smooth and "adhesion is left out" in smooth
+    assert "n P_0/P = " in smooth and "mu_T = " in smooth and "adhesion is left out" in smooth
     sharp = " ".join(compare(on(asperity_radius="1 um"), load="1 N")["outside_validity"].values)
     assert "psi = " in sharp
 
@@ -108,12 +109,39 @@ def test_films():
     coated = contact(coating=st.Coating(**FILM), interfacial_shear_strength="50 MPa")
     names = [one.name for one in candidates(coated)]
     assert len(names) == len(set(names))
+    assert "printed" not in names  # one reading of its model, and no answer of its own
     data = compare(coated, load="1 N")
     assert {"soft_coating_2015 + sequential", "graded"} <= set(data["model"].values)
     for film in of_kind(FilmLaw).values():
         shown = sum(str(name).endswith(film.key) for name in data["model"].values)
         assert shown > 1 if film.key == "sequential" else shown == film.interchangeable
     assert "persson_2001: " in data.attrs["left_out"] and "this contact has a film" in data.attrs["left_out"]
+
+
+def test_a_film_law_is_asked_with_the_asperity_of_its_source():
+    """Chang's film is of Chang, Etsion & Bogy's asperities."""
+    coated = contact(coating=st.Coating(**FILM), interfacial_shear_strength="50 MPa")
+    (film,) = (one for one in candidates(coated) if one.name == "chang_1997")
+    assert film.choice.asperity == "chang_etsion_bogy_1987"
+
+
+@pytest.mark.parametrize("model", ("persson_2001", "persson_2001_elastoplastic"))
+def test_a_theory_without_separations_is_asked_at_the_loads_of_a_plain_sum(data, model):
+    """Of Greenwood & Williamson's, in newtons, on a surface whose own moments are those of its asperities."""
+    plain = data.sel(model="greenwood_williamson_1966")["load"].values
+    assert_allclose(data.sel(model=model)["load"].values, plain, rtol=1e-12)
+    assert data["load"].attrs["units"] == "N"
+    assert np.isnan(data.sel(model=model)["mean_separation"].values).all()
+
+
+def test_whether_a_surface_sticks_is_told_of_its_moments():
+    """Not of the asperities that were found on it, where both are given."""
+    rough = {"asperity_height_deviation": "10 nm", "asperity_radius": "20 um", "asperity_density": "1e12 1/m^2"}
+    steel = {**STEEL, "work_of_adhesion": "1 J/m^2"}
+    both = st.Contact(**steel, roughness=st.Roughness(**SURFACE, surface=st.Roughness(**rough)))
+    moments, found = (st.Contact(**steel, roughness=st.Roughness(**one)) for one in (rough, SURFACE))
+    told = [compare(one, separations=[0.0]).attrs["criteria"] for one in (both, moments, found)]
+    assert told[0] == told[1] != told[2]
 
 
 def test_an_unreachable_load_is_said_not_computed():
@@ -135,6 +163,12 @@ def test_bad_input():
         compare("steel")
     with pytest.raises(st.InputError, match="load"):
         compare(SHEARED, load="10 m")
+
+
+@pytest.mark.parametrize("separations", ([], 1.0, np.array(1.0), [[1.0, 2.0]], [0.0, math.nan], [2e6], "abc", [1j], [None]))
+def test_separations_that_are_no_row_of_numbers_are_refused(separations):
+    with pytest.raises(st.InputError, match=r"^separations: .*; allowed: a row of numbers, over sigma, from "):
+        compare(st.Indices(theta=40, lam=10), separations=separations)
 
 
 CASE = f"""
@@ -284,13 +318,37 @@ def drawn_without_warning(data):
         warnings.simplefilter("error")
         figure = comparison_figure(data, "title")
         figure.draw_without_rendering()
-    axes = figure.axes[0]
-    low, high = axes.get_xlim()
-    curves = data["load"].values[data["friction_coefficient"].values > 0.0]
-    assert low < curves.max() < high
-    box, page = axes.get_legend().get_window_extent(), figure.bbox
-    assert page.x0 <= box.x0 < box.x1 <= page.x1 and page.y0 <= box.y0 < box.y1 <= page.y1
+    low, high = figure.axes[0].get_xlim()
+    may_be = (data["friction_coefficient"].values > 0.0) & (data["doubtful"].values < 2)
+    assert low < data["load"].values[may_be].max() < high or "case_loads" in data.attrs
+    page = figure.bbox
+    names = [text for axes in figure.axes for text in axes.texts if axes.get_title()]
+    for box in [one.get_window_extent() for one in (*figure.legends, *names)]:
+        assert page.x0 <= box.x0 < box.x1 <= page.x1 and page.y0 <= box.y0 < box.y1 <= page.y1
     return figure
+
+
+def test_the_picture_ends_curves_where_they_cannot_be_and_names_them():
+    """Steel under up to 100 kN on 1 mm^2 is pressed flat: no curve goes there."""
+    data = compare(contact(interfacial_shear_strength="200 MPa"), load="1 kN", separations=np.linspace(5.0, -30.0, 40))
+    assert (data["doubtful"].values == 2).any()
+    figure = drawn_without_warning(data)
+    assert sorted(axes.get_title()[:9] for axes in figure.axes) == ["interface", "strength "]
+    for axes in figure.axes:
+        names = {text.get_text() for text in axes.texts} - {"working load"}
+        lines = [line for line in axes.lines if not line.get_label().startswith("_")]
+        assert names <= {line.get_label() for line in lines} and names
+        for line in lines:
+            one = data.sel(model=line.get_label())
+            impossible = one["load"].values[one["doubtful"].values == 2]
+            assert not impossible.size or not np.isin(impossible, np.asarray(line.get_xdata())).any()
+
+
+def test_the_picture_is_of_the_loads_of_the_case(case):
+    read = read_case(case)
+    figure = drawn_without_warning(compare_case(read, 1.0))
+    low, high = figure.axes[0].get_xlim()
+    assert low == pytest.approx(min(read.load) / 3.0) and high == pytest.approx(max(read.load) * 3.0)
 
 
 def test_the_picture_of_a_contact_that_holds_itself(case):

@@ -7,7 +7,8 @@ import pytest
 import xarray
 
 import stiction as st
-from stiction.laws.validity import Doubt, doubts_of
+from stiction.laws.claims import Validity
+from stiction.laws.validity import Doubt, doubts_about, doubts_of, with_doubts
 
 BARE = {"theta": 100, "lam": 10}
 COATED = {"theta": 100, "lam": 10, "n_E": 0.5, "n_H": 20, "tau": 2, "film_aspect": 0.3, "shear_strength": 0.05}
@@ -28,32 +29,78 @@ def test_composites_chosen_by_option_answer_too():
 def test_a_doubt_is_text_and_numbers(tmp_path):
     """The paper claims separations of -4 sigma and more; -6 is half as far again."""
     found = st.solve(st.Indices(**BARE), separation=[0.0, -5.0, -6.0])
-    (doubt,) = doubts_of(found)
+    doubt = next(one for one in doubts_of(found) if one.quantity == "mean_separation")
     assert (doubt.quantity, doubt.least, doubt.most, doubt.outside, doubt.points) == ("mean_separation", -6.0, -5.0, 2, 3)
     assert doubt.low == -4.0 and doubt.beyond == pytest.approx(0.5)
-    assert str(doubt) == found.attrs["outside_validity"]
-    (data,) = json.loads(found.attrs["doubts"])
+    assert str(doubt) in found.attrs["outside_validity"]
+    data = next(one for one in json.loads(found.attrs["doubts"]) if one["quantity"] == "mean_separation")
     assert data["quantity"] == "mean_separation" and data["beyond"] == pytest.approx(0.5) and data["high"] is None
     found.to_netcdf(tmp_path / "found.nc", engine="h5netcdf")
     with xarray.open_dataset(tmp_path / "found.nc") as again:
-        assert doubts_of(again) == [doubt]
+        assert doubts_of(again) == doubts_of(found) and doubt in doubts_of(again)
 
 
 def test_how_far_beyond():
     assert Doubt("", "theta", 2.0, 5.0, 10.0).beyond == pytest.approx(0.8)
     assert Doubt("", "theta", 2.0, 5.0, high=1.0).beyond == pytest.approx(4.0)
     assert Doubt("", "tau", -3.0, -1.0, 0.0).beyond == pytest.approx(3.0)
-    assert Doubt("words only").as_data() == {"why": "words only"}
+    assert Doubt("words only").as_data() == {"why": "words only", "kind": "assumption"}
+    with pytest.raises(ValueError, match="a doubt is impossible, "):
+        Doubt("", kind="great")
 
 
 def test_old_names_go_on_working():
-    with pytest.warns(FutureWarning, match="film"):
+    with pytest.warns(FutureWarning, match="film") as warned:
         old = st.solve(st.Indices(**COATED), separation=1, coating_law="ogilvy_1993", model=HALLING["model"],
                        tangential="bowden_tabor_1943")  # fmt: skip
+    assert warned[0].filename == __file__  # the line of the user, not of the package
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         new = st.solve(st.Indices(**COATED), separation=1, **HALLING | {"film": "ogilvy_1993"})
     assert float(old["load"]) == float(new["load"])
     surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), st.SelfAffine(0.8, "2 um", "1 um", deviation="20 nm"), 1)
-    with pytest.warns(DeprecationWarning, match="resolution_study"):
+    with pytest.warns(FutureWarning, match="resolution_study"):
         assert "sigma" in st.fan(surface, [0.0], ["mccool"])
+
+
+RANGE = "no claim is made beyond"
+
+
+def claim(low, high):
+    """These values of theta are claimed."""
+    return Validity("theta", low, high, RANGE)
+
+
+def test_the_ends_of_a_range_are_inside_it():
+    contact = st.Indices(theta=st.axis("theta", [9.0, 10.0, 20.0, 21.0, 25.0]), lam=10.0)
+    (doubt,) = doubts_about(contact, [claim(10.0, 20.0)], {})
+    assert (doubt.outside, doubt.points, doubt.least, doubt.most) == (3, 5, 9.0, 25.0)
+    assert not doubts_about(st.Indices(theta=10.0, lam=10.0), [claim(10.0, 20.0), claim(5.0, 10.0)], {})
+
+
+def test_only_what_is_outside_is_said_to_be():
+    contact = st.Indices(theta=st.axis("theta", [1.0, 15.0, 21.0, 25.0]), lam=10.0)
+    (doubt,) = doubts_about(contact, [claim(0.5, 20.0)], {})
+    assert (doubt.outside, doubt.points, doubt.least, doubt.most) == (2, 4, 21.0, 25.0)
+    assert "is 21 to 25 in 2 of 4 points, claimed is 0.5 to 20" in str(doubt)
+
+
+def test_where_it_is_outside_is_said_of_two_points_and_not_of_one():
+    for points, where in (([30.0, 15.0], "in 1 of 2 points"), ([30.0], "here")):
+        contact = st.Indices(theta=st.axis("theta", points), lam=10.0)
+        (doubt,) = doubts_about(contact, [claim(10.0, 20.0)], {})
+        assert f" is 30 {where}, claimed is 10 to 20" in str(doubt)
+
+
+def test_how_far_beyond_is_told_of_the_worst_end():
+    """10 to 20 is left on both sides: 5 is half of 10 below, 50 is 1.5 times 20 above; and the other way round."""
+    assert Doubt("", "theta", 5.0, 50.0, 10.0, 20.0).beyond == pytest.approx(1.5)
+    assert Doubt("", "theta", 1.0, 21.0, 10.0, 20.0).beyond == pytest.approx(0.9)
+
+
+def test_doubts_are_added_to_those_that_a_result_has():
+    found = st.solve(st.Indices(**BARE), separation=-6.0)
+    own = doubts_of(found)
+    more = with_doubts(found, [Doubt("words only")])
+    assert own and doubts_of(more) == [*own, Doubt("words only")]
+    assert more.attrs["outside_validity"] == f"{found.attrs['outside_validity']}; words only"

@@ -9,7 +9,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.solve import solve
 
 # Exponents of length and force in each unit that a contact is given in.
-DIMENSIONS = {"m": (1, 0), "m^2": (2, 0), "1/m^2": (-2, 0), "Pa": (-2, 1), "J/m^2": (-1, 1), "": (0, 0)}
+DIMENSIONS = {"m": (1, 0), "m^2": (2, 0), "1/m^2": (-2, 0), "Pa": (-2, 1), "J/m^2": (-1, 1), "N/m": (-1, 1), "": (0, 0)}
 
 
 def scaled(values, length, force):
@@ -26,7 +26,7 @@ def contact(length=1.0, force=1.0, coated=True):
         return Material(name="some", **scaled(values, length, force))
 
     roughness = {"asperity_height_deviation": 48e-9, "asperity_radius": 50e-6, "asperity_density": 1.7e10}
-    film = {"thickness": 200e-9, "work_of_adhesion": 0.4}
+    film = {"thickness": 200e-9, "work_of_adhesion": 0.4, "friction_constant": 3.0}
     given = {"work_of_adhesion": 0.7, "nominal_area": 1e-6, "hardness_to_yield": 2.8}
     given |= {"interfacial_shear_strength": 2e7, "pressure_coefficient": 0.1, "peeling": 0.5}
     return Contact(
@@ -49,7 +49,7 @@ def test_groups_have_no_unit(length, force, coated):
     plain, other = one.indices(), two.indices()
     names = [name for name in type(plain).model_fields if getattr(plain, name) is not None]
     needed_by_some = 8
-    assert len(names) == (12 if coated else 5) + (0 if coated else 1) + needed_by_some  # bare: n_g is 1 by default
+    assert len(names) == (13 if coated else 5) + (0 if coated else 1) + needed_by_some  # bare: n_g is 1 by default
     for name in names:
         if name != "tabor_parameter":
             assert getattr(other, name) == pytest.approx(getattr(plain, name), rel=1e-12), name

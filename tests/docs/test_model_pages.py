@@ -14,11 +14,9 @@ from stiction.laws.sources import bibliography
 
 MADE = [(script, table) for script, tables in make_tables.tables_made().items() for table in tables]
 PAGE = (ROOT / "docs" / make_tables.SECTIONS).read_text(encoding="utf-8")
-COMPUTED = [record for record in records() if record.kind != "not available"]
 # Ways of finding asperities are held to closed forms of surfaces (tests/contract/test_asperity_records.py), not to tables.
-TABLED = [record for record in COMPUTED if record.kind != "asperity method"]
+TABLED = [record for record in records() if record.kind != "asperity method"]
 each_record = pytest.mark.parametrize("record", records(), ids=lambda record: f"{record.kind}-{record.key}")
-each_computed = pytest.mark.parametrize("record", COMPUTED, ids=lambda record: f"{record.kind}-{record.key}")
 each_tabled = pytest.mark.parametrize("record", TABLED, ids=lambda record: f"{record.kind}-{record.key}")
 
 # What the docstring of a model's file has, and what stands there.
@@ -41,7 +39,7 @@ def section(record):
     return found[0]
 
 
-@each_computed
+@each_record
 def test_file_says_what_is_to_be_known(record):
     """docs/adding-a-model.md tells the layout. One line says what is missing."""
     text = text_of(record)
@@ -68,11 +66,8 @@ def test_page_has_a_section_of_every_model(record):
     assert f"- Grade {record.grade}: " in text
     assert all(f"- Source: {source}" in text for source in record.sources)
     assert f"- Checked against: {record.verified}" in text
-    if record.kind == "not available":
-        assert "- Missing: " in text and "- Nearest to it here: " in text
-    else:
-        assert text.count("- Valid for: ") == max(len(record.validity), 1)
-        assert "- Reference values: " in text or record not in TABLED
+    assert text.count("- Valid for: ") == max(len(record.validity), 1)
+    assert "- Reference values: " in text or record not in TABLED
 
 
 @each_record

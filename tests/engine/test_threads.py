@@ -54,6 +54,8 @@ def test_a_problem_gives_the_same_bits(heights, threads):
 def test_threads_that_are_no_number_are_refused(threads):
     with pytest.raises(st.InputError, match="threads"):
         st.evaluate(0.0, 10.0, 10.0, threads=threads)
+    with pytest.raises(st.InputError, match="threads"):
+        st.solve(st.Indices(theta=10, lam=10), separation=1.0, threads=threads)
 
 
 @pytest.mark.parametrize("threads", (1, 2))

@@ -157,6 +157,8 @@ HEIGHTS: tuple[dict[str, Any], ...] = (
     {"empirical": {"samples": [0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 5, 5, 6, 7, 9]}},
 )
 PLAIN, PAPER = "greenwood_williamson_1966", "soft_coating_2015"
+# Films that are younger than the first rows: asked last, so that what was drawn for the others stays as it was.
+LATER = ("dayson_1971", "kato_1981", "ravindran_ramasamy_laddha_1980")
 
 
 def kinds() -> dict[str, dict[str, dict[str, Any]]]:
@@ -232,11 +234,16 @@ def asked_of_pairs(asperities, tangentials, request):
             yield request(given, [law, interface], **options, heights=heights)
 
 
-def asked_of_films(known, drawn: Drawn):
-    """Every film with every option and every asperity law, the kinds of heights in turn; and both readings of the paper."""
+def films(known, later: bool = False):
+    """The films that may be chosen; or those of them that came later."""
+    return [one for key, one in known["film"].items() if one["interchangeable"] and (key in LATER) == later]
+
+
+def asked_of_each(some, known, drawn: Drawn):
+    """Some films with every option and every asperity law, the kinds of heights in turn."""
     turn = itertools.cycle(HEIGHTS)
     interface = known["tangential"]["bowden_tabor_1943"]
-    for film in (one for one in known["film"].values() if one["interchangeable"]):
+    for film in some:
         asperities = [{}] if film["own_asperity"] else [{"asperity": key} for key in known["asperity"]]
         for options, chosen in itertools.product(with_options(film), asperities):
             laws = [film, *(known["asperity"][key] for key in chosen.values())]
@@ -244,6 +251,11 @@ def asked_of_films(known, drawn: Drawn):
             given |= {"tangential": interface["key"]} if film["tangential"] in ("", "interface") else {"model": PAPER}
             groups = drawn.groups(*laws, interface, film=True)
             yield {"call": "solve", "indices": groups, "with": given | chosen | options}
+
+
+def asked_of_films(known, drawn: Drawn):
+    """Every film; and both readings of the paper."""
+    yield from asked_of_each(films(known), known, drawn)
     for (key, model), heights in itertools.product(known["rough surface"].items(), HEIGHTS):
         if model["asperity"]:
             given = {"model": key, "separation": drawn.number(-1.0, 2.0), "heights": heights}
@@ -284,12 +296,7 @@ def asked_at_loads(known, drawn: Drawn):
     for key in known["asperity"]:
         given = {"load": next(turn), "model": PLAIN, "asperity": key, "presliding": "mindlin_1949"}
         yield {"call": "solve", "contact": contact_of(first=HARDENING, second=HARDENING), "with": given}
-    for film in (one for one in known["film"].values() if one["interchangeable"]):
-        given = {"model": PLAIN, "tangential": "bowden_tabor_1943"} if film["tangential"] in ("", "interface") else {}
-        given |= {"asperity": film["asperity"]} if film["asperity"] else {}
-        for one in (0.03, 1.0):
-            chosen = {"load": one, "film": film["key"]} | given
-            yield {"call": "solve", "contact": contact_of(coating=SILVER), "with": chosen}
+    yield from asked_at_loads_of(films(known))
     each = itertools.cycle(HEIGHTS)
     for (key, law), _ in itertools.product(known["asperity"].items(), range(2)):
         for options in with_options(law):
@@ -301,6 +308,22 @@ def asked_at_loads(known, drawn: Drawn):
         groups = drawn.groups(theta={"axis": [20.0, 100.0, 900.0]}, lam=drawn.number(0, 3, True))
         yield {"call": "solve", "indices": groups, "with": {"load": many, "model": model}}
     yield {"call": "solve", "contact": contact_of(), "with": {"load": 1e9}}
+
+
+def asked_at_loads_of(some):
+    """A real contact with some films, at loads."""
+    for film in some:
+        given = {"model": PLAIN, "tangential": "bowden_tabor_1943"} if film["tangential"] in ("", "interface") else {}
+        given |= {"asperity": film["asperity"]} if film["asperity"] else {}
+        for one in (0.03, 1.0):
+            chosen = {"load": one, "film": film["key"]} | given
+            yield {"call": "solve", "contact": contact_of(coating=SILVER), "with": chosen}
+
+
+def asked_later(known, drawn: Drawn):
+    """Films that came later, at separations and at loads."""
+    yield from asked_of_each(films(known, later=True) * 3, known, drawn)
+    yield from asked_at_loads_of(films(known, later=True))
 
 
 def asked_otherwise(known, drawn: Drawn):
@@ -330,7 +353,8 @@ def asked_otherwise(known, drawn: Drawn):
 def requests():
     """All requests, in the order of the file."""
     known = kinds()
-    for seed, part in enumerate((asked_at_separations, asked_of_films, asked_at_loads, asked_otherwise)):
+    parts = (asked_at_separations, asked_of_films, asked_at_loads, asked_otherwise, asked_later)
+    for seed, part in enumerate(parts):
         yield from part(known, Drawn(seed))
 
 

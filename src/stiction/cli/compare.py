@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stiction.cli.output import print_json
 from stiction.cli.program import Json, Out, app, bar, busy, console, written
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ def compare(
     also the spread of each model over the methods of finding asperities. A working load presses: it is above 0 N; where the
     middle one of the case is not, the nearest that is stands in, and without any there are only curves.
     """
-    from stiction.report.files import as_json, check_folder
+    from stiction.report.files import check_folder
 
     if out is not None:
         check_folder(out)
@@ -37,11 +38,11 @@ def compare(
 
         chosen = read_case(case)
         at = working_load(chosen, load)
-    data = compare_case(chosen, at, bar)
+    data = compare_case(chosen, at, bar).assign_attrs(case_file=str(case))
     names = _write_comparison(out, data, chosen.title) if out is not None else []
     if json:
         measured = {} if chosen.measured is None else {"measured": chosen.measured.record()}
-        print(as_json(comparison(data) | measured))
+        print_json(comparison(data) | measured)
         return
     from stiction.report.tables import comparison_summary, comparison_table
 
@@ -62,9 +63,9 @@ def compare(
 def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> list[str]:
     """Write tables and the picture; returns their names."""
     with busy("Drawing"):
+        from stiction.report.comparison_pictures import comparison_figure
         from stiction.report.comparison_rows import at_load_rows, comparison_rows
         from stiction.report.files import write_folder, write_netcdf, write_picture, write_rows
-        from stiction.report.pictures import comparison_figure
 
         files = {
             "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),

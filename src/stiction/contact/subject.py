@@ -13,17 +13,20 @@ class Scales:
     """What the dimensionless results of a contact are multiplied by to be in SI units.
 
     load [N] and contact_area [m^2] per asperity, separation [m], asperities: their number on the nominal
-    area. The load of the whole contact is its dimensionless value times load times asperities.
+    area, nominal_area [m^2], None where it is not known. The load of the whole contact is its dimensionless value times load
+    times asperities.
     """
 
     load: Any = 1.0
     contact_area: Any = 1.0
     separation: Any = 1.0
     asperities: Any = 1.0
+    nominal_area: Any = None
 
     def factors(self) -> dict[str, Any]:
         """The factor of results of the whole contact for each scale of the table of quantities: an SI unit, or "count"."""
-        return {
+        pressure = {} if self.nominal_area is None else {"Pa": self.load * self.asperities / self.nominal_area}
+        return pressure | {
             "N": self.load * self.asperities,
             "m^2": self.contact_area * self.asperities,
             "m": self.separation,
@@ -48,10 +51,32 @@ class Subject(Input):
     def has_film(self) -> bool:
         """Whether there is a film."""
 
+    def inputs(self) -> list[tuple[str, str]]:
+        """Dotted name and value, with its unit, of all that was given."""
+        return self.listed()
+
+    def optional_inputs(self) -> dict[str, str]:
+        """What was given and may be left out: dotted name -> the group that it decides, "" where no law asks for it."""
+        names = ("shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield")
+        return {name: name for name in names if name in self.model_fields_set and getattr(self, name) is not None}
+
+    def remarks(self) -> list[str]:
+        """What is worth knowing of the groups of this contact before anything is solved."""
+        return []
+
     @property
     def heights(self) -> tuple[str, dict[str, Any]]:
         """Name and parameters of the distribution of asperity heights."""
         return "gaussian", {}
+
+    @property
+    def measured(self) -> Any:
+        """What scans say of the roughness, where it was measured; else None."""
+        return None
+
+    def as_numbers(self) -> "Subject":
+        """The same without the memory of what was measured: with the numbers of the method that stands for the surface."""
+        return self
 
     def with_surface_moments(self) -> "Subject":
         """The same as theories of the whole surface take it: with the asperities that have its spectral moments."""

@@ -21,6 +21,7 @@ from stiction.engine.heights import Heights
 from stiction.engine.regime import Regime, columns
 from stiction.engine.skeleton import carry_over, near_each_other, skeleton
 from stiction.engine.sum_kernels import LONGEST, WIDEST, placing, scattering, summing
+from stiction.quantities.errors import InputError
 
 QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
 _TOTALS = ("load", "area", "resistance")
@@ -55,6 +56,12 @@ def _arrays(regime: Regime) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
     return columns(regime.parameters, len(edges)), edges, branch if two_sided else branch[:, None], two_sided
 
 
+def check_threads(threads: object) -> None:
+    """InputError unless it is a number of threads."""
+    if isinstance(threads, bool) or not (isinstance(threads, int | np.integer) and threads >= 1):
+        raise InputError("threads", threads, "a whole number, 1 or more")
+
+
 def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
     """Do `work` on every part, so many at a time. The kernels let go of the interpreter, so that threads run side by side."""
     if threads == 1:
@@ -72,8 +79,8 @@ def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
 
 
 def _shares(size: int, threads: int) -> list[slice]:
-    """So many slices of about the same length, one for each thread."""
-    ends = np.linspace(0, size, threads + 1).astype(int)
+    """So many slices of about the same length, one for each thread; no more than there are places."""
+    ends = np.linspace(0, size, min(threads, max(size, 1)) + 1).astype(int)
     return [slice(int(start), int(stop)) for start, stop in pairwise(ends)]
 
 

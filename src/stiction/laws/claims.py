@@ -21,17 +21,29 @@ TRAITS = {
 }
 
 
+# What it means to leave a range, the worst first.
+KINDS_OF_DOUBT = {
+    "impossible": "cannot be so",
+    "effect": "leaves out what matters here",
+    "assumption": "an assumption of the model fails",
+    "fit": "beyond the numbers it was fitted to",
+    "statistics": "too few asperities for an average",
+}
+
+
 @dataclass(frozen=True)
 class Validity:
     """A range in which the authors claim their model, or beyond which an assumption fails.
 
-    quantity: a name in `quantities`, in the sense used there; low and high: the range; why: what fails outside.
+    quantity: a name in `quantities`, in the sense used there; low and high: the range; why: what fails outside; kind: which
+    of KINDS_OF_DOUBT that is.
     """
 
     quantity: str
     low: float
     high: float
     why: str
+    kind: str = "assumption"
 
     @property
     def range(self) -> str:
@@ -52,6 +64,33 @@ class Limit:
     quantities: tuple[str, ...]
     within: float
     options: Mapping[str, Any] = field(default_factory=dict)
+
+
+# What a film has to become, whatever its law: under which a law is held by a test over the registry, or says how far it is off.
+FILM_LIMITS = {
+    "thin": "a film of no thickness leaves the substrate alone",
+    "thick": "a film without end is the film alone",
+    "alike": "a film like its substrate is not felt",
+}
+
+
+@dataclass(frozen=True)
+class Departure:
+    """A published film law does not become what it has to: by how much a result is off there, relative to what it should be.
+
+    limit: see FILM_LIMITS. least, most: over soft and hard films, at plasticity indices of 0.5 and more; infinite where it has
+    no bound. A test over the registry holds the record to them, and to a range of validity that is left wherever a result is
+    off by more than a fifth.
+    """
+
+    limit: str
+    quantity: str
+    least: float
+    most: float
+
+    def __str__(self) -> str:
+        ends = dict.fromkeys("any factor" if end == inf else f"{end:+.0%}" for end in (self.least, self.most))
+        return f"{FILM_LIMITS[self.limit]}, but here {self.quantity} is off by {' to '.join(ends)}"
 
 
 @dataclass(frozen=True)

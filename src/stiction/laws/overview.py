@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
     """One dict for each record of the registry, with at least key, kind, title, grade, source, validity, needs, options,
     verified, notes and text; texts and lists of texts. `text`, in Markdown, is what the file of the model says: assumptions,
-    equations, check numbers. Those of kind "not available" say under `unknown` what is missing.
+    equations, check numbers.
 
     keys: only records with these keys. Raises InputError for one that is not known.
     """
@@ -71,10 +71,13 @@ _MORE: dict[str, Callable[[Any], Any]] = {
     "traits": sorted,
     "wants": dict,
     "jumps": lambda jumps: [f"{jump.where}: load times {jump.load:g}, contact area times {jump.area:g}" for jump in jumps],
+    "departures": lambda departures: [str(one) for one in departures],
     "asperity": str,
     "tangential": str,
     "default_film": str,
     "own_asperity": bool,
+    "bares_substrate": bool,
+    "confined": bool,
     "interchangeable": bool,
     "interfacial": bool,
     "below": str,
@@ -85,8 +88,6 @@ _MORE: dict[str, Callable[[Any], Any]] = {
     "of_profiles": bool,
     "of_summits": bool,
     "of_moments": bool,
-    "unknown": str,
-    "nearest": str,
 }
 
 

@@ -2,15 +2,14 @@
 
 import json
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stiction.contact.subject import Subject
-from stiction.laws.claims import range_in_words
-from stiction.laws.registry import Record
+from stiction.laws.claims import KINDS_OF_DOUBT, Validity, range_in_words
 from stiction.quantities.table import QUANTITIES
 
 if TYPE_CHECKING:
@@ -23,7 +22,7 @@ class Doubt:
 
     why: in words. quantity: a name of the table of quantities, "" for a doubt that is of none; then all else is left out.
     least, most: of its values that are outside, at `outside` of `points` points; low, high: the range that is claimed,
-    infinite where it is open.
+    infinite where it is open. kind: which of KINDS_OF_DOUBT.
     """
 
     why: str
@@ -34,6 +33,11 @@ class Doubt:
     high: float = math.inf
     outside: int = 0
     points: int = 0
+    kind: str = "assumption"
+
+    def __post_init__(self):
+        if self.kind not in KINDS_OF_DOUBT:
+            raise ValueError(f"a doubt is {', '.join(KINDS_OF_DOUBT)}, not {self.kind}")
 
     @property
     def beyond(self) -> float:
@@ -41,9 +45,18 @@ class Doubt:
         ends = [(self.low, self.low - self.least), (self.high, self.most - self.high)]
         return max(distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound))
 
+    @property
+    def doublings(self) -> float:
+        """How far outside at the worst, as a number of factors of two; continuous at the bound. Of a doubt of no quantity 1."""
+        if not self.quantity:
+            return 1.0
+        if self.low > 0.0 and self.least < self.low:
+            return math.log2(self.low / self.least) if self.least > 0.0 else math.inf
+        return math.log2(1.0 + self.beyond)
+
     def as_data(self) -> dict[str, Any]:
         """The fields with `beyond`, for programs; a doubt that is of no quantity has its words only."""
-        return asdict(self) | {"beyond": self.beyond} if self.quantity else {"why": self.why}
+        return asdict(self) | {"beyond": self.beyond} if self.quantity else {"why": self.why, "kind": self.kind}
 
     @property
     def _values(self) -> str:
@@ -72,19 +85,30 @@ class Doubt:
         return f"{QUANTITIES[self.quantity].symbol} = {self._values}, not {self._range}: {self.why}"
 
 
-def doubts_about(subject: Subject, records: Iterable[Record], results: Mapping[str, np.ndarray]) -> list[Doubt]:
-    """The ranges of validity that are left. results: normalised, by name; the mean separation over sigma."""
+def doubts_about(subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]) -> list[Doubt]:
+    """The ranges that are left. results: normalised, by name, the mean separation over sigma; None for what is not known. What
+    is not among them the contact is asked for."""
     found = []
-    for rule in dict.fromkeys(rule for record in records for rule in record.validity):
+    for rule, values, outside in ranges_left(subject, rules, results):
+        ends = float(values[outside].min()), float(values[outside].max())
+        points = int(outside.sum()), outside.size
+        found.append(Doubt(rule.why, rule.quantity, *ends, rule.low, rule.high, *points, rule.kind))
+    return found
+
+
+def ranges_left(
+    subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
+) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
+    """The same, rule by rule: the rule, the values of its quantity as an array, and which of them are outside. What is not a
+    number is not."""
+    for rule in dict.fromkeys(rules):
         value = results[rule.quantity] if rule.quantity in results else subject.known(rule.quantity)
         if value is None:
             continue
         values = np.atleast_1d(np.asarray(value, dtype=float))
         outside = (values < rule.low) | (values > rule.high)
         if outside.any():
-            ends = float(values[outside].min()), float(values[outside].max())
-            found.append(Doubt(rule.why, rule.quantity, *ends, rule.low, rule.high, int(outside.sum()), outside.size))
-    return found
+            yield rule, values, outside
 
 
 def with_doubts(data: "xarray.Dataset", more: Iterable[Doubt]) -> "xarray.Dataset":

@@ -13,12 +13,19 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["aligned", "coordinates", "dimensions", "flattened", "without_indexes"]
+__all__ = ["aligned", "check_names", "coordinates", "dimensions", "flattened", "named_by", "without_indexes"]
 
 
 def without_indexes(array: Any) -> Any:
     """The same DataArray with its coordinates as plain variables: xarray aligns by an index, and by nothing else."""
     return array.drop_indexes(list(array.xindexes)) if array.xindexes else array
+
+
+def check_names(array: Any, field: str) -> None:
+    """InputError unless the dimensions of a DataArray, which may have any names, are named by text."""
+    for dim in array.dims:
+        if not isinstance(dim, str):
+            raise InputError(field, f"dimension {dim!r}", "dimensions named by text")
 
 
 def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
@@ -85,6 +92,16 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
             raise _disagreement(several[0][0], dim, several[0][1].size, other)  # the dimension is that quantity's own
         found |= _own_coordinates(dim, several, dim in found)
     return found
+
+
+def named_by(value: Any, names: Mapping[str, Any]) -> Any:
+    """The value, a number or a DataArray, without those coordinates that are not among these (name -> xarray.Variable)."""
+    other = [
+        name
+        for name, coordinate in getattr(value, "coords", {}).items()
+        if name not in names or not np.array_equal(names[name].values, coordinate.values)
+    ]
+    return value.drop_vars(other) if other else value
 
 
 def _is_its_own(array: Any, dim: str) -> bool:

@@ -1,6 +1,7 @@
 """A comparison as rows of tables, and as one JSON object."""
 
 import json
+import shlex
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,21 @@ from stiction.studies.comparison import RESULTS
 
 if TYPE_CHECKING:
     import xarray
+
+
+def run_command(data: "xarray.Dataset", model: str) -> str:
+    """The command line that computes one row of a comparison again."""
+    case = data.attrs.get("case_file", "CASE.toml")
+    load = _load_in_words(data)
+    return f"stiction run {shlex.quote(case)} --model {shlex.quote(model)}" + (f" --load {shlex.quote(load)}" if load else "")
+
+
+def _load_in_words(data: "xarray.Dataset") -> str:
+    """The working load as --load takes it, to the last digit."""
+    if "working_load" not in data.attrs:
+        return ""
+    unit = data["load"].attrs.get("units", "1")
+    return f"{data.attrs['working_load']!r}" + ("" if unit == "1" else f" {unit}")
 
 
 def comparison(data: "xarray.Dataset") -> dict[str, Any]:
@@ -23,6 +39,9 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "outside_validity": [doubt.short for doubt in read_doubts(one["doubts"].item())],
             "doubts": json.loads(one["doubts"].item()),
             "why_not": one["why_not"].item() or None,
+            "family": one["family_of_curve"].item() or None,
+            "cost": one["cost"].item(),
+            "command": run_command(data, str(name)),
         }
         row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
         row |= _over_methods(one)

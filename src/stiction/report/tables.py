@@ -15,6 +15,8 @@ from stiction.laws.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSu
 from stiction.laws.validity import doubts_of, read_doubts
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.report.comparison_rows import run_command
+from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:
     import xarray
@@ -35,10 +37,9 @@ _COLUMNS = {
 }
 
 
-def curve_table(data: "xarray.Dataset") -> Table:
-    """About twelve points along a curve of one dimension, each column in units with a fitting prefix."""
-    count = data["load"].size
-    chosen = np.unique(np.linspace(0, count - 1, min(count, _ROWS)).round().astype(int))
+def curve_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
+    """About twelve points along a curve of one dimension, or all, each column in units with a fitting prefix."""
+    chosen = _chosen_rows(data["load"].size, all_rows)
     names = [name for name in _COLUMNS if name in data]
     columns = [_column(data[name], name, chosen) for name in names]
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
@@ -49,6 +50,19 @@ def curve_table(data: "xarray.Dataset") -> Table:
     for cells in zip(*(cells for _, cells in columns), strict=True):
         table.add_row(*cells)
     return table
+
+
+def _chosen_rows(count: int, all_rows: bool) -> np.ndarray:
+    return np.unique(np.linspace(0, count - 1, count if all_rows else min(count, _ROWS)).round().astype(int))
+
+
+def rows_shown(data: "xarray.Dataset") -> str:
+    """How many of the points `curve_table` shows; "" if all."""
+    count = data["load"].size
+    shown = len(_chosen_rows(count, False))
+    return (
+        f"{shown} of {count} points are shown; --all-rows shows all, and --out writes all to curve.csv" if shown < count else ""
+    )
 
 
 def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
@@ -154,6 +168,8 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
         notes.append(f"friction: {used['friction_law']}")
     elif bool((data["load"] <= 0.0).any()):
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
+    notes += [one.say("--") for one in unused_of(data)]
+    notes += [used["remarks"]] if used.get("remarks") else []
     for kind in _NOTED:
         key = used[kind.keyword]
         if key != "none" and (text := find(key, kind).notes):
@@ -221,13 +237,14 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
     if "working_load" in used:
         plain = data["load"].attrs.get("units", "1") == "1"
         load = f"{used['working_load']:.4g}" if plain else shown(used["working_load"], "load")
-        lines.append(
-            Text(
-                f"working load {load}: mu {_range(used['spread'])} over all models, "
-                f"{_range(used['spread_within_validity'])} within their validity"
-            )
-        )
+        lines.append(Text(f"working load {load}: mu {_range(used['spread'])} over all models, {_within(data)}"))
         lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
+        if used["recommended"] in data["model"]:
+            low, high = used["recommended_range"]
+            lines.append(Text(f"two thirds of the weight of the models: mu {low:.3g} to {high:.3g}", style="bold"))
+            lines.append(Text(f"to run it: {run_command(data, used['recommended'])}"))
+        if used["advice"]:
+            lines.append(Text(f"what would have to change: {used['advice']}", style="bold yellow"))
         if "friction_coefficient_at_load_low" in data and used["recommended"] in data["model"]:
             best = data.sel(model=used["recommended"])
             mu = _short(float(best["friction_coefficient_at_load"]))
@@ -239,6 +256,17 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
     lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts(data), start=1)]
     lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]
     return lines
+
+
+def _within(data: "xarray.Dataset") -> str:
+    """The spread of the models within their validity, and of how many: one is an opinion and no range."""
+    judged = np.isfinite(data["friction_coefficient_at_load"].values)
+    within = [one for one in np.flatnonzero(judged) if not data["outside_validity"].values[one]]
+    if len(within) == 1:
+        one = data.isel(model=int(within[0]))
+        mu = _short(float(one["friction_coefficient_at_load"]))
+        return f"{mu} by the only one within its validity, {one['model'].item()} of grade {one['grade'].item()}: no range"
+    return f"{_range(data.attrs['spread_within_validity'])} of the {len(within)} within their validity"
 
 
 def _range(ends: list[float]) -> str:
@@ -255,9 +283,9 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
         table = Table(box=SIMPLE_HEAD, title=kind, title_style="bold", title_justify="left", pad_edge=False, expand=True)
         table.add_column("key", no_wrap=True, width=31)
         table.add_column("grade", no_wrap=True)
-        table.add_column("what is not known" if "unknown" in some[0] else "what it is, and for what it is valid", ratio=1)
+        table.add_column("what it is, and for what it is valid", ratio=1)
         for row in some:
-            said = row.get("unknown") or "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
+            said = "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
             table.add_row(Text(row["key"]), Text(row["grade"]), Text(said))
         tables.append(table)
     return Group(*tables)
@@ -267,7 +295,7 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
 _LINE_ENDS = re.compile(r"(?<=\S)(?<!\$\$)\n(?!\$\$)(?=[^\s|-])")
 # What a record says in full, besides its options: the name of the entry and how it is called.
 _IN_FULL = {
-    "source": "source", "unknown": "not known", "nearest": "nearest to it", "verified": "checked against", "jumps": "jumps",
+    "source": "source", "verified": "checked against", "jumps": "jumps", "departures": "in the limit",
     "traits": "marked", "validity": "valid for", "limits": "becomes", "needs": "depends on", "notes": "note",
 }  # fmt: skip
 

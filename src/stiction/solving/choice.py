@@ -5,6 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from stiction.quantities.errors import InputError
+
 LAWS = ("model", "asperity", "tangential", "film", "presliding")  # keywords of the kinds of records that a user chooses
 
 
@@ -20,6 +22,11 @@ class Choice:
     film: str | None = None
     options: Mapping[str, str | None] = field(default_factory=dict)
     presliding: str | None = None
+
+    def __post_init__(self):
+        for name, value in (self.arguments() | {"model": None}).items():  # a model that is no text is refused with all that are
+            if not (value is None or isinstance(value, str)):
+                raise InputError(name, value, "text: the key of a law, or a value of an option")
 
     @classmethod
     def of(cls, model: str, given: Mapping[str, str | None]) -> "Choice":

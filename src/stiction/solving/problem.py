@@ -12,16 +12,18 @@ from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import Regime
-from stiction.engine.summation import on_grid, scattered, totals_on_grid
+from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
 from stiction.laws.registry import Record, RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
+from stiction.solving.candidates import with_interface
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import Chosen, look_up
 
 _AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
+_RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
 _COUNT, _LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
 
@@ -202,11 +204,17 @@ class Sum(Problem):
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
             results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., _LOAD].sum(axis=0)
+        if bodies:
+            film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
+            whole = film + substrate
+            results["load_share_substrate"] = np.divide(substrate, whole, where=whole > 0.0, out=np.zeros_like(whole))
         if not all(regime.in_half_space for regime in regimes):
             results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., _LOAD])
         if not self.friction:
             return results
         friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
+        if not self.law.interfacial:
+            results["load_share_without_friction"] = _share_without(sums[..., _LOAD], friction)
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
@@ -231,7 +239,7 @@ class ClosedForm(Problem):
 
     @property
     def effects(self) -> list[str]:
-        return ["plasticity"] if "lam" in self.record.needs else []
+        return ["plasticity"] if "hardness_group" in self.record.needs else []
 
     def on_branch(self, branch: str) -> "ClosedForm":
         return self
@@ -280,6 +288,12 @@ class ClosedForm(Problem):
         return results | with_coefficient(load, resistances(self.chosen.tangential, self.groups, load, area))
 
 
+def _wanted(name: str) -> str:
+    """What must be given of a quantity that a model needs: a work of adhesion that is one."""
+    quantity = QUANTITIES[name]
+    return replace(quantity, lower_included=False).wanted if name == "work_of_adhesion" else quantity.wanted
+
+
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
     """The friction force, and its ratio to the load: not a number where the load is not compressive."""
     ratio = np.divide(friction, load, where=load > 0.0, out=np.full(load.shape, np.nan))
@@ -287,10 +301,16 @@ def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.nda
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Normalised results at the loads that were asked for: these are the load, and what friction is compared to. What the
-    search for a separation leaves of no load makes no friction coefficient."""
-    exact = results | {"load": load}
-    return exact | with_coefficient(load, results["friction_force"]) if "friction_force" in results else exact
+    """Normalised results at the loads that were asked for: these are the load, and what friction is compared to, but where they
+    are lost in rounding: there it is the load that is carried. What the search for a separation leaves of no load makes no
+    friction coefficient."""
+    exact = results | {"load": np.where(lost_in_rounding(results["load"], load), results["load"], load)}
+    return exact | with_coefficient(exact["load"], results["friction_force"]) if "friction_force" in results else exact
+
+
+def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
+    """Where a load is so much smaller than the tension and pressure that it is the difference of that another is carried."""
+    return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 
 
 def _states(regimes: list[Regime]) -> list[str]:
@@ -306,6 +326,13 @@ def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
     return np.divide(beyond, whole, where=whole > 0.0, out=np.zeros_like(whole))
 
 
+def _share_without(loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
+    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, all of it at the most: of the net load, where
+    others pull and make that small; 0 where all is nothing."""
+    lost, net = np.where(friction == 0.0, np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
+    return np.minimum(np.divide(lost, net, where=net > 0.0, out=np.zeros_like(net)), 1.0)
+
+
 def with_surface_moments(subject: Subject, model: str) -> Subject:
     """What was given, as the model of this key takes it: a theory of the whole surface, with the asperities of its moments."""
     return subject.with_surface_moments() if takes_surface_moments(model) else subject
@@ -318,12 +345,15 @@ def takes_surface_moments(model: str) -> bool:
 
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
     """The problem of this contact under this model. Raises InputError for what the model does not know or refuses."""
+    check_threads(threads)
     subject = with_surface_moments(as_subject(subject), choice.model)
     if heights is None:
         name, parameters = subject.heights
         heights = height_distribution(name, **parameters)
     elif isinstance(heights, str):
         heights = height_distribution(heights)
+    elif not isinstance(heights, Heights):
+        raise InputError("heights", type(heights).__name__, "a height distribution, or its name")
     groups, dims = Groups.of(subject.indices())
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)
@@ -334,11 +364,12 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
     """The problem of these groups, with one dimension, "contact". subject: what a user gave, if it was more than groups."""
-    chosen = look_up(choice, groups.has_film)
+    chosen = look_up(with_interface(choice, groups), groups.has_film)
     for record in chosen.records():
         for name in record.needs:
-            if getattr(groups, name) is None:
+            if not groups.knows(name):
                 given = subject.given_as(name) if subject is not None else name
-                raise InputError(given, None, f"{QUANTITIES[given].wanted}: {record.key} needs it")
+                whose = "" if record is chosen.model else f", which {chosen.model.key} takes here,"
+                raise InputError(given, getattr(subject, given, None), f"{_wanted(given)}: {record.key}{whose} needs it")
     kind = Sum if chosen.asperity is not None else ClosedForm
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.subject import Subject
-from stiction.laws.validity import as_attributes, doubts_about
+from stiction.laws.validity import as_attributes
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.table import QUANTITIES
+from stiction.solving import unused
+from stiction.solving.conditions import doubts_of_results
 from stiction.solving.problem import Problem
+from stiction.solving.state import state_of
 
 if TYPE_CHECKING:
     import xarray
@@ -46,6 +49,18 @@ def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xa
     return data.assign(again) if again else data
 
 
+def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Results (contacts' dimensions first) with what they are of the nominal area, where that is known: area_fraction and
+    nominal_pressure."""
+    shared = dict(tables)
+    fraction = state_of(problem, tables).get("area_fraction")
+    if fraction is not None:
+        shared["area_fraction"] = fraction.reshape(tables["contact_area"].shape)
+    if "Pa" in problem.subject.scales().factors():
+        shared["nominal_pressure"] = tables["load"]
+    return shared
+
+
 def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
     """What was used, where it comes from, and where it goes beyond the claims of its authors."""
     records = problem.records()
@@ -60,6 +75,9 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         "heights": problem.heights.key,
         "grade": max(record.grade for record in records),
         "sources": " ".join(used),
-        **as_attributes(doubts_about(subject, records, tables)),
+        **as_attributes(doubts_of_results(problem, tables)),
+        **unused.as_attributes(unused.unused_inputs(problem)),
+        "remarks": "; ".join(subject.remarks()),
+        "inputs": "\n".join(f"{name} = {text}" for name, text in subject.inputs()),
         "friction_law": "included" if problem.friction else "none: this model is of contact only",
     }

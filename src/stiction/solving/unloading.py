@@ -23,7 +23,7 @@ from stiction.laws.registry import AsperityLaw, RoughSurface, TangentialLaw, fin
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.choice import Choice
+from stiction.solving.choice import Choice, without_old_names
 from stiction.solving.inversion import largest_tension
 from stiction.solving.problem import Sum, as_asked, make_problem
 from stiction.solving.results import labelled, summary_of
@@ -66,7 +66,7 @@ def unload(
     with an asperity law that adheres also pull_off_separation and zero_load_separation, where the load has fallen to nothing.
     Raises InputError for bad input, and for laws of which it is not known how they unload.
     """
-    way = _make_way(contact, Choice.of(model, {"tangential": "none"} | laws), heights)
+    way = _make_way(contact, Choice.of(model, {"tangential": "none"} | without_old_names(laws)), heights)
     subject = way.pressed.subject
     turn = _one_of(subject, pressed_to=pressed_to, pressed_with=pressed_with)
     point = _one_of(subject, separation=separation, distance=distance)
@@ -90,7 +90,11 @@ def unload(
         data = data.drop_vars("mean_separation").assign_coords(mean_separation=("mean_separation", point.values, attributes))
     for name, like in _DESCRIBED.items():
         if name in data.coords:
-            data[name].attrs = subject.attributes(like[0]) | {"long_name": like[1], "symbol": ""}
+            data[name].attrs = subject.attributes(like[0]) | {
+                "long_name": name.replace("_", " "),
+                "comment": like[1],
+                "symbol": "",
+            }
     return data.assign_attrs(way.summary(tables))
 
 
@@ -161,6 +165,8 @@ def _one_of(subject: Subject, **either: Any) -> Any:
         value = points_asked(subject, quantity, either[name])
     except InputError as error:
         raise InputError(name, error.value, error.allowed) from None
+    if not np.size(value):
+        raise InputError(name, "no values", "at least one value")
     renamed = quantity in getattr(value, "dims", ()) and name != "separation"
     return value.rename({quantity: name}) if renamed else value
 
@@ -255,7 +261,10 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
     for name, table in own.items():
         quantity, meaning = _DESCRIBED[name]
         like = labelled(subject, {quantity: table}, factors, dims, {})[quantity]
-        data[name] = like.assign_attrs(long_name=meaning, symbol=QUANTITIES[name].symbol if name in QUANTITIES else "")
+        short = name.replace("_", " ")
+        data[name] = like.assign_attrs(
+            long_name=short, comment=meaning, symbol=QUANTITIES[name].symbol if name in QUANTITIES else ""
+        )
     return data
 
 

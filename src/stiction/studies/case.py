@@ -1,6 +1,7 @@
 """Case files: one TOML file that says what is in contact and what is to be solved."""
 
 import tomllib
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,10 +13,11 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.contact.contact import Contact, Indices
 from stiction.contact.subject import Subject
 from stiction.laws.registry import all_options
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
+from stiction.solving.conditions import questions
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
 
 __all__ = ["Case", "json_schema", "parse_case", "read_case"]
@@ -30,8 +32,7 @@ class Case:
 
     subject: the Contact or the Indices. separation, load: points, one is an array (n,) and the other None;
     metres and newtons for a Contact, h = d/sigma and load per K R^(1/2) sigma^(3/2) and asperity for
-    Indices. choice: the model, other laws than its own, and options, as the registry knows them. measured: what scans say of
-    the roughness, where the case names scans in place of numbers.
+    Indices. choice: the model, other laws than its own, and options, as the registry knows them.
     """
 
     title: str
@@ -39,7 +40,11 @@ class Case:
     separation: np.ndarray | None
     load: np.ndarray | None
     choice: Choice
-    measured: Measured | None = None
+
+    @property
+    def measured(self) -> Measured | None:
+        """What scans say of the roughness, where the case names scans in place of numbers."""
+        return self.subject.measured
 
     @property
     def by_method(self) -> dict[str, Contact]:
@@ -48,17 +53,23 @@ class Case:
             return {}
         return self.measured.contacts(self.subject)
 
+    def at_load(self, load: Any) -> "Case":
+        """The case at this load only, as a user writes it. Raises InputError."""
+        try:
+            value = float(self.subject.read(load, "load"))
+        except InputError as error:
+            raise InputError("--load", error.value, error.allowed) from None
+        except (TypeError, ValueError):
+            raise InputError("--load", load, "one load") from None
+        return replace(self, separation=None, load=np.array([value]))
+
     def with_surface_moments(self, model: str) -> "Case":
         """The case as the model of this key takes it: a theory of the whole surface has no methods of finding asperities."""
         from stiction.solving.problem import takes_surface_moments
 
         if not takes_surface_moments(model):
             return self
-        return replace(
-            self,
-            subject=self.subject.with_surface_moments(),
-            measured=self.measured and self.measured.with_surface_moments(),
-        )
+        return replace(self, subject=self.subject.with_surface_moments())
 
 
 def _point(value):
@@ -149,7 +160,8 @@ def read_case(path) -> Case:
     """The case in a TOML file.
 
     Raises InputError, one line, if the file cannot be read or is not TOML, for a key that is not known, and
-    for a number that is missing, has no unit where it needs one, or is out of bounds.
+    for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
+    are no rough surface: sigma and R swapped, a metre of roughness.
     """
     text = _text(Path(path))
     try:
@@ -164,10 +176,11 @@ def read_case(path) -> Case:
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans are named."""
     _refuse_bare_numbers(content, "")
-    content, measured = _measured(content, folder)
-    file = _CaseFile(**content)
+    file = _CaseFile(**_measured(content, folder))
     subject = file.contact or file.indices
     assert subject is not None  # the validator of _CaseFile has seen to it
+    for question in questions(subject):
+        warnings.warn(question, InputDoubt, stacklevel=2)
     solve = file.solve
     return Case(
         title=file.title,
@@ -175,25 +188,22 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
         separation=_resolve(solve.separation, "mean_separation", subject, "solve.separation"),
         load=_resolve(solve.load, "load", subject, "solve.load"),
         choice=Choice(options=dict(solve.options), **{name: getattr(solve, name) for name in LAWS}),
-        measured=measured,
     )
 
 
-def _measured(content: Mapping, folder: Path) -> tuple[Mapping, Measured | None]:
-    """The tables with the roughness that scans show in place of the scans, and what was measured; the tables as they are if
-    they name no scan."""
+def _measured(content: Mapping, folder: Path) -> Mapping:
+    """The tables with the roughness that scans show in place of the scans; as they are if they name no scan."""
     contact = content.get("contact")
     surface = contact.get("roughness") if isinstance(contact, Mapping) else None
     if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}):
-        return content, None
+        return content
     try:
         measured = measure(MeasuredRoughness(**surface), folder)
     except InputError as error:
         where = error.field if error.field.startswith("roughness") else f"roughness.{error.field}"
         raise InputError(f"contact.{where}", error.value, error.allowed) from None
     assert isinstance(contact, Mapping)
-    found = measured.by_method[measured.method]
-    return {**content, "contact": {**contact, "roughness": found}}, measured
+    return {**content, "contact": {**contact, "roughness": measured.roughness()}}
 
 
 def json_schema() -> dict:
@@ -220,7 +230,7 @@ def _text(path: Path) -> str:
     try:
         if path.stat().st_size > _LARGEST_FILE:
             raise _not_a_case(path, f"this one is larger than {_LARGEST_FILE} bytes")
-        return path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding
     except OSError as error:
         raise _not_a_case(path, f"this one cannot be read ({error.strerror})") from None
     except UnicodeDecodeError:

@@ -1,23 +1,29 @@
 """Every model that applies, on one contact: what they say of its friction, how far they differ, and which to trust."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
-from stiction.laws.registry import AsperityLaw, Criterion, FilmLaw, RoughSurface, TangentialLaw, of_kind
-from stiction.laws.validity import as_attributes, doubts_about
+from stiction.engine.summation import FARTHEST
+from stiction.laws.registry import Criterion, of_kind
+from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
+from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
+from stiction.solving.conditions import doubtful_points, doubts_of_results
 from stiction.solving.inversion import Unreachable, separations_at
+from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
 from stiction.solving.results import labelled
 from stiction.solving.solve import solve
-from stiction.studies.recommendation import Answer, Candidate, recommend
+from stiction.solving.state import state_of
+from stiction.studies.recommendation import FAMILIES, TOO_MUCH, Answer, recommend
 
 if TYPE_CHECKING:
     import xarray
@@ -27,37 +33,6 @@ if TYPE_CHECKING:
 # Mean separations over sigma at which the curves are computed: out of touch to pressed together.
 SEPARATIONS = np.linspace(5.0, -2.0, 80)
 RESULTS = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient")
-
-
-def candidates(contact: Subject) -> list[Candidate]:
-    """Every rough-surface model, and every asperity law that none of them takes, under Greenwood & Williamson's sum. On
-    a coated contact those with their own film law, or the one that suits all; and every other film law by itself."""
-    models = of_kind(RoughSurface)
-    taken = {model.asperity for model in models.values()}
-    found = [Candidate(key, Choice(key)) for key in models]
-    found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
-    if not contact.has_film:
-        return found
-    found = [_with_film(candidate, models[candidate.choice.model]) for candidate in found]
-    return found + [_alone(film) for film in of_kind(FilmLaw).values() if film.interchangeable and film.key != _SUITS_ALL]
-
-
-_SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
-
-
-def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
-    if not model.asperity:
-        return candidate  # it will say itself that it knows no films
-    film = model.default_film or _SUITS_ALL
-    return Candidate(f"{candidate.name} + {film}", replace(candidate.choice, film=film))
-
-
-def _alone(film: FilmLaw) -> Candidate:
-    """A film law with the asperity law of its source, under the model whose friction it has, if it has one."""
-    model = next(
-        (key for key, one in of_kind(RoughSurface).items() if one.asperity and one.tangential == film.tangential), _SUM
-    )
-    return Candidate(film.key, Choice(model, asperity=film.asperity or None, film=film.key))
 
 
 def compare(
@@ -78,48 +53,76 @@ def compare(
     contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
     working load, with grade, `outside_validity` in words and `doubts` as JSON. A theory that knows no separation has none (not
     a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at the
-    working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`;
-    `criteria` (is it sticky?), and `left_out`: model: why. Raises InputError for bad input.
+    working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
+    `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, and `advice`
+    where none is recommended; `cost` of each model is over `model`; `doubtful` says of every point whether it is within what
+    its model claims, outside of it, or impossible (0, 1, 2); `criteria` (is it sticky?), and `left_out`: model:
+    why. Where the roughness was measured, there are also friction_coefficient_at_load_by_method (asperity_method, model),
+    friction_coefficient_at_load_low and _high. Raises InputError for bad input.
     """
+    data = _compared(contact, load, separations, progress)
+    if contact.measured is None:
+        return data
+    return as_measured(_over_methods(data, contact, load, progress), contact.measured)
+
+
+def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[[Iterable], Iterable]) -> "xarray.Dataset":
+    """What `compare` gives, without the spread over the methods of finding asperities."""
     if any(True for _ in as_subject(contact).arrays()):
         raise InputError("contact", "arrays", "single numbers, for a comparison of models")
-    h = SEPARATIONS if separations is None else np.asarray(list(separations), dtype=float)
+    h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
-    groups = make_problem(contact, Choice()).groups
+    groups, _ = Groups.of(contact.indices())
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
-    interface = _law_of_the_interface(groups)
-    situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target, interface)
+    situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
     return _dataset(contact, answers, target)
 
 
-def _law_of_the_interface(groups: Groups) -> str:
-    """The law of the interface that uses most of what is known of it; "none" where nothing is."""
-    laws = [one for one in of_kind(TangentialLaw).values() if one.interfacial]
-    known = [one for one in laws if all(getattr(groups, name) is not None for name in one.needs)]
-    return max(known, key=lambda one: len(one.needs)).key if known else "none"
+def _over_methods(
+    data: "xarray.Dataset", contact: Subject, load: Any, progress: Callable[[Iterable], Iterable]
+) -> "xarray.Dataset":
+    """The comparison of a contact whose surface was measured, with what its models say at the working load by every method."""
+    contacts = contact.measured.contacts(contact)
+    name = "friction_coefficient_at_load"
+    if name not in data or len(contacts) < 2:
+        return data
+    each = [
+        data[name] if at == 0 else _compared(other, load, [0.0], iter)[name].reindex(model=data["model"])
+        for at, other in enumerate(progress(list(contacts.values())))
+    ]
+    return with_range_over_methods(data, list(contacts), np.array([one.values for one in each]), ("model",), name)
+
+
+def _separations(given: Iterable[float]) -> np.ndarray:
+    """The separations of the curves, over sigma."""
+    allowed = f"a row of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
+    try:
+        row = list(given)
+    except TypeError:
+        raise InputError("separations", given, allowed) from None
+    h = floats(row, "separations", allowed)
+    if h.ndim != 1 or not h.size or not (np.abs(h) <= FARTHEST).all():
+        raise InputError("separations", given, allowed)
+    return h
 
 
 @dataclass(frozen=True)
 class _Situation:
     """What all candidates are asked: at the separations h, over their sigma, the loads (1, h) for those that know none, and
-    the working load or None, in the units of the contact; interface: the tangential law of those that have none."""
+    the working load or None, in the units of the contact."""
 
     contact: Subject
     h: np.ndarray
     loads: np.ndarray
     target: float | None
-    interface: str
 
 
 def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     """What one candidate says, or why it does not."""
     answer = Answer(candidate)
-    choice = candidate.choice
-    if of_kind(RoughSurface)[choice.model].tangential == "none" and choice.tangential is None:
-        choice = replace(choice, tangential=situation.interface)
     try:
-        problem = make_problem(situation.contact, choice)
+        problem = make_problem(situation.contact, candidate.choice)
         curve = _curve(problem, situation)
     except InputError as error:
         answer.why_not = _reason(error)
@@ -133,13 +136,21 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     at_load = None
     if situation.target is not None:
         at_load = _at_working_load(problem, situation.target, answer)
-    answer.outside = doubts_about(problem.subject, records, at_load or curve)
+    if at_load or situation.target is None:  # of a load that is not carried there is nothing to doubt
+        answer.outside = doubts_of_results(problem, at_load or {name: table[None, :] for name, table in curve.items()})
+        answer.adhesion = _largest(state_of(problem, at_load).get("adhesion_share")) if at_load else np.inf
     answer.effects = problem.effects
     answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
     answer.curve = _in_units(problem, curve)
+    answer.doubtful = doubtful_points(problem, {name: table[None, :] for name, table in curve.items()})
     if at_load:
         answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
     return answer
+
+
+def _largest(values: np.ndarray | None) -> float:
+    """The largest that is a number; infinite where nothing is known."""
+    return np.inf if values is None or np.isnan(values).all() else float(np.nanmax(values))
 
 
 def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -172,7 +183,7 @@ def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[st
         return {"mean_separation": h} | as_asked(problem.at(h), wanted)
     except Unreachable as error:
         high, low = (problem.subject.show(load * unit, "load", 4) for load in (error.high, error.low))
-        answer.why_not = f"carries loads up to {high}" if wanted.item() > error.high else f"carries loads above {low}"
+        answer.why_not = f"{TOO_MUCH} {high}" if wanted.item() > error.high else f"carries loads above {low}"
     except InputError as error:
         answer.why_not = _reason(error)
     return None
@@ -194,8 +205,12 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
         "why_not": [one.why_not for one in shown],
+        "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
     }
     data = data.assign({name: ("model", np.array(values, dtype=object)) for name, values in texts.items()})
+    shape = (len(shown), dims["point"])
+    data = data.assign(doubtful=(("model", "point"), np.array([one.doubtful for one in shown]).reshape(shape)))
+    data = data.assign(cost=("model", np.array([one.cost for one in shown]), {"long_name": "how ill founded a model is here"}))
     return data.assign_attrs(_attributes(contact, answers, target))
 
 
@@ -212,14 +227,17 @@ def _attributes(contact, answers: list[Answer], target: float | None) -> dict[st
     }  # fmt: skip
     if target is None:
         return attributes
-    best, reason = recommend(answers)
+    found = recommend(answers)
     inside = [one.mu for one in answers if not one.outside]
     attributes |= {
         "working_load": target,
         "spread": _spread([one.mu for one in answers]),
         "spread_within_validity": _spread(inside),
-        "recommended": best.candidate.name if best else "none",
-        "reason": reason,
+        "recommended": found.best.candidate.name if found.best else "none",
+        "recommended_range": _spread([found.low, found.high]),
+        "reason": found.reason,
+        "family": found.family,
+        "advice": found.advice,
     }
     return attributes
 
@@ -227,10 +245,10 @@ def _attributes(contact, answers: list[Answer], target: float | None) -> dict[st
 def _criteria(contact: Subject) -> list[str]:
     """What the criteria of the registry say of the surface of a contact, one line each; those that want what is not known
     are left out."""
-    groups = make_problem(contact.with_surface_moments(), Choice()).groups.substrate()
+    groups = Groups.of(contact.with_surface_moments().indices())[0].substrate()
     lines = []
     for one in of_kind(Criterion).values():
-        if all(getattr(groups, name) is not None for name in one.needs):
+        if all(groups.knows(name) for name in one.needs):
             ratio = float(one.ratio(groups)[0])
             lines.append(f"{one.key}: {one.below if ratio < 1.0 else one.above} (ratio {ratio:.3g}, the border is 1)")
     return lines
@@ -250,7 +268,7 @@ def working_load(case: "Case", given: str | None) -> float | None:
         return _pressing(case.subject, given, "--load")
     loads = case.load
     if loads is None:
-        loads = solve(case.subject, separation=case.separation, **case.choice.arguments())["load"].values
+        loads = solve(case.subject.as_numbers(), separation=case.separation, **case.choice.arguments())["load"].values
     pressing = np.flatnonzero(loads > 0.0)
     if not pressing.size:
         return None
@@ -261,6 +279,9 @@ def working_load(case: "Case", given: str | None) -> float | None:
 def _pressing(subject: Subject, given: Any, field: str) -> float:
     """The load given, in N for a Contact and normalised for Indices; InputError where it does not press."""
     unit = subject.attributes("load")["units"]
+    if not isinstance(given, str) and np.ndim(given) > 0:
+        one = f"one load > 0 {unit}".removesuffix(" 1")
+        raise InputError(field, given, f"{one}: models are judged at one; solve takes several, of one model")
     try:
         load = float(subject.read(given, "load"))
     except InputError as error:

@@ -1,37 +1,52 @@
-"""Which of the models that were asked to trust, and why."""
+"""Which of the models that were asked to trust, and why.
 
+Every model gets a cost: how far it leaves a range, in doublings, times what it means to leave it, and something for how well
+its numbers are founded. A model of cost c weighs exp(-c/COST_UNIT); the one recommended is the weighted median by friction
+among those of one family, so that one outlier does not win, and nothing hangs on a bound that is just crossed: cost is
+continuous there. What cannot be so has no weight at all. The numbers below are this project's judgement, held by the
+contacts of tests/compare/test_six_contacts.py.
+"""
+
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from stiction.laws.registry import GRADES
 from stiction.laws.validity import Doubt
-from stiction.solving.choice import Choice
+from stiction.solving.candidates import Candidate
 
-
-@dataclass(frozen=True)
-class Candidate:
-    """A model as it may be applied to a contact: its name in the comparison, and what is chosen."""
-
-    name: str
-    choice: Choice
+# The cost of leaving a range by a factor of two: an effect that is left out weighs more than an assumption strained.
+COST_OF_A_DOUBLING = {"effect": 3.0, "assumption": 1.0, "fit": 0.5, "statistics": 0.0}
+COST_OF_GRADE = {"A": 0.0, "B": 0.1, "C": 0.5}
+COST_UNIT = 0.5
+_MOST_DOUBLINGS = 10.0
+# Of models that differ by less than this from the weighted median the best founded one stands for it.
+_AS_GOOD_AS = 0.02
+# Where adhesion pulls with less than this share of the load, how exactly it acts does not matter.
+_ADHESION_MATTERS = 0.1
 
 
 @dataclass
 class Answer:
-    """What one candidate says, in the units of the contact. curve: results (points,); at_load: results at the working load,
-    None if it cannot carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none.
-    effects: what it takes account of; of_interface: its friction is the shear strength that the contact states. why_not: why
-    it says nothing, or nothing of friction."""
+    """What one candidate says, in the units of the contact.
+
+    curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
+    carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
+    takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
+    over the load. why_not: why it says nothing, or nothing of friction.
+    """
 
     candidate: Candidate
     grade: str = ""
     title: str = ""
     curve: dict[str, np.ndarray] = field(default_factory=dict)
+    doubtful: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
     at_load: dict[str, float] | None = None
     outside: list[Doubt] = field(default_factory=list)
     effects: list[str] = field(default_factory=list)
     of_interface: bool = False
+    adhesion: float = math.inf
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
 
@@ -40,29 +55,131 @@ class Answer:
         """The friction coefficient at the working load, not a number where there is none."""
         return self.at_load.get("friction_coefficient", np.nan) if self.at_load else np.nan
 
+    @property
+    def impossible(self) -> list[Doubt]:
+        """Doubts that this can be so at all."""
+        return [one for one in self.outside if one.kind == "impossible"]
 
-def recommend(answers: list[Answer]) -> tuple[Answer | None, str]:
-    """The answer to trust, and why: of those that say something of friction, the least outside their validity; then those
-    that use the shear strength of the interface, if it is stated; then the best grade; then what takes account of most; and of
-    all that are left the middle one."""
+    @property
+    def cost(self) -> float:
+        """How ill founded it is, 0 at the best, infinite where it cannot be so. The same limit said twice counts once."""
+        if self.impossible:
+            return math.inf
+        worst: dict[str, float] = {}
+        for doubt in self.outside:
+            worst[doubt.quantity] = max(worst.get(doubt.quantity, 0.0), self._cost_of(doubt))
+        return COST_OF_GRADE[self.grade] + sum(worst.values())
+
+    def _cost_of(self, doubt: Doubt) -> float:
+        cost = COST_OF_A_DOUBLING[doubt.kind] * min(doubt.doublings, _MOST_DOUBLINGS)
+        return cost * min(1.0, self.adhesion / _ADHESION_MATTERS) if doubt.quantity == "tabor_parameter" else cost
+
+
+@dataclass(frozen=True)
+class Recommendation:
+    """best: the answer to trust, None if there is none; reason: why, in words; low, high: where the middle two thirds of the
+    weight of its family are. family: what its friction rests on, in words. advice: what would have to change where there is
+    none."""
+
+    best: Answer | None
+    reason: str
+    low: float = math.nan
+    high: float = math.nan
+    family: str = ""
+    advice: str = ""
+
+
+FAMILIES = {
+    True: "interface strength as stated by the contact",
+    False: "strength derived from the yield or the adhesion of the bodies",
+}
+
+
+def recommend(answers: list[Answer]) -> Recommendation:
+    """The answer to trust, and why."""
     able = [one for one in answers if np.isfinite(one.mu)]
     if not able:
-        return None, "no model says anything of friction at this load"
-    stated = any(one.of_interface for one in able)
+        return Recommendation(None, "no model says anything of friction at this load", advice=_advice(answers))
+    possible = [one for one in able if not one.impossible]
+    if not possible:
+        return Recommendation(None, f"no model holds: {_why_none(able)}", advice=_advice(able))
+    stated = any(one.of_interface for one in possible)
+    family = sorted((one for one in possible if one.of_interface == stated), key=lambda one: (one.mu, one.candidate.name))
+    weights = _weights(family)
+    below = np.cumsum(weights)
+    middle = family[int(np.searchsorted(below, 0.5 - 1e-12))].mu
+    best = min((one for one in family if abs(one.mu - middle) <= _AS_GOOD_AS * abs(middle)), key=lambda one: one.cost)
+    low, high = (family[int(np.searchsorted(below, share - 1e-12))].mu for share in (1.0 / 6.0, 5.0 / 6.0))
+    others = [one for one in possible if one.of_interface != stated]
+    return Recommendation(best, _reason(best, family, weights, others), low, high, FAMILIES[stated])
 
-    def rank(one: Answer) -> tuple[int, bool, str, int]:
-        return len(one.outside), stated and not one.of_interface, one.grade, -len(one.effects)
 
-    alike = sorted((one for one in able if rank(one) == min(map(rank, able))), key=lambda one: one.mu)
-    best = alike[(len(alike) - 1) // 2]
-    within = sum(not one.outside for one in able)
-    reasons = [
-        f"no model is within its validity here, and this leaves the fewest ranges ({len(best.outside)})"
-        if best.outside
-        else f"within its validity here, as {within} of the {len(able)} models that predict friction are",
-        "uses the stated shear strength of the interface" if best.of_interface else "",
+def _weights(family: list[Answer]) -> np.ndarray:
+    cost = np.array([one.cost for one in family])
+    weights = np.exp(-(cost - cost.min()) / COST_UNIT)
+    return weights / weights.sum()
+
+
+def _reason(best: Answer, family: list[Answer], weights: np.ndarray, others: list[Answer]) -> str:
+    """Why this one: what it leaves, what it rests on, who is beside it, and what another family says."""
+    beside = [(one, weight) for one, weight in zip(family, weights, strict=True) if one is not best and weight > 0.05]
+    beside.sort(key=lambda pair: -pair[1])
+    shares = ", ".join(f"{one.candidate.name} {one.mu:.3g} ({weight:.0%})" for one, weight in beside[:4])
+    own = weights[[one is best for one in family]].item()
+    within = [one for one in family if not one.outside]
+    lines = [
+        f"in the middle of {len(family)} models by how well each is founded here ({own:.0%} of the weight is its own)"
+        if len(family) > 1
+        else "the only model that says anything of friction here",
+        f"beside it {shares}" if shares else "",
+        _left(best, within),
+        FAMILIES[best.of_interface],
         f"grade {best.grade} ({GRADES[best.grade]})",
         f"takes account of {' and '.join(best.effects)}" if best.effects else "",
-        f"the middle one of {len(alike)} alike" if len(alike) > 1 else "",
+        _other_family(best, others),
     ]
-    return best, "; ".join(filter(None, reasons))
+    return "; ".join(filter(None, lines))
+
+
+def _left(best: Answer, within: list[Answer]) -> str:
+    if best.outside:
+        return f"outside of its validity: {', '.join(dict.fromkeys(one.short for one in best.outside))}"
+    if len(within) == 1:
+        return "the only one within its validity, which is one opinion and no range"
+    return f"within its validity, as {len(within)} of them are"
+
+
+def _other_family(best: Answer, others: list[Answer]) -> str:
+    if not others:
+        return ""
+    ends = "to".join(
+        dict.fromkeys(f" {value:.3g} " for value in (min(one.mu for one in others), max(one.mu for one in others)))
+    )
+    return f"models of another family ({FAMILIES[not best.of_interface]}) say{ends.rstrip()} and are not compared with it"
+
+
+def _why_none(answers: list[Answer]) -> str:
+    """What cannot be so, each reason once, with how many models it meets."""
+    reasons: dict[str, int] = {}
+    for doubt in (doubt for one in answers for doubt in one.impossible):
+        reasons[doubt.rule] = reasons.get(doubt.rule, 0) + 1
+    return "; ".join(f"{rule} ({count} of {len(answers)} models)" for rule, count in reasons.items())
+
+
+# How the reason begins of a model that does not carry the load.
+TOO_MUCH = "carries loads up to"
+_ADVICE = {
+    "area_fraction": "less load, a larger nominal area, a rougher or harder surface",
+    "nominal_pressure_over_hardness": "less load, or a larger nominal area",
+    "sharpness": "asperity_height_deviation and asperity_radius as they are of a rough surface",
+    "roughness_parameter": "an asperity_density that goes with sigma and R: N R sigma of random surfaces is 0.02 to 0.2",
+    "nominal_width": "a nominal_area that is wide against the roughness",
+}
+
+
+def _advice(answers: list[Answer]) -> str:
+    """What would have to change for a model to hold."""
+    met = dict.fromkeys(doubt.quantity for one in answers for doubt in one.impossible)
+    if not met and any(one.why_not.startswith(TOO_MUCH) for one in answers):
+        met = {"nominal_pressure_over_hardness": None}
+    return "; ".join(_ADVICE[name] for name in met if name in _ADVICE)

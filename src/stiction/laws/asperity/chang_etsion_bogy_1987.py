@@ -15,8 +15,6 @@ $\omega_c$: the load by half, the area not at all. *Limit*: `hertz` for $\lambda
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
-import math
-
 import numpy as np
 
 from stiction.contact.indices import Groups
@@ -66,8 +64,15 @@ RECORD = AsperityLaw(
     traits=frozenset({"no adhesion", "Hertz"}),
     jumps=(Jump(1, 1.5, 1.0, "at the critical interference"),),
     verified="independent integrals at 30 digits",
-    needs=("theta", "lam", "nu"),
-    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    needs=("hardness_group", "nu"),
+    validity=(
+        Validity(
+            "asperity_area_over_yield",
+            0.0,
+            10.0,
+            "yielded asperities keep about the pressure of first yield, and their hardness is above it",
+        ),
+    ),
     limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
     load_falls=False,
     notes="The mean pressure jumps from (2/3) K_H H to K_H H at the critical interference.",

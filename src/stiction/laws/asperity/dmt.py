@@ -53,7 +53,7 @@ RECORD = AsperityLaw(
     needs=("theta",),
     validity=(
         Validity("tabor_parameter", 0.0, 0.1, "adhesion acts around the contact only for stiff, small asperities"),
-        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
     ),
     limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-9),),
 )

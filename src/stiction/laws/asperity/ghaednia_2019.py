@@ -49,7 +49,7 @@ from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity import jackson_green_2005 as unhardened
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.laws.registry import AsperityLaw, Jump, Limit
 from stiction.laws.sources import Source
 
 _area_ratio, _load_ratio, _elastic_to = unhardened.area_ratio, unhardened.load_ratio, unhardened.ELASTIC_TO
@@ -194,8 +194,7 @@ RECORD = AsperityLaw(
     ),
     verified="that code (TMDSimPy), two materials at E_t/E = 0.0032, one at none: area and load at 0.5 to 8 omega_c to 1e-12, "
     "with `other_body` rigid; the limits of no hardening and of E_t -> E",
-    needs=("theta", "lam", "nu", "hardness_to_yield", "sharpness", "hardening"),
-    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    needs=("hardness_group", "nu", "hardness_to_yield", "sharpness", "hardening"),
     limits=(
         Limit("jackson_green_2005", {"hardening": 0.0}, ("contact_area",), 1e-9),
         Limit("jackson_green_2005", {"hardening": 0.0, "sharpness": 1e-8}, ("load", "contact_area"), 1e-9),

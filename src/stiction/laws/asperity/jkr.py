@@ -128,7 +128,7 @@ RECORD = AsperityLaw(
     needs=("theta",),
     validity=(
         Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),
-        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
     ),
     limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-4),),
     load_falls=False,

@@ -101,8 +101,11 @@ RECORD = AsperityLaw(
     ),
     verified="constants against two independent codes; within 6 % (load) and 10 % (area) of Brizmer et al. and of Jackson "
     "and Green for 1.5 to 110 omega_c",
-    needs=("theta", "lam", "nu"),
-    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    needs=("hardness_group", "nu"),
+    validity=(
+        # 0.94 r^1.146 at the last interference ratio that was computed, r = 110
+        Validity("asperity_area_over_yield", 0.0, 205.0, "the fit ends at 110 critical interferences", "fit"),
+    ),
     limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
     load_falls=False,
     notes="The published pieces do not meet: load and area jump at 1, 6 and 110 omega_c. At 110 omega_c the load rises by 37 % "

@@ -182,7 +182,7 @@ RECORD = AsperityLaw(
     pieces=pieces,
     verified="solved anew for the ring at 30 digits; JKR and DMT as limits",
     needs=("theta", "tabor_parameter"),
-    validity=(Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),),
+    validity=(Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),),
     limits=(
         Limit("jkr", {"tabor_parameter": 1e6}, ("load", "contact_area"), 1e-9),
         Limit("jkr", {"tabor_parameter": 1e6}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),

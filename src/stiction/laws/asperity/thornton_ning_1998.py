@@ -246,7 +246,15 @@ RECORD = AsperityLaw(
     traits=frozenset({"JKR"}),
     verified="the source's stiffness and the pressure over the contact, both integrated anew at 30 digits",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
-    validity=(Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),),
+    validity=(
+        Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),
+        Validity(
+            "asperity_area_over_yield",
+            0.0,
+            10.0,
+            "yielded asperities keep about the pressure of first yield, and their hardness is above it",
+        ),
+    ),
     limits=(Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9),),
     own_options={"limiting_pressure": tuple(_LIMITS)},
     load_falls=False,

@@ -24,7 +24,7 @@ from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity.shared.transition import FIRST_YIELD, SPAN
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Limit, Validity
+from stiction.laws.registry import AsperityLaw, Limit
 from stiction.laws.sources import Source
 
 _LOG_SPAN = math.log(SPAN)
@@ -85,8 +85,7 @@ RECORD = AsperityLaw(
     pieces=pieces,
     traits=frozenset({"no adhesion", "Hertz"}),
     verified="closed forms at both ends, where load, area and the slope of the area are continuous; independent evaluation",
-    needs=("theta", "lam"),
-    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    needs=("hardness_group",),
     limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
     notes="The authors give 54 as the least that omega_2/omega_1 can be; it is taken as the ratio, as is usual.",
 )

@@ -95,8 +95,7 @@ RECORD = RoughSurface(
         Validity(
             "roughness_parameter", LEAST_DENSITY, math.inf, "no isotropic Gaussian surface has fewer asperities N R sigma"
         ),
-        Validity("plasticity_index", 0.0, 0.6, "summits are taken as elastic"),
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
+        Validity("plasticity_index", 0.0, 0.6, "summits are taken as elastic", "effect"),
     ),
     notes=(
         "The asperities are the summits of an isotropic Gaussian surface with the same sigma, N and mean curvature 1/R. "

@@ -25,7 +25,9 @@ RECORD = RoughSurface(
     asperity="chang_etsion_bogy_1987",
     tangential="chang_etsion_bogy_1988",
     verified="independent integrals at 30 digits; friction of single asperities tabulated independently",
-    validity=(Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above"),),
+    validity=(
+        Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above", "effect"),
+    ),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
     notes="Adhesion of the 1988 papers is left out.",
 )

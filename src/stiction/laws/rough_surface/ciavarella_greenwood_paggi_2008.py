@@ -81,10 +81,7 @@ RECORD = RoughSurface(
     verified="the load at the shifted separation against independent integrals; no shift for small areas; the mean "
     "displacement of a square by numerical integration",
     needs=("roughness_parameter", "sharpness", "nominal_width"),
-    validity=(
-        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
-    ),
+    validity=(Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),),
     limits=(Limit("greenwood_williamson_1966", {"nominal_width": 1e-12}, ("load", "contact_area"), 1e-9),),
     notes=(
         "Heights are Gaussian. The nominal area is a square on a half-space: the displacement grows with its side. Area "

@@ -12,7 +12,7 @@ adhesion. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
-from stiction.laws.registry import RoughSurface, Validity
+from stiction.laws.registry import RoughSurface
 from stiction.laws.sources import Source
 
 RECORD = RoughSurface(
@@ -26,5 +26,4 @@ RECORD = RoughSurface(
     asperity="brizmer_kligerman_etsion_2006",
     tangential="brizmer_kligerman_etsion_2007",
     verified="integrals over Gaussian heights by an independent quadrature",
-    validity=(Validity("theta", 10.0, float("inf"), "adhesion is left out"),),
 )

@@ -127,8 +127,7 @@ RECORD = RoughSurface(
             "a surface with fewer asperities N R sigma has no sampled profile with exponential autocorrelation; with more "
             "the model is not tabulated",
         ),
-        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic"),
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
     ),
     notes=(
         "The sampled profile has the variance of the isotropic Gaussian surface with the same sigma, N and mean curvature 1/R, "

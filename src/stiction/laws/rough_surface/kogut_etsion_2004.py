@@ -12,7 +12,7 @@ out*: the adhesion. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
-from stiction.laws.registry import Limit, RoughSurface, Validity
+from stiction.laws.registry import Limit, RoughSurface
 from stiction.laws.sources import Source
 
 RECORD = RoughSurface(
@@ -26,7 +26,6 @@ RECORD = RoughSurface(
     asperity="kogut_etsion_2002",
     tangential="kogut_etsion_2003",
     verified="integrals over Gaussian heights by an independent quadrature; cross-model table",
-    validity=(Validity("theta", 10.0, float("inf"), "the source's adhesion of elastic-plastic asperities is left out"),),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
     notes="The adhesion of elastic-plastic asperities of 2003 is left out: its coefficients could not be checked.",
 )

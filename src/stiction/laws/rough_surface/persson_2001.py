@@ -47,11 +47,9 @@ RECORD = RoughSurface(
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
+    up_to_full_contact=True,
     verified="diffusion with an absorbing boundary, by finite differences; A/A0 = sqrt(8/pi) p/(E* h') at light load",
     needs=("roughness_parameter",),
-    validity=(
-        Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic"),
-        Validity("theta", 10.0, math.inf, "adhesion is left out"),
-    ),
+    validity=(Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect"),),
     notes="h' is that of an isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2).",
 )

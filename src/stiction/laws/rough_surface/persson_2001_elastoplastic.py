@@ -28,7 +28,7 @@ import numpy as np
 from scipy.special import erf, erfc
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import Limit, RoughSurface, Validity
+from stiction.laws.registry import Limit, RoughSurface
 from stiction.laws.sources import Source
 from stiction.surfaces.theory.moments import reduced_pressure, slope_over_sharpness
 
@@ -83,9 +83,9 @@ RECORD = RoughSurface(
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
+    up_to_full_contact=True,
     verified="the diffusion equation by finite differences; balance of the load; persson_2001 for great hardness",
-    needs=("theta", "lam", "roughness_parameter"),
-    validity=(Validity("theta", 10.0, math.inf, "adhesion is left out"),),
+    needs=("hardness_group", "roughness_parameter"),
     limits=(Limit("persson_2001", {"theta": 1.0, "lam": 1e24}, ("contact_area",), 1e-12),),
     notes=(
         "The hardness is the same at all scales, that of the softer body. A nominal pressure above it gives full contact. "

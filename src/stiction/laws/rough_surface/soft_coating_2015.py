@@ -31,7 +31,8 @@ def regimes(groups: Groups, law: Law, film: FilmLaw | None, reading: str, transi
         allowed = "loading; unloading is for the corrected reading of a bare surface that jumps"
         raise InputError("branch", "unloading", allowed)
     if gradual and (printed or groups.has_film):
-        raise InputError("transition", transition, "jump; bare surfaces and the graded film have a gradual one, corrected")
+        allowed = "jump; gradual is for the corrected reading of a bare surface; the graded film is gradual by itself"
+        raise InputError("transition", transition, allowed)
     for chosen, key in ((law.asperity, RECORD.asperity), (law.tangential, RECORD.tangential)):
         if (printed or gradual) and (chosen is None or chosen.key != key):
             kind, given = (chosen.kind, chosen.key) if chosen else ("tangential", "none")

@@ -127,8 +127,10 @@ RECORD = TangentialLaw(
         "no adhesion": "adhesion of the 1988 papers is left out",
     },
     verified="friction of single asperities tabulated independently; evaluation at 30 digits",
-    needs=("theta", "lam", "nu"),
-    validity=(Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above"),),
+    needs=("hardness_group", "nu"),
+    validity=(
+        Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above", "effect"),
+    ),
     notes="The critical interference is that of Chang, Etsion and Bogy, whichever law carries the load; from there on an "
     "asperity resists nothing. Only two places are asked whether they yield: the axis at one depth, and the trailing edge.",
 )

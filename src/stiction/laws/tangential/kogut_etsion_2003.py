@@ -68,10 +68,9 @@ RECORD = TangentialLaw(
     tangential_resistance=tangential_resistance,
     wants={"no adhesion": "the sphere is pressed by its load alone"},
     verified="the quoted forms agree with each other and with the two-digit print of 2004; evaluation at 30 digits",
-    needs=("theta", "lam", "nu"),
+    needs=("hardness_group", "nu"),
     validity=(
-        Validity("plasticity_index", 0.0, 2.0, "asperities beyond six critical interferences are given no friction"),
-        Validity("theta", 10.0, np.inf, "adhesion is left out"),
+        Validity("plasticity_index", 0.0, 2.0, "asperities beyond six critical interferences are given no friction", "effect"),
     ),
     notes="Taken over is the friction coefficient of one asperity against its interference; the load is that of the asperity "
     "law it is joined to. So mu is the authors' on any of them, and with their own load so is Q. The published pieces do not "

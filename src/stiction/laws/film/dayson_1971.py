@@ -1,0 +1,103 @@
+r"""A plastic film that roughness penetrates, with two shear strengths: after Dayson 1971.
+
+*Assumes* (abstract of [dayson_1971]): friction rises as a very thin solid film gets thinner, because more of it is
+penetrated, and more so on rougher surfaces; the contact is plastic (the 2015 paper says so of it). *Source*: [dayson_1971],
+its abstract. *Reconstruction*: the geometry of [`chang_1997`](#chang_1997) with film and substrate both plastic. An asperity
+pressed by $\omega$ touches on $2\pi R\omega$; what is deeper than the film is thick touches the substrate, at its hardness,
+and the rest is film,
+
+$$
+A_f=2\min(w,\tau),\qquad A_s=2\max(w-\tau,0),\qquad P=\eta\,(pA_f+A_s),\qquad
+T=\eta\left(\frac{\tau_0}HA_f+\frac{A_s}{\sqrt3\,k}\right)
+$$
+
+$\tau_0$ is the film's shear strength, of a tangential law of the interface; the bared substrate shears at its yield stress in
+shear, $Y/\sqrt3$, as the junctions of [bowden_tabor_1950] do. `rim_pressure` says at what pressure the film is pressed: at its
+own hardness, $p=n_H$, as in `chang_1997`; or, for a film so thin that the substrate carries the load through it, at that of
+the substrate, $p=1$ ([bowden_tabor_1943]).
+
+*Limit*: a thick film has $\mu=\tau_0/(pH)$, one of no thickness $\mu=1/(\sqrt3\,k)$; in between, $\mu$ is between them. So
+friction rises as the film gets thinner if $\tau_0/(pH)<1/(\sqrt3\,k)$. With $p=1$ that is any film which is weaker in shear
+than its substrate; with $p=n_H$ a soft metal that shears at its own $Y_f/\sqrt3$ leaves $\mu$ as it is, and only films of lower
+strength (layered solids, polymers) show what the abstract says. *Check*: for Gaussian heights, with
+$F(h)=\varphi(h)-h\,[1-\Phi(h)]$ the mean depth, the penetrated share of the area is $F(h+\tau)/F(h)$, and with $p=1$
+
+$$
+\mu=\frac{\tau_0}H+\left(\frac1{\sqrt3\,k}-\frac{\tau_0}H\right)\frac{F(h+\tau)}{F(h)},\qquad P=2\eta F(h)
+$$
+
+*Unknown*: every equation of the source, how it counts what is penetrated, and its strengths.
+
+*Units*: $w=\omega/\sigma$, $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.engine.regime import Regime
+from stiction.laws.film.shared.plastic import at_pressure
+from stiction.laws.joining import Law, Weights
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.sources import Source
+from stiction.laws.tangential.bowden_tabor_1943 import RECORD as CONSTANT_STRENGTH
+
+RIM_PRESSURE = ("film_hardness", "substrate_hardness")
+
+
+@formula
+def rim(w, pressure, tau):
+    """The film around the penetrated middle: as much as was touched when it was pressed through."""
+    return w, 1.0, 2.0 * pressure * tau, 2.0 * tau
+
+
+@formula
+def rim_coordinate(w, pressure, tau):
+    return w
+
+
+def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
+    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface: it shears the film."""
+    laws = len(groups)
+    tau, none, far = np.broadcast_to(groups.tau, laws), np.zeros(laws), np.full(laws, np.inf)
+    pressed = groups.eta * (groups.n_H if rim_pressure == "film_hardness" else np.ones(laws))
+    edges = np.stack([tau, far], axis=1)
+    around = NormalPiece(rim, rim_coordinate, (pressed, tau), edges, "plastic", float(np.min(tau, initial=np.inf)))
+    bare = Law(law.asperity, None if law.tangential is None else CONSTANT_STRENGTH)
+    metal = groups.with_changes(shear_strength=1.0 / (math.sqrt(3.0) * groups.hardness_to_yield))
+    return [
+        law.join(at_pressure(pressed, none, tau), groups, body="film"),
+        law.join(around, groups, body="film"),
+        bare.join(at_pressure(groups.eta, none, far), metal, Weights(shift=tau), body="substrate", touching=False),
+    ]
+
+
+RECORD = FilmLaw(
+    key="dayson_1971",
+    title="Plastic film that roughness penetrates, with the shear strengths of film and substrate",
+    grade="C",
+    sources=(
+        Source("dayson_1971", "abstract", "reconstructed: the equations were not available"),
+        Source("chang_1997", "abstract", "the geometry of a film that is cut through, itself reconstructed"),
+        Source("bowden_tabor_1950", "", "shear strength of the film where it holds, of the metal where it does not"),
+    ),
+    regimes=regimes,
+    tangential="interface",
+    own_asperity=True,
+    bares_substrate=True,
+    confined=True,
+    own_options={"rim_pressure": RIM_PRESSURE},
+    verified="closed forms for Gaussian heights; film and substrate alone in the limits; trends of the abstract",
+    needs=("hardness_group", "hardness_to_yield", "n_H", "tau"),
+    validity=(
+        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
+        Validity("n_H", 0.0, 1.0, "the film is soft"),
+    ),
+    notes="The shear strength that the contact states is the film's; the substrate shears at Y/sqrt(3), with H/Y of the "
+    "contact. Friction rises as the film gets thinner if its shear strength over the pressure on it is below 1/(sqrt(3) k), "
+    "0.206 for k = 2.8: always so with rim_pressure substrate_hardness and a weak film, not with film_hardness and a metal "
+    "that shears at its own yield stress.",
+)

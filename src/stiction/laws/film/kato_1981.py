@@ -1,0 +1,202 @@
+r"""A plastic film squeezed out between a rigid ball and a hard substrate: after Kato, Yamaguchi, Marui & Tachi 1981, 1982.
+
+*Assumes* (abstracts of [kato_1981] and [kato_1982]): a soft metal film flows plastically out of the gap between a hard
+protuberance and the hard surface under it; the pressure of that flow, from the theory of plasticity, becomes extremely high,
+and friction falls with load because of it. *Source*: [kato_1982], its abstract; the layer between rough plates is
+[prandtl_1923]'s. *Reconstruction*: ball and substrate rigid, the film sticks to both (shear stress $k_f=Y_f/\sqrt3$,
+$Y_f=H_f/k$), and at the edge it has its own hardness. In the gap $s(r)$ a ring is in balance, if its radial and its hoop stress
+are alike, with
+
+$$
+s=t-\omega+\frac{r^2}{2R},\qquad\frac{dp}{dr}=-\frac{2k_f}s,\qquad p(a)=H_f,\qquad a^2=2R\omega
+$$
+
+A rigid substrate would carry any load once the film is pressed through ($p$ grows without bound); so it bounds the pressure
+with its hardness: $p=H$ within the radius $c$ where $p$ comes to that, and the substrate yields there.
+With $b^2=2R(t-\omega)$ and $m=(H-H_f)/(4k_fR)$,
+
+$$
+\arctan\frac cb=\max\left(0,\ \arctan\frac ab-mb\right)
+$$
+
+$$
+P=\pi a^2H_f+4\pi k_fR\begin{cases}a-b\arctan(a/b)&c=0\\a-c-mb^2&c>0\end{cases}
+$$
+
+and for $\omega>t$, where $b^2=-g^2$: $c=g\coth[\operatorname{arsinh}(g/\sqrt{2Rt})+mg]$. The tangential force is that of a law
+of the interface, $\tau_0$ on all of $2\pi R\omega$; $\tau_0$ above $k_f$ has no meaning, below it the film sticks less than is
+taken here, and the hill is up to half as high. $n_H$ above 1 counts as 1: all at $H$.
+
+*Limit*: a thick film is at its own hardness, $\mu=\tau_0/H_f$; one of no thickness leaves the plastic substrate,
+$\mu=\tau_0/H$. In a shallow contact the gap is that of a disc, and the mean pressure $H_f+2k_fa/(3t)$. *Check*, as the
+abstracts say: $\mu$ falls with load, and the pressure at the middle is many times that at the edge; thickness, hardness and
+radius count: at one load $\mu$ rises with thickness and, as the gap gets wider, with the radius, and falls as the film gets
+harder.
+*Unknown*: the empirical expression of part 1; of part 2 the pressure at the edge, the shear on both faces, and whether the ball
+ploughs (so says a later paper of the same group, J. Tribology 109 (1987) 545; left out here).
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units). Lengths along the
+surface are over $\sqrt{R\sigma}$, so that $a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ over `film_aspect`.
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.engine.regime import Regime
+from stiction.laws.joining import Law, within
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import Departure, FilmLaw, Validity
+from stiction.laws.sources import Source
+
+_THINNEST = 1e-200  # film over sigma, of one that is not there
+_FLATTEST = 1e-100  # hill over the hardness of the substrate, of a film that is a half-space
+_SLOPE = 0.1  # below this angle tan x - x is summed as a series, below 2.5 times this sin x - x cos x
+
+
+@formula
+def arc_excess(x):
+    """sin x - x cos x, without the loss of digits at small x."""
+    y = x * x
+    if x > 2.5 * _SLOPE:
+        return math.sin(x) - x * math.cos(x)
+    return x * y / 3.0 * (1.0 - y / 10.0 * (1.0 - y / 28.0 * (1.0 - y / 54.0 * (1.0 - y / 88.0))))
+
+
+@formula
+def tan_excess(x):
+    """tan x - x, likewise."""
+    y = x * x
+    if x > _SLOPE:
+        return math.tan(x) - x
+    higher = 62.0 / 2835.0 + y * (1382.0 / 155925.0 + y * (21844.0 / 6081075.0))
+    return x * y * (1.0 / 3.0 + y * (2.0 / 15.0 + y * (17.0 / 315.0 + y * higher)))
+
+
+@formula
+def squeezed(u, *row):
+    """The film alone, at w = tau sin(u)^2: a and b are sqrt(2 tau) times sin(u) and cos(u). row: tau, hill, bound, edge, more:
+    4 k_f sqrt(R/sigma), m, H_f and H - H_f, in the unit of the load over the area."""
+    tau, hill, _, edge, _ = row
+    sine = math.sin(u)
+    w = tau * sine * sine
+    return w, 2.0 * tau * sine * math.cos(u), 2.0 * edge * w + hill * math.sqrt(2.0 * tau) * arc_excess(u), 2.0 * w
+
+
+@formula
+def bounded(u, *row):
+    """The same with the pressure bounded within c = b tan(u - m b)."""
+    tau, hill, bound, edge, _ = row
+    width, sine, cosine = math.sqrt(2.0 * tau), math.sin(u), math.cos(u)
+    w, a, b = tau * sine * sine, width * sine, width * cosine
+    if u < 0.25 * math.pi:
+        higher = b * (tan_excess(u) - tan_excess(max(u - bound * b, 0.0)))
+    else:
+        higher = a - b / math.tan(math.atan2(b, a) + bound * b) - bound * b * b
+    return w, 2.0 * tau * sine * cosine, 2.0 * edge * w + hill * higher, 2.0 * w
+
+
+@formula
+def angle(w, *row):
+    return math.asin(min(math.sqrt(max(w, 0.0) / row[0]), 1.0))
+
+
+@formula
+def pressed_through(v, *row):
+    """Deeper than the film is thick, at w = tau + v^2: the pressure is bounded within c = g coth(y)."""
+    tau, hill, bound, edge, more = row
+    if v == math.inf:
+        return math.inf, math.inf, math.inf, math.inf
+    w, g = tau + v * v, math.sqrt(2.0) * v
+    a, y = math.sqrt(2.0 * w), math.asinh(v / math.sqrt(tau)) + bound * g
+    if y > 1.0:  # a - g less c - g: nothing is lost where both are far out
+        ring = 2.0 * tau / (a + g) - (2.0 * g / math.expm1(2.0 * y) if y < 300.0 else 0.0)
+    else:
+        ring = a - (g / math.tanh(y) if y > 0.0 else 1.0 / (1.0 / a + bound))
+    return w, 2.0 * v, 2.0 * edge * w + more * g * g + hill * ring, 2.0 * w
+
+
+@formula
+def depth_beyond(w, *row):
+    return math.sqrt(max(w - row[0], 0.0))
+
+
+def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
+    """tau, hill, bound, edge and more (n,), as the formulas take them."""
+    laws = len(groups)
+    n_H, aspect = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), np.broadcast_to(groups.film_aspect, laws)
+    steepness = np.divide(groups.tau, aspect, where=aspect > 0.0, out=np.zeros(laws))  # sqrt(R/sigma)
+    in_shear = groups.eta * n_H / (math.sqrt(3.0) * groups.hardness_to_yield)
+    hill = np.maximum(4.0 * in_shear * steepness, _FLATTEST * groups.eta)
+    more = groups.eta * (1.0 - n_H)
+    return np.maximum(np.broadcast_to(groups.tau, laws), _THINNEST), hill, more / hill, groups.eta * n_H, more
+
+
+def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
+    """The angle u (n,) from which on the pressure is bounded: u = m b(u). Newton's steps from above, where the difference is
+    convex, do not pass the root."""
+    steep = bound * np.sqrt(2.0 * tau)
+    u = np.minimum(steep, 0.5 * math.pi)
+    for _ in range(40):
+        u = u - (u - steep * np.cos(u)) / (1.0 + steep * np.sin(u))
+    return np.clip(u, 0.0, 0.5 * math.pi)
+
+
+def pieces(groups: Groups) -> list[tuple[NormalPiece, str]]:
+    """The film squeezed, then bounded by the substrate, then pressed through; with the body that decides."""
+    laws = len(groups)
+    row = parameters(groups)
+    tau, _, bound, _, _ = row
+    u_c, none, quarter, far = onset(tau, bound), np.zeros(laws), np.full(laws, 0.5 * math.pi), np.full(laws, np.inf)
+    with np.errstate(divide="ignore"):
+        widths = [np.sqrt(tau) * size for size in (1.0, 3.0, 10.0, 30.0, 100.0)]
+        widths += [size / bound for size in (0.7, 2.5, 8.0, 25.0)]
+    edges = np.sort(np.stack([none, *widths, far], axis=1), axis=1)
+    return [
+        (NormalPiece(squeezed, angle, row, np.stack([none, u_c], axis=1), "plastic"), "film"),
+        (NormalPiece(bounded, angle, row, np.stack([u_c, quarter], axis=1), "plastic"), "substrate"),
+        (NormalPiece(pressed_through, depth_beyond, row, edges, "plastic"), "substrate"),
+    ]
+
+
+def regimes(groups: Groups, law: Law) -> list[Regime]:
+    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface."""
+    tau = parameters(groups)[0]
+    as_wide = 0.5 * groups.film_aspect**2  # a = t
+    angle_there = np.arcsin(np.sqrt(np.minimum(as_wide / tau, 1.0)))
+    found = []
+    for piece, body in pieces(groups):
+        there = np.sqrt(np.maximum(as_wide - tau, 0.0)) if piece.normal is pressed_through else angle_there
+        joined = law.join(piece, groups, body=body)
+        found += [within(joined, -np.inf, there), replace(within(joined, there, np.inf), in_half_space=False)]
+    return found
+
+
+RECORD = FilmLaw(
+    key="kato_1981",
+    title="Plastic film squeezed out between a rigid ball and a hard substrate, which bounds the pressure",
+    grade="C",
+    sources=(
+        Source("kato_1982", "abstract", "flow of the film to the side; its equations could not be read: reconstructed"),
+        Source("kato_1981", "abstract", "experiments; the empirical expression is not known"),
+        Source("prandtl_1923", "", "plastic layer between rough plates; the balance of a round one is derived here"),
+    ),
+    regimes=regimes,
+    tangential="interface",
+    own_asperity=True,
+    departures=(Departure("thick", "load", -0.98, 0.0),),  # of a film harder than its substrate
+    confined=True,
+    verified="independent quadrature of the pressure; film and substrate alone in the limits; trends of the abstracts",
+    needs=("hardness_group", "hardness_to_yield", "n_H", "tau", "film_aspect"),
+    validity=(
+        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
+        Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),
+        Validity("n_H", 0.0, 1.0, "the film is soft"),
+    ),
+    notes="load_substrate is the load on asperities under which the substrate's hardness bounds the pressure: where that is "
+    "most of it, the substrate is not rigid, as the source has it, but plastic. Ploughing is left out. Without film_aspect "
+    "(indices only) the film has no hill of pressure.",
+)

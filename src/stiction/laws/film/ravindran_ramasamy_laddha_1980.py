@@ -1,0 +1,122 @@
+r"""A soft metal film whose friction goes as the cube root of thickness over load: after Ravindran, Ramasamy & Laddha 1980.
+
+*Assumes* (abstract of [ravindran_ramasamy_laddha_1980]): in spherical contact the friction of a thin soft metal film goes as
+the cube root of thickness over load where Amontons's law fails, which it does because the substrate takes part, with plastic
+deformation. *Source*: [ravindran_ramasamy_laddha_1980], its abstract, which calls the relation empirical. On one asperity
+
+$$
+\mu=c\left(\frac tW\right)^{1/3}=\left(\frac{Ct}W\right)^{1/3},\qquad C=c^3\ \text{in N/m}
+$$
+
+*Reconstruction*: friction is the film's shear strength over the mean pressure, $\mu=\tau_0/p$, so that the cube root is a
+pressure that rises as $W^{1/3}$; on the area $2\pi R\omega$ of a plastic contact that is $p\propto\sqrt{\omega/t}$. The film's
+own hardness bounds it below, where the film carries the load, the substrate's above, where that does ([bowden_tabor_1943]).
+At the bounds Amontons's law holds: the abstract wants the cube root only where it fails. That friction is higher where the film
+carries the load is in the abstract of [rabinowicz_1967],
+
+$$
+A=2w,\qquad P=pA,\qquad p=\eta\,\min\left[1,\ n_H\max\left(1,\ q\sqrt{w/\tau}\right)\right]
+$$
+
+$$
+\mu=\min\left\{\frac{\tau_0}{H_f},\ \max\left[\frac{\tau_0}H,\ \left(\frac{Ct}W\right)^{1/3}\right]\right\},\qquad
+C=\frac{2\pi R\,\tau_0^3}{q^2H_f^2}
+$$
+
+$C$ is given as `friction_constant` of the coating (`film_friction_constant` of indices is $C/(K\sqrt{R\sigma})$), which with
+$\tau_0$ says what $q$ is; left out, it is calibrated: $q=1$, so that the substrate takes part from where the film is pressed by
+its own thickness. $\tau_0$ is that of a tangential law of the interface. $n_H$ above 1 counts as 1: $p=\eta$.
+
+*Check*: one sphere, $W=8\pi RH_ft$, $q=1$: $\mu=\tau_0/(4^{1/3}H_f)=0.62996\,\tau_0/H_f$; the powers of $t$ and $W$ are exact
+between the bounds, over a factor $n_H^{-3}$ in load. *Limit*: a thick film has $\mu=\tau_0/H_f$, one of no thickness
+$\tau_0/H$. *Unknown*: $c$, and what of hardness, strength and radius it holds. The sum over asperities is this project's: at a
+load that is given, $\mu$ of a rough surface is a mean of that of its asperities.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.engine.regime import Regime
+from stiction.laws.film.shared.plastic import at_pressure
+from stiction.laws.joining import Law
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import Departure, FilmLaw, Validity
+from stiction.laws.sources import Source
+
+_THINNEST = 1e-200  # film over sigma, of one that is not there
+
+
+@formula
+def shared(u, stiffness):
+    """Film and substrate at u = sqrt(w): p = (stiffness/2) u on A = 2 w."""
+    w = u * u
+    return w, 2.0 * u, stiffness * w * u, 2.0 * w
+
+
+@formula
+def shared_coordinate(w, stiffness):
+    return math.sqrt(max(w, 0.0))
+
+
+def rise(groups: Groups) -> np.ndarray:
+    """q (n,): the pressure is q n_H sqrt(w/tau) eta where film and substrate share it. C over K sqrt(R sigma) is
+    2 eta (tau_0/H)^3/(q n_H)^2."""
+    given = groups.film_friction_constant
+    if given is None:
+        return np.ones(len(groups))
+    return np.sqrt(2.0 * groups.eta * groups.shear_strength**3 / given) / np.minimum(groups.n_H, 1.0)
+
+
+def regimes(groups: Groups, law: Law) -> list[Regime]:
+    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface."""
+    laws = len(groups)
+    n_H, q = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), rise(groups)
+    tau = np.maximum(np.broadcast_to(groups.tau, laws), _THINNEST)
+    with np.errstate(divide="ignore", over="ignore"):  # of a film of no strength, which stays a film
+        first = tau / (q * q)
+        last = first / (n_H * n_H)
+    none, far = np.zeros(laws), np.full(laws, np.inf)
+    first = np.where(n_H < 1.0, first, none)
+    last = np.where(n_H < 1.0, last, none)
+    stiffness = 2.0 * groups.eta * n_H * q / np.sqrt(tau)
+    between = np.stack([np.sqrt(first), np.sqrt(last)], axis=1)
+    return [
+        law.join(at_pressure(groups.eta * n_H, none, first), groups, body="film"),
+        law.join(NormalPiece(shared, shared_coordinate, (stiffness,), between, "plastic"), groups, body="substrate"),
+        law.join(at_pressure(groups.eta, last, far), groups, body="substrate"),
+    ]
+
+
+RECORD = FilmLaw(
+    key="ravindran_ramasamy_laddha_1980",
+    title="Soft metal film whose friction goes as the cube root of thickness over load",
+    grade="C",
+    sources=(
+        Source(
+            "ravindran_ramasamy_laddha_1980",
+            "abstract",
+            "the power; the pressure that gives it and its factor are reconstructed",
+        ),
+        Source("bowden_tabor_1943", "", "shear strength of the film over the pressure, which the substrate bounds"),
+        Source("rabinowicz_1967", "abstract", "friction is higher where the film carries the load, and not the substrate"),
+    ),
+    regimes=regimes,
+    tangential="interface",
+    own_asperity=True,
+    departures=(Departure("thick", "load", -0.98, 0.0),),  # of a film harder than its substrate
+    verified="the power laws of one asperity; independent quadrature; film and substrate alone in the limits",
+    needs=("hardness_group", "n_H", "tau", "shear_strength"),
+    validity=(
+        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
+        Validity("n_H", 0.0, 1.0, "the film is soft"),
+    ),
+    notes="mu = (C t/W)^(1/3) of each asperity, between shear strength over film hardness and shear strength over substrate "
+    "hardness. C is friction_constant of the coating; left out, it follows from strength, hardness and radius, such that the "
+    "substrate takes part from where the film is pressed by its own thickness. The load of an asperity between the bounds is "
+    "counted as the substrate's.",
+)

@@ -1,0 +1,22 @@
+"""An asperity pressed into what is plastic at one pressure: area 2 pi R omega, all of it at that pressure."""
+
+import numpy as np
+
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece
+
+
+@formula
+def normal(w, pressure):
+    """A = 2 w, P = p A; pressure: over the hardness of the substrate, times eta."""
+    return w, 1.0, 2.0 * pressure * w, 2.0 * w
+
+
+@formula
+def coordinate(w, pressure):
+    return w
+
+
+def at_pressure(pressure: np.ndarray, low: np.ndarray, high: np.ndarray) -> NormalPiece:
+    """Between the displacements low and high (n,), all of the contact at the pressure (n,)."""
+    return NormalPiece(normal, coordinate, (pressure,), np.stack([low, high], axis=1), "plastic")

@@ -1,0 +1,80 @@
+"""Every model that may be asked about a contact, and the names by which a comparison shows them and a user asks for one."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from stiction.contact.indices import Groups
+from stiction.contact.subject import Subject
+from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+
+# Greenwood & Williamson's sum takes any asperity law, and this film law any of them.
+_SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A model as it may be applied to a contact: its name in the comparison, and what is chosen."""
+
+    name: str
+    choice: Choice
+
+
+def candidates(subject: Subject) -> list[Candidate]:
+    """Every rough-surface model, and every asperity law that none of them takes, under Greenwood & Williamson's sum. On
+    a coated contact those with their own film law, or the one that suits all; and every other film law by itself."""
+    models = of_kind(RoughSurface)
+    taken = {model.asperity for model in models.values()}
+    found = [Candidate(key, Choice(key)) for key in models]
+    found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
+    if not subject.has_film:
+        return found
+    found = [_with_film(candidate, models[candidate.choice.model]) for candidate in found]
+    return found + [_alone(film) for film in of_kind(FilmLaw).values() if film.interchangeable and film.key != _SUITS_ALL]
+
+
+def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
+    if not model.asperity:
+        return candidate  # it will say itself that it knows no films
+    film = model.default_film or _SUITS_ALL
+    return Candidate(f"{candidate.name} + {film}", replace(candidate.choice, film=film))
+
+
+def _alone(film: FilmLaw) -> Candidate:
+    """A film law with the asperity law of its source, under the model whose friction it has, if it has one."""
+    model = next(
+        (key for key, one in of_kind(RoughSurface).items() if one.asperity and one.tangential == film.tangential), _SUM
+    )
+    return Candidate(film.key, Choice(model, asperity=film.asperity or None, film=film.key))
+
+
+def choice_of(name: str, given: Mapping[str, str | None], subject: Subject) -> Choice:
+    """What a name stands for: the key of a rough-surface model, or any name that a comparison shows for this contact; with laws
+    and options in place of its own. Raises InputError for a name that neither knows."""
+    try:
+        return Choice.of(find(name, RoughSurface).key, given)
+    except InputError as error:
+        known = {one.name: one.choice for one in candidates(subject)}
+        # A film or a sum may be left out of a name: the asperity law alone says enough.
+        known |= {key: Choice(_SUM, asperity=key) for key in of_kind(AsperityLaw)} if name not in known else {}
+        if name not in known:
+            raise InputError(error.field, name, ", ".join(dict.fromkeys([*of_kind(RoughSurface), *known]))) from None
+    asked = Choice.of(name, given)
+    laws = {law: getattr(asked, law) for law in ("asperity", "tangential", "film", "presliding")}
+    return known[name].with_changes(laws, asked.options)
+
+
+def with_interface(choice: Choice, groups: Groups) -> Choice:
+    """The choice with a law of the interface, where its model has no tangential law of its own, none was named, and the
+    contact states what such a law needs."""
+    if choice.tangential is not None or find(choice.model, RoughSurface).tangential != "none":
+        return choice
+    return replace(choice, tangential=law_of_the_interface(groups))
+
+
+def law_of_the_interface(groups: Groups) -> str:
+    """The law of the interface that uses most of what is known of it; "none" where nothing is."""
+    laws = [one for one in of_kind(TangentialLaw).values() if one.interfacial]
+    known = [one for one in laws if all(groups.knows(name) for name in one.needs)]
+    return max(known, key=lambda one: len(one.needs)).key if known else "none"

@@ -1,0 +1,112 @@
+"""What every result is asked, whichever model made it: the ranges that no author of a model has to remember.
+
+A rule below is a range of a quantity of `solving.state`, of the results, or of the contact, and to which problems it applies.
+The bounds are round numbers; each says what fails beyond it. What is "impossible" is never recommended.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from math import inf
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.subject import Subject
+from stiction.laws.claims import Validity
+from stiction.laws.validity import Doubt, doubts_about, ranges_left
+from stiction.solving.problem import Problem
+from stiction.solving.state import state_of
+
+# A theory that ends at full contact ends there to rounding.
+_ROUNDING = 1e-9
+
+
+def _any(problem: Problem) -> bool:
+    return True
+
+
+def _of_asperities(problem: Problem) -> bool:
+    """Theories that hold up to full contact know that contacts act on each other."""
+    return not problem.record.up_to_full_contact
+
+
+def _does_not_adhere(problem: Problem) -> bool:
+    return not problem.adheres
+
+
+# Beyond these what is given is no rough surface; said where it is read.
+OUT_OF_PROPORTION = (
+    Validity("sharpness", 0.0, 1.0, "asperities are higher than their tips are wide: are sigma and R swapped?", "impossible"),
+    Validity("roughness_parameter", 1e-5, 10.0, "asperities of this density and radius overlap, or are lost", "impossible"),
+    Validity("nominal_width", 10.0, inf, "the surface is rougher than it is wide", "impossible"),
+)
+
+_FEW = "so few make no average: from one contact to the next their number alone scatters by 1/sqrt(n)"
+
+RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
+    *((rule, _any) for rule in OUT_OF_PROPORTION),
+    (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area is above the nominal one", "impossible"), _any),
+    (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
+    (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
+    (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),
+    (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
+    (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),
+    (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _any),
+    (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _any),
+    (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _any),
+    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _any),
+    (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _any),
+    (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _any),
+)  # fmt: skip
+
+
+def doubts_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[Doubt]:
+    """Every doubt about these normalised results: of the records that answer, and of the rules for all of them."""
+    return without_repeats(doubts_about(problem.subject, _rules_for(problem), _known(problem, results)))
+
+
+# What a point of a curve may be: as its model claims; outside of a range; not possible at all.
+WITHIN, DOUBTFUL, IMPOSSIBLE = range(3)
+
+
+def doubtful_points(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Which of WITHIN, DOUBTFUL and IMPOSSIBLE each point (m,) is of the curve of a single contact, tables (1, m)."""
+    found = np.full(curve["load"].shape, WITHIN)
+    for rule, _, outside in ranges_left(problem.subject, _rules_for(problem), _known(problem, curve)):
+        found = np.maximum(found, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else DOUBTFUL, WITHIN))
+    return found[0]
+
+
+def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any]:
+    # touching_asperities is per asperity among the results, and a number of them where that can be known
+    return dict(results) | {"touching_asperities": None} | state_of(problem, results)
+
+
+def _rules_for(problem: Problem) -> list[Validity]:
+    """The rules that apply, and the ranges that the records claim."""
+    rules = [rule for rule, applies in RULES if applies(problem)]
+    if _hardens(problem):
+        rules = [_hardened(rule) for rule in rules]
+    return [*rules, *(rule for record in problem.records() for rule in record.validity)]
+
+
+def _hardens(problem: Problem) -> bool:
+    hardening = problem.groups.hardening
+    return hardening is not None and bool(np.all(np.asarray(hardening) > 0.0))
+
+
+def _hardened(rule: Validity) -> Validity:
+    """A metal that hardens as it flows may bear more than its hardness: then that is only an assumption that fails."""
+    return replace(rule, kind="assumption") if rule.quantity == "nominal_pressure_over_hardness" else rule
+
+
+def without_repeats(doubts: Iterable[Doubt]) -> list[Doubt]:
+    """Of doubts of one quantity of which a worse one says all, the worse only: above 1 is above 0.1, too."""
+    doubts = list(doubts)
+    worst = {one.quantity for one in doubts if one.kind == "impossible"}
+    return [one for one in doubts if one.kind == "impossible" or one.quantity not in worst]
+
+
+def questions(subject: Subject) -> list[str]:
+    """What is out of all proportion in what was given, in words; before any model is asked."""
+    return [str(doubt) for doubt in doubts_about(subject, OUT_OF_PROPORTION, {})]

@@ -1,0 +1,123 @@
+"""How hard a contact is pressed, by numbers that every model has: what its validity is judged by.
+
+All follow from results per asperity and the dimensionless groups. Per asperity, with the units of theory 1, K = 4 E*/3 and
+eta = pi H sqrt(R/sigma)/K, the load is P = K R^(1/2) sigma^(3/2) p and the area A = pi R sigma a, so that
+
+    A/A_n       = pi N R sigma a
+    P/(A_n H)   = pi N R sigma p / eta
+    P/(A H)     = p / (a eta)
+    N A_n       = N R sigma (A_n/sigma^2) (sigma/R)
+    A/(n A_c)   = a / (share omega_c/sigma)
+
+n = share N A_n asperities touch; A_c = pi R omega_c is the area of one at first yield, omega_c that of Chang, Etsion & Bogy
+(1987).
+"""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+from scipy.special import ndtr
+
+from stiction.contact.indices import Groups
+from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
+from stiction.solving.problem import Problem
+
+# Pull-off force of a sphere over gamma R at the most (Derjaguin, Muller & Toporov 1975); JKR's is 3/4 of it.
+_DMT = 2.0 * math.pi
+# Where expected numbers of asperities are tabulated, over sigma: from all that touch to none that ever would.
+_SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
+
+
+def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """What is known of the state of the contacts beside these normalised results, in which the contacts' dimensions come first:
+    each an array (n, m), left out where a group is not known. Not a number where there is no net load to compare with."""
+    groups = problem.groups
+    n = len(groups)
+    load, area = (np.asarray(results[name]).reshape(n, -1) for name in ("load", "contact_area"))
+    touching = results.get("touching_asperities")
+    share = None if touching is None else np.asarray(touching).reshape(n, -1)
+    found = _by_asperity(problem, load, area, share, _bearing(problem, load, results))
+    if groups.roughness_parameter is not None:
+        density = math.pi * groups.roughness_parameter[:, None]
+        found["area_fraction"] = density * area
+        found["nominal_pressure_over_hardness"] = density * load / (groups.eta * _softest(groups))[:, None]
+        count = _asperities(groups)
+        if count is not None:
+            found["touching_asperities"] = count * (expected_share(area) if share is None else share)
+    return found | {name: value[:, None] for name, value in _of_the_surface(groups).items()}
+
+
+def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
+    """What no load changes (n,). Rms slope: sqrt(2 m2), of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and
+    N = m4/(6 pi sqrt(3) m2) (Nayak 1971; McCool 1986)."""
+    found = {}
+    if groups.sharpness is not None and groups.roughness_parameter is not None:
+        slope_squared = 2.0 * (9.0 / 64.0) / (6.0 * math.sqrt(3.0)) / groups.roughness_parameter
+        found["rms_slope"] = groups.sharpness * np.sqrt(slope_squared)
+    if groups.sharpness is not None and groups.has_film and groups.film_aspect is not None:
+        found["thickness_over_radius"] = groups.film_aspect * groups.sharpness
+    return found
+
+
+def _by_asperity(
+    problem: Problem, load: np.ndarray, area: np.ndarray, share: np.ndarray | None, hardness: np.ndarray
+) -> dict[str, np.ndarray]:
+    """What needs no density of asperities. hardness: of what bears the load, over that of the bodies."""
+    groups = problem.groups
+    compressed = np.where(load > 0.0, load, np.nan)
+    found = {"mean_pressure_over_hardness": load / (groups.eta[:, None] * hardness * np.where(area > 0.0, area, np.nan))}
+    if share is not None:
+        found["touching_share"] = share
+        if not groups.has_film:
+            yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
+            found["asperity_area_over_yield"] = area / np.where(share > 0.0, share * yielded, np.nan)
+    per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
+    pull = per_theta if groups.n_g is None else per_theta * groups.n_g
+    found["adhesion_share"] = pull[:, None] * (expected_share(area) if share is None else share) / compressed
+    return found
+
+
+def _softest(groups: Groups) -> np.ndarray | float:
+    """Hardness of the softest of film and bodies, over that of the bodies."""
+    return 1.0 if groups.n_H is None else np.minimum(groups.n_H, 1.0)
+
+
+def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Hardness (n, m) of what bears the load, over that of the bodies: of film and substrate by what each carries, where a film
+    law tells them apart; else, or where the substrate confines the film, the larger one, above which no mean pressure is."""
+    groups, film = problem.groups, problem.chosen.film
+    if groups.n_H is None:
+        return np.ones_like(load)
+    n_H = groups.n_H[:, None]
+    if "load_film" not in results or film is None or film.composites or film.confined:
+        return np.maximum(n_H, 1.0) * np.ones_like(load)
+    of_film = np.asarray(results["load_film"]).reshape(load.shape)
+    share = np.clip(np.divide(of_film, load, where=load > 0.0, out=np.ones_like(load)), 0.0, 1.0)
+    return share * n_H + (1.0 - share)
+
+
+def _asperities(groups: Groups) -> np.ndarray | None:
+    """Number of asperities on the nominal area (n, 1)."""
+    if groups.nominal_width is None or groups.sharpness is None:
+        return None
+    return (groups.roughness_parameter * (groups.nominal_width * groups.sharpness) ** 2)[:, None]
+
+
+def expected_share(area: np.ndarray) -> np.ndarray:
+    """Share of asperities that touch where elastic spheres with Gaussian heights have this area, over pi R sigma per asperity:
+    F_0 where F_1(h) = area (Greenwood & Williamson 1966, eqs 5 and 6). For theories that count no asperities."""
+    log_area, log_share = _tables()
+    small = np.log(np.maximum(area, 1e-300))
+    return np.where(area > 0.0, np.exp(np.interp(small, log_area, log_share)), 0.0)
+
+
+def _tables() -> tuple[np.ndarray, np.ndarray]:
+    """Logarithms of F_1, ascending, and of F_0 at the same separations."""
+    h = _SEPARATIONS[::-1]
+    share = ndtr(-h)
+    density = np.exp(-0.5 * h * h) / math.sqrt(2.0 * math.pi)
+    # F_1 = phi - h F_0 cancels far out, where it is F_0/h (1 - 2/h^2 + 10/h^4 ...).
+    far = h > 12.0
+    tail = share / np.where(far, h, 1.0) * (1.0 - 2.0 / np.where(far, h, 1.0) ** 2 + 10.0 / np.where(far, h, 1.0) ** 4)
+    return np.log(np.where(far, tail, density - h * share)), np.log(share)
