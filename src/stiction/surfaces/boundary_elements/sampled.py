@@ -1,7 +1,8 @@
 """A fast solution: of every r-th point of the map, never of means over points (which would take the sharp edges of plateaus).
 
-Over 39 maps of 256^2 points (Gaussian, skewed, cut, worn, with a lay) at p/(E* h') from .002 to .3, four points in the shortest
-wave: within 1.3 % (rms) where 1000 points are in contact, 5 % where fewer are (`docs/` has no table of it yet).
+Over 51 maps of 256^2 points (Gaussian, skewed, cut, worn, with a lay) at p/(E* h') from .002 to .3, with four points in the
+shortest wave: rms (largest) error of the area .6 % (1.8) where 3000 points or more are in contact, 1.0 % (2.3) from 1000, 4.5 %
+(10) from 300, 8.7 % (17) from 100.
 """
 
 from collections.abc import Sequence
