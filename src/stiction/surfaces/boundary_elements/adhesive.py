@@ -110,7 +110,7 @@ def solve_adhesive(
     found = []
     for load in loads:
         gap, residual = _descent(faces, gap, load / nominal * reach / work)
-        found.append(_contact(faces, gap, residual, load, nominal, work, reach, size, of_grid))
+        found.append(_contact(faces, gap, residual, load, work / reach, reach, size, of_grid))
     return found
 
 
@@ -144,9 +144,11 @@ def _descent(faces: _Faces, gap: np.ndarray, pressure: float) -> tuple[np.ndarra
     return gap, float(left.max())
 
 
-def _contact(faces, gap, residual, load, nominal, work, reach, size, of_grid) -> AdhesiveContact:
+def _contact(faces, gap, residual, load, largest, reach, size, of_grid) -> AdhesiveContact:
+    """The numbers of one load; largest: attraction, w/rho [Pa]."""
     touch = gap <= 0.0
     apart = not touch.any() and float(gap.mean()) > 0.5 * _FAR
+    nominal = size[0] * size[1]
     pixel, pitch = nominal / gap.size, (size[0] / gap.shape[0], size[1] / gap.shape[1])
     sides = edges(touch, True)
     doubts = of_grid
@@ -158,11 +160,11 @@ def _contact(faces, gap, residual, load, nominal, work, reach, size, of_grid) ->
         area=int(np.count_nonzero(touch)) * pixel,
         perimeter=0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1]),
         mean_gap=math.inf if apart else float(gap.mean()) * reach,
-        attraction=0.0 if apart else float(np.exp(-gap).mean()) * nominal * work / reach,
+        attraction=0.0 if apart else float(np.exp(-gap).mean()) * nominal * largest,
         detached=apart,
         residual=0.0 if apart else residual,
         doubts=doubts,
-        pressure=(faces.elastic(gap) + load / nominal * reach / work) * (work / reach),
+        pressure=faces.elastic(gap) * largest + load / nominal,
     )
 
 
