@@ -76,7 +76,7 @@ _SHARE_BELOW_ONE = (0.0, 1.0, True, False)
 # Softer than any solid: a number meant in GPa, or mPa for MPa.
 _SOLID = (1e3, inf, True, False)
 # Dimensionless groups: beyond these no contact is, and sums and their limits lose their digits or all of their size.
-_GROUP = (1e-9, 1e9, True, True)
+_GROUP = (1e-12, 1e12, True, True)
 _THETA = (1e-12, 1e40, True, True)
 _LAMBDA = (1e-60, 1e120, True, True)
 _LENGTH_RATIO = (0.0, 1e15, True, True)
