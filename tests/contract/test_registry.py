@@ -477,6 +477,8 @@ def test_a_law_depends_on_what_it_says(record, kind):
     choice = choice_of(record, kind)
     if kind is FilmLaw and not record.interchangeable:
         choice = Choice(options={"reading": "published"})
+    if not {"theta", "lam", "tabor_parameter"} & {name for one in problem_of(given, choice).records() for name in one.needs}:
+        given = given.without_adhesion()
     found = problem_of(given, choice)
 
     def answer(one):
@@ -489,15 +491,16 @@ def test_a_law_depends_on_what_it_says(record, kind):
 
     plain = answer(given)
     needed = {name for one in found.records() for name in one.needs}
-    for name in ("theta", "lam", "nu", "hardness_to_yield", "tabor_parameter", "sharpness", "roughness_parameter",
-                 "nominal_width", "shear_strength", "pressure_coefficient", "n_E", "n_H", "tau"):  # fmt: skip
+    for name in ("theta", "lam", "hardness_group", "nu", "hardness_to_yield", "tabor_parameter", "sharpness",
+                 "roughness_parameter", "nominal_width", "shear_strength", "pressure_coefficient", "n_E", "n_H",
+                 "tau"):  # fmt: skip
         if getattr(given, name) is None:
             continue
         other = answer(given.with_changes(**{name: getattr(given, name) * 0.9}))
         same = all(np.array_equal(one, two, equal_nan=True) for one, two in zip(plain, other, strict=True))
         if name in record.needs:
             assert not same, f"{name} changes nothing"
-        if not same:
+        if not same and not (name in ("theta", "lam") and "hardness_group" in needed):  # which follows from both
             assert name in needed or (kind is FilmLaw and name in FILM_GROUPS), f"{name} is not said to be needed"
 
 

@@ -72,6 +72,7 @@ def test_a_replaced_number_loses_its_source_and_its_range():
     own = material("silver", hardness="1 GPa", range={"hardness": ("0.8 GPa", "1.2 GPa")})
     assert own.range["hardness"] == (0.8e9, 1.2e9) and own.range["youngs_modulus"] == (82e9, 83e9)
     assert own.replace(name="film").range == own.range
+    assert "range of hardness: 800 MPa to 1.2 GPa" in own.notes()
 
 
 def test_ranges_survive_in_a_contact():
@@ -91,7 +92,7 @@ def test_ranges_survive_in_a_contact():
 @pytest.mark.parametrize(
     ("ends", "message"),
     [
-        ({"hardness": ["8 GPa", "9 GPa"]}, "range.hardness: '8 GPa to 9 GPa'; allowed: ends around hardness = 7 GPa"),
+        ({"hardness": ["8 GPa", "9 GPa"]}, "range.hardness: '8 to 9 GPa'; allowed: ends around hardness = 7 GPa"),
         ({"hardness": ["8 GPa", "6 GPa"]}, "range.hardness: ['8 GPa', '6 GPa']; allowed: the low end first"),
         ({"hardness": ["6 GPa"]}, "range.hardness: ['6 GPa']; allowed: its low and its high end, two values: "),
         ({"hardness": "6 GPa"}, "range.hardness: '6 GPa'; allowed: its low and its high end, two values: "),

@@ -115,7 +115,11 @@ def test_axis_is_its_own_coordinate_with_units():
     array = axis("thickness", ["100 nm", "200 nm"])
     assert array.dims == ("thickness",)
     assert np.array_equal(array, [1e-7, 2e-7]) and np.array_equal(array.coords["thickness"], array)
-    assert array.coords["thickness"].attrs == {"units": "m", "long_name": QUANTITIES["thickness"].meaning}
+    assert array.coords["thickness"].attrs == {
+        "units": "m",
+        "long_name": "film thickness",
+        "comment": QUANTITIES["thickness"].meaning,
+    }
     assert axis("hardness", [1e9], "film hardness").dims == ("film hardness",)
     assert axis("nu", 0.3).attrs["units"] == "1"
     with pytest.raises(InputError, match=r"^axis: 'thicknes'"):

@@ -8,11 +8,22 @@ from stiction.cli.output import print_json
 from stiction.cli.program import Json, app, console
 
 
+def _every_preset(incomplete: str) -> list[str]:
+    """What completes a word to the name of any preset."""
+    from stiction.contact.materials import material_names
+
+    return [name for name in material_names() if name.startswith(incomplete)]
+
+
 @app.command()
 def materials(
     names: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[NAME]...", help="Also the source of every number of these; else a line of each."),
+        typer.Argument(
+            metavar="[NAME]...",
+            help="Also the source of every number of these; else a line of each.",
+            autocompletion=_every_preset,
+        ),
     ] = None,
     json: Json = False,
 ) -> None:

@@ -2,7 +2,7 @@
 
 import sys
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -110,7 +110,6 @@ def _refused(error: Any) -> tuple[Any, str]:
 app = typer.Typer(
     cls=_Commands,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
@@ -151,6 +150,25 @@ def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
             raise InputError(flag, given, ", ".join(values))
         found[name] = given
     return found, rest
+
+
+def keys_of(kind: str) -> Callable[[str], list[str]]:
+    """What completes a word on the command line to the keys of the records of a kind, by its keyword in `solve`."""
+
+    def complete(incomplete: str) -> list[str]:
+        from stiction.laws.registry import KINDS, of_kind
+
+        known = [key for one in KINDS if one.keyword == kind for key in of_kind(one)]
+        return [key for key in [*known, *(["none"] if kind == "tangential" else [])] if key.startswith(incomplete)]
+
+    return complete
+
+
+def every_key(incomplete: str) -> list[str]:
+    """What completes a word to the key of any record."""
+    from stiction.laws.registry import records
+
+    return [one.key for one in records() if one.key.startswith(incomplete)]
 
 
 def folder(text: str | Path) -> Path:

@@ -6,11 +6,13 @@ from functools import cache
 from importlib import resources
 from typing import Any, NamedTuple, Self
 
+import numpy as np
 from pydantic import Field, model_validator
 
-from stiction.contact.ranges import Ranges, check_ranges
+from stiction.contact.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber, nearest
+from stiction.quantities.units import to_si
 
 __all__ = ["Material", "material", "material_names"]
 
@@ -43,13 +45,28 @@ class Material(Input):
     def replace(self, **changes: Any) -> Self:
         """Another material, with these fields in place of its own; what is replaced loses its source and its range. Raises
         InputError."""
-        given = {name: getattr(self, name) for name in self.model_fields_set}
-        return type(self)(**given | changes | _notes_left(self.source, self.range, changes))
+        return super().replace(**changes | _notes_left(self.source, self.range, changes))
 
     @property
     def shear_modulus(self):
         """Shear modulus of an isotropic material [Pa], E / (2 (1 + nu))."""
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
+
+    def notes(self) -> list[str]:
+        """Where the numbers come from, and between which ends they lie."""
+        ends = [f"range of {field}: {range_in_words(*pair, field)}" for field, pair in self.range.items()]
+        if not self.source:
+            return ends
+        if isinstance(self.source, str):
+            return [f"source: {self.source}", *ends]
+        return [*(f"{field}: {text}" for field, text in self.source.items() if text), *ends]
+
+    def is_own(self, field: str) -> bool:
+        """Whether this field was given, and is not just that of the preset of this name."""
+        value = getattr(self, field)
+        of_this_name = _presets().get(self.name)
+        preset = None if of_this_name is None else of_this_name.numbers.get(field)
+        return value is not None and not (preset is not None and np.all(to_si(preset, field) == value))
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core_schema, handler):

@@ -10,7 +10,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
-__all__ = ["Ranges", "check_ranges"]
+__all__ = ["Ranges", "check_ranges", "range_in_words"]
 
 _FORM = 'a table of low and high ends, e.g. hardness = ["0.3 GPa", "0.5 GPa"]'
 
@@ -44,6 +44,13 @@ Ranges = Annotated[
 ]
 
 
+def range_in_words(low: float, high: float, name: str) -> str:
+    """The ends of the named quantity: "82 to 83 GPa", and "0.5 MPa to 2 GPa" where they differ in their prefix."""
+    first, last = show(low, name), show(high, name)
+    number, _, unit = first.partition(" ")
+    return f"{number if unit == last.partition(' ')[2] else first} to {last}"
+
+
 def check_ranges(record: Any) -> None:
     """InputError where a range is of a number that the record does not have, or does not hold that number."""
     for name, (low, high) in record.range.items():
@@ -52,4 +59,4 @@ def check_ranges(record: Any) -> None:
             raise InputError(f"range.{name}", [show(low, name), show(high, name)], f"nothing where there is no {name}")
         if not np.all((np.asarray(value) >= low) & (np.asarray(value) <= high)):
             shown = show(float(np.asarray(value).flat[0]), name)
-            raise InputError(f"range.{name}", f"{show(low, name)} to {show(high, name)}", f"ends around {name} = {shown}")
+            raise InputError(f"range.{name}", range_in_words(low, high, name), f"ends around {name} = {shown}")

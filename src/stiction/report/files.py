@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.laws.registry import GRADES
 from stiction.laws.validity import doubts_of
 from stiction.quantities.errors import InputError
 
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _DOTS_PER_INCH = 150
+_TOLD = ("normalised_by", "symbol", "long_name", "comment")  # attributes of a variable that go into JSON
 _ABANDONED = 600.0  # s: in less, whoever is alive has written something
 
 
@@ -54,12 +56,13 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
         variables[name] = {
             "name": name,
             "unit": variable.attrs.get("units", "1"),
-            **{key: variable.attrs[key] for key in ("normalised_by", "symbol", "long_name") if key in variable.attrs},
+            **{key: variable.attrs[key] for key in _TOLD if key in variable.attrs},
             "dims": list(variable.dims),
             "values": variable.values,
         }
     doubts = [doubt.as_data() for doubt in doubts_of(data)]
-    return {"attrs": {**data.attrs, "doubts": doubts}, "groups": dict(groups), "variables": variables}
+    unused = json.loads(data.attrs.get("unused_inputs", "[]"))
+    return {"attrs": {**data.attrs, "doubts": doubts, "unused_inputs": unused}, "groups": dict(groups), "variables": variables}
 
 
 def _names(data: "xarray.Dataset") -> list[str]:
@@ -67,19 +70,51 @@ def _names(data: "xarray.Dataset") -> list[str]:
     return [str(name) for name in (*data.coords, *data.data_vars)]
 
 
-def write_csv(data: "xarray.Dataset", path: Path) -> None:
-    """Every variable as a column under "name [unit]", a row for each point; floats to their last digit."""
+def comments_of(data: "xarray.Dataset") -> list[str]:
+    """What a table of a result has to say before its first row: what was computed, by which model, with what doubts, from which
+    inputs, and what the columns are."""
+    used = data.attrs
+    laws = ", ".join(f"{kind} {used[kind]}" for kind in ("asperity", "tangential", "film") if used.get(kind, "none") != "none")
+    options = ", ".join(f"{name} {used[name]}" for name in used.get("options", "").split())
+    said = {
+        "title": used.get("case") or used.get("title"),
+        "program": used.get("program"),
+        "model": f"{used.get('model')} ({', '.join(filter(None, [laws, options])) or 'no other laws'})",
+        "grade": f"{used.get('grade')}: {GRADES.get(used.get('grade', ''), '')}",
+        "doubt": [str(doubt) for doubt in doubts_of(data)] or "none: within the ranges that are claimed",
+        "not used": used.get("inputs_not_used"),
+        "remark": used.get("remarks"),
+        "sources": used.get("sources"),
+        "input": used.get("inputs", "").splitlines(),
+        "scan": used.get("scans", "").splitlines(),
+        "column": [_column_said(data[name]) for name in _names(data)],
+        "read with": 'pandas.read_csv(path, comment="#")',
+    }
+    lines = [(head, text) for head, texts in said.items() for text in (texts if isinstance(texts, list) else [texts]) if text]
+    return [" ".join(f"{head}: {text}".split()) for head, text in lines]
+
+
+def _column_said(variable: "xarray.DataArray") -> str:
+    unit = unit_of(variable)
+    meaning = variable.attrs.get("comment") or variable.attrs.get("long_name") or "as given"
+    return f"{variable.name}: {meaning}" + (f" [{unit}]" if unit else "")
+
+
+def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) -> None:
+    """Every variable as a column under "name [unit]", a row for each point; floats to their last digit. comments: lines before
+    that, each after a "#"."""
     import xarray
 
     names = _names(data)
     heads = [f"{name} [{unit}]" if (unit := unit_of(data[name])) else name for name in names]
     columns = xarray.broadcast(*(data[name] for name in names))
-    write_rows(path, heads, zip(*(column.values.ravel().tolist() for column in columns), strict=True))
+    write_rows(path, heads, zip(*(column.values.ravel().tolist() for column in columns), strict=True), comments)
 
 
-def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]]) -> None:
-    """A CSV file with one line of heads."""
+def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]], comments: Iterable[str] = ()) -> None:
+    """A CSV file with one line of heads, after lines of comments."""
     with path.open("w", encoding="utf-8", newline="") as file:
+        file.writelines(f"# {line}\n" for line in comments)
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(heads)
         writer.writerows(rows)

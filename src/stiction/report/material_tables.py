@@ -10,6 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.contact.materials import Material, material, material_names
+from stiction.contact.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 
@@ -41,14 +42,8 @@ def with_range(preset: Material, name: str) -> str:
     value = getattr(preset, name)
     if value is None:
         return ""
-    return f"{show(value, name)} ({range_in_words(preset, name)})" if name in preset.range else show(value, name)
-
-
-def range_in_words(preset: Material, name: str) -> str:
-    """The range of a number that has one: "82 to 83 GPa", and "0.5 MPa to 2 GPa" where the ends differ in their prefix."""
-    low, high = (show(end, name) for end in preset.range[name])
-    number, _, unit = low.partition(" ")
-    return f"{number if unit == high.partition(' ')[2] else low} to {high}"
+    ends = f" ({range_in_words(*preset.range[name], name)})" if name in preset.range else ""
+    return show(value, name) + ends
 
 
 def materials_table(names: Iterable[str]) -> Table:

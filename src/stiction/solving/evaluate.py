@@ -10,6 +10,7 @@ from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime
 from stiction.engine.summation import FARTHEST, check_threads, in_threads, scattered, totals_on_grid
 from stiction.quantities.errors import InputError
+from stiction.quantities.foreign import has_unit
 from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
@@ -76,10 +77,17 @@ def evaluate(
     return _scattered(separation, laws, shape, choice, threads)
 
 
+def _array(value, name: str, allowed: str) -> np.ndarray:
+    """The value as an array of floats; InputError also for what has a unit, which NumPy would drop without a word."""
+    if has_unit(value):
+        raise InputError(name, str(value), f"{allowed}, without a unit")
+    return floats(value, name, allowed)
+
+
 def _checked(name: str, value) -> np.ndarray:
     """The value as an array of floats within the bounds of its quantity."""
     quantity = QUANTITIES[name]
-    array = floats(value, name, quantity.allowed)
+    array = _array(value, name, quantity.allowed)
     if array.size == 0:
         return array
     low, high = float(array.min()), float(array.max())  # either is NaN if any element is
@@ -92,7 +100,7 @@ def _checked(name: str, value) -> np.ndarray:
 
 def _separations(h) -> np.ndarray:
     allowed = f"finite, {-FARTHEST:g} to {FARTHEST:g}"
-    array = floats(h, "h", allowed)
+    array = _array(h, "h", allowed)
     wrong = ~(np.abs(array) <= FARTHEST)
     if wrong.any():
         raise InputError("h", float(array[wrong][0]), allowed)

@@ -204,6 +204,10 @@ class Sum(Problem):
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
             results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., _LOAD].sum(axis=0)
+        if bodies:
+            film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
+            whole = film + substrate
+            results["load_share_substrate"] = np.divide(substrate, whole, where=whole > 0.0, out=np.zeros_like(whole))
         if not all(regime.in_half_space for regime in regimes):
             results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., _LOAD])
         if not self.friction:
@@ -235,7 +239,7 @@ class ClosedForm(Problem):
 
     @property
     def effects(self) -> list[str]:
-        return ["plasticity"] if "lam" in self.record.needs else []
+        return ["plasticity"] if "hardness_group" in self.record.needs else []
 
     def on_branch(self, branch: str) -> "ClosedForm":
         return self
@@ -282,6 +286,12 @@ class ClosedForm(Problem):
         if self.chosen.tangential is None:
             return results
         return results | with_coefficient(load, resistances(self.chosen.tangential, self.groups, load, area))
+
+
+def _wanted(name: str) -> str:
+    """What must be given of a quantity that a model needs: a work of adhesion that is one."""
+    quantity = QUANTITIES[name]
+    return replace(quantity, lower_included=False).wanted if name == "work_of_adhesion" else quantity.wanted
 
 
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
@@ -357,8 +367,9 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
     chosen = look_up(with_interface(choice, groups), groups.has_film)
     for record in chosen.records():
         for name in record.needs:
-            if getattr(groups, name) is None:
+            if not groups.knows(name):
                 given = subject.given_as(name) if subject is not None else name
-                raise InputError(given, None, f"{QUANTITIES[given].wanted}: {record.key} needs it")
+                whose = "" if record is chosen.model else f", which {chosen.model.key} takes here,"
+                raise InputError(given, getattr(subject, given, None), f"{_wanted(given)}: {record.key}{whose} needs it")
     kind = Sum if chosen.asperity is not None else ClosedForm
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

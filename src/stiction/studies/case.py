@@ -33,8 +33,7 @@ class Case:
 
     subject: the Contact or the Indices. separation, load: points, one is an array (n,) and the other None;
     metres and newtons for a Contact, h = d/sigma and load per K R^(1/2) sigma^(3/2) and asperity for
-    Indices. choice: the model, other laws than its own, and options, as the registry knows them. measured: what scans say of
-    the roughness, where the case names scans in place of numbers.
+    Indices. choice: the model, other laws than its own, and options, as the registry knows them.
     """
 
     title: str
@@ -42,7 +41,11 @@ class Case:
     separation: np.ndarray | None
     load: np.ndarray | None
     choice: Choice
-    measured: Measured | None = None
+
+    @property
+    def measured(self) -> Measured | None:
+        """What scans say of the roughness, where the case names scans in place of numbers."""
+        return self.subject.measured
 
     @property
     def by_method(self) -> dict[str, Contact]:
@@ -67,11 +70,7 @@ class Case:
 
         if not takes_surface_moments(model):
             return self
-        return replace(
-            self,
-            subject=self.subject.with_surface_moments(),
-            measured=self.measured and self.measured.with_surface_moments(),
-        )
+        return replace(self, subject=self.subject.with_surface_moments())
 
 
 def _point(value):
@@ -188,9 +187,7 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
     materials are named."""
     _refuse_bare_numbers(content, "")
-    content = with_own_materials(content, folder, _tables)
-    content, measured = _measured(content, folder)
-    file = _CaseFile(**content)
+    file = _CaseFile(**_measured(with_own_materials(content, folder, _tables), folder))
     subject = file.contact or file.indices
     assert subject is not None  # the validator of _CaseFile has seen to it
     for question in questions(subject):
@@ -202,25 +199,22 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
         separation=_resolve(solve.separation, "mean_separation", subject, "solve.separation"),
         load=_resolve(solve.load, "load", subject, "solve.load"),
         choice=Choice(options=dict(solve.options), **{name: getattr(solve, name) for name in LAWS}),
-        measured=measured,
     )
 
 
-def _measured(content: Mapping, folder: Path) -> tuple[Mapping, Measured | None]:
-    """The tables with the roughness that scans show in place of the scans, and what was measured; the tables as they are if
-    they name no scan."""
+def _measured(content: Mapping, folder: Path) -> Mapping:
+    """The tables with the roughness that scans show in place of the scans; as they are if they name no scan."""
     contact = content.get("contact")
     surface = contact.get("roughness") if isinstance(contact, Mapping) else None
     if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}):
-        return content, None
+        return content
     try:
         measured = measure(MeasuredRoughness(**surface), folder)
     except InputError as error:
         where = error.field if error.field.startswith("roughness") else f"roughness.{error.field}"
         raise InputError(f"contact.{where}", error.value, error.allowed) from None
     assert isinstance(contact, Mapping)
-    found = measured.by_method[measured.method]
-    return {**content, "contact": {**contact, "roughness": found}}, measured
+    return {**content, "contact": {**contact, "roughness": measured.roughness()}}
 
 
 def json_schema() -> dict:
