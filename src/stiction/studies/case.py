@@ -10,15 +10,16 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
-from stiction.contact.contact import Contact, Indices
+from stiction.contact.contact import Body, Contact, Indices
 from stiction.contact.subject import Subject
+from stiction.laws.proportion import questions
 from stiction.laws.registry import all_options
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
-from stiction.solving.conditions import questions
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
+from stiction.studies.own_materials import with_own_materials
 
 __all__ = ["Case", "json_schema", "parse_case", "read_case"]
 
@@ -141,9 +142,12 @@ class _Solve(Input):
 
 
 class _CaseFile(Input):
-    """The tables of a case file: [contact] or [indices], and [solve]."""
+    """The tables of a case file: [contact] or [indices], [solve], and materials of its own."""
 
     title: str = ""
+    materials: dict[str, Body] | str = Field(
+        default_factory=dict, description="tables of numbers by name, or the name of a file beside the case that has them"
+    )
     contact: Contact | None = None
     indices: Indices | None = None
     solve: _Solve = Field(description="a table with separation or load")
@@ -163,6 +167,11 @@ def read_case(path) -> Case:
     for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
     are no rough surface: sigma and R swapped, a metre of roughness.
     """
+    return parse_case(_tables(path), Path(path).parent)
+
+
+def _tables(path) -> Mapping:
+    """The tables of a TOML file, every number that needs a unit with its unit."""
     text = _text(Path(path))
     try:
         content = tomllib.loads(text)
@@ -170,13 +179,15 @@ def read_case(path) -> Case:
         raise _not_a_case(path, f"this is not TOML: {error}") from None
     except (ValueError, RecursionError):  # a number of thousands of digits, lists nested without end
         raise _not_a_case(path, "this one is out of all proportion") from None
-    return parse_case(content, Path(path).parent)
+    _refuse_bare_numbers(content, "")
+    return content
 
 
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
-    """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans are named."""
+    """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
+    materials are named."""
     _refuse_bare_numbers(content, "")
-    file = _CaseFile(**_measured(content, folder))
+    file = _CaseFile(**_measured(with_own_materials(content, folder, _tables), folder))
     subject = file.contact or file.indices
     assert subject is not None  # the validator of _CaseFile has seen to it
     for question in questions(subject):
@@ -247,8 +258,15 @@ def _refuse_bare_numbers(table: Mapping, path: str) -> None:
         where = f"{path}.{key}" if path else key
         if isinstance(value, Mapping):
             _refuse_bare_numbers(value, where)
-        elif where != "solve.load" and not isinstance(value, str) and key in QUANTITIES and QUANTITIES[key].unit:
+        elif where != "solve.load" and not _is_text(value, path) and key in QUANTITIES and QUANTITIES[key].unit:
             raise InputError(where, value, _as_text(key))
+
+
+def _is_text(value: Any, path: str) -> bool:
+    """Text, or the two ends of a range as text."""
+    if path.rpartition(".")[2] == "range" and isinstance(value, list):
+        return all(isinstance(end, str) for end in value)
+    return isinstance(value, str)
 
 
 def _as_text(key: str) -> str:
