@@ -237,6 +237,14 @@ _RESULT_EXAMPLES = {"mean_separation": "48 nm", "load": "1 N"}  # results that a
 
 # Names for axes, where the meaning with its unit is longer than the 30 characters to which xarray's plots break their labels.
 _SHORT = {
+    "hardness_group": "hardness group",
+    "films": "coated bodies",
+    "layer_nu": "Poisson's ratio, layer",
+    "coated_share": "compliance share",
+    "coated_nu": "Poisson's ratio, coated",
+    "counter_nu": "Poisson's ratio, counter",
+    "film_stiffness": "film stiffness group",
+    "load_share_substrate": "substrate's load share",
     "film_plasticity_index": "film plasticity index",
     "friction_constant": "film friction constant",
     "film_friction_constant": "film constant over K",
