@@ -57,7 +57,8 @@ def compare(
     `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
     which of the family count for nothing and why, and `advice` where none is recommended; `cost` of each model is over `model`;
     `doubtful` says of every point whether it is within what its model claims, outside of it, or impossible (0, 1, 2);
-    `criteria` (is it sticky?), and `left_out`: model: why. Where the roughness was measured, there are also friction_coefficient_at_load_by_method (asperity_method, model),
+    `criteria` (is it sticky?), and `left_out`: model: why. Where the roughness was measured, there are also
+    friction_coefficient_at_load_by_method (asperity_method, model),
     friction_coefficient_at_load_low and _high. Raises InputError for bad input.
     """
     data = _compared(contact, load, separations, progress)
