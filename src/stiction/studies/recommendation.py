@@ -71,8 +71,16 @@ class Answer:
         return COST_OF_GRADE[self.grade] + sum(worst.values())
 
     def _cost_of(self, doubt: Doubt) -> float:
-        cost = COST_OF_A_DOUBLING[doubt.kind] * min(doubt.doublings, _MOST_DOUBLINGS)
+        cost = COST_OF_A_DOUBLING[doubt.kind] * min(_doublings(doubt), _MOST_DOUBLINGS)
         return cost * min(1.0, self.adhesion / _ADHESION_MATTERS) if doubt.quantity == "tabor_parameter" else cost
+
+
+def _doublings(doubt: Doubt) -> float:
+    """How far a range is left. Of the load without friction by what is left of the rest: friction is wrong by that factor, and
+    the share itself never doubles again."""
+    if doubt.quantity != "load_share_without_friction":
+        return doubt.doublings
+    return math.log2((1.0 - doubt.high) / (1.0 - doubt.most)) if doubt.most < 1.0 else math.inf
 
 
 @dataclass(frozen=True)
@@ -103,6 +111,8 @@ def recommend(answers: list[Answer]) -> Recommendation:
     possible = [one for one in able if not one.impossible]
     if not possible:
         return Recommendation(None, f"no model holds: {_why_none(able)}", advice=_advice(able))
+    if all(map(_knows_nothing_of_the_pull, possible)):
+        return Recommendation(None, f"no model holds: {_PULLED}; of the others {_why_none(able)}", advice=_MORE_THAN_THE_PULL)
     stated = any(one.of_interface for one in possible)
     family = sorted((one for one in possible if one.of_interface == stated), key=lambda one: (one.mu, one.candidate.name))
     weights = _weights(family)
@@ -112,6 +122,16 @@ def recommend(answers: list[Answer]) -> Recommendation:
     low, high = (family[int(np.searchsorted(below, share - 1e-12))].mu for share in (1.0 / 6.0, 5.0 / 6.0))
     others = [one for one in possible if one.of_interface != stated]
     return Recommendation(best, _reason(best, family, weights, others), low, high, FAMILIES[stated])
+
+
+# Said where a contact sticks and the models that know it say what cannot be.
+_PULLED = "adhesion pulls with more than the load, and the models that are possible leave it out"
+_MORE_THAN_THE_PULL = "more load, less work of adhesion, or a rougher surface"
+
+
+def _knows_nothing_of_the_pull(one: Answer) -> bool:
+    """Whether it leaves out adhesion that pulls with more than the load."""
+    return any(doubt.quantity == "adhesion_share" and doubt.most > 1.0 for doubt in one.outside)
 
 
 def _weights(family: list[Answer]) -> np.ndarray:

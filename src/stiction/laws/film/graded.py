@@ -139,7 +139,14 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
     columns = (*parameters.T, *levels.T)
     return [
         Regime(
-            along, coordinate, columns, gather(edges, part, at), state, body, branch=branch, yields_by_degrees=state == "plastic"
+            along,
+            coordinate,
+            columns,
+            gather(edges, part, at),
+            state,
+            body,
+            branch=branch,
+            yields_by_degrees=state == "plastic",
         )
         for at, (state, body) in enumerate(parts)
     ]
