@@ -95,7 +95,7 @@ def test_no_model_escapes(film):
 
 
 def test_no_model_that_cannot_harden_holds_above_the_hardness():
-    """A tangent modulus, however small, let a theory of contacts at H stand at five thousand times H: mu = 1.5e-5, recommended."""
+    """A tangent modulus, however small, let a theory of contacts at H stand at 5000 H: mu = 1.5e-5, recommended."""
     steel = {"youngs_modulus": 210e9, "poissons_ratio": 0.3, "hardness": 2e9, "yield_stress": 0.7e9, "tangent_modulus": 1e-3}
     contact = st.Contact(
         first=steel, second=steel, nominal_area=1e-4, work_of_adhesion=0.3, interfacial_shear_strength=150e6,
@@ -128,6 +128,19 @@ def test_asperities_that_flow_by_degrees_count_as_frictionless():
         assert share > 0.5 and float(found["friction_coefficient"]) < 0.1
         said = next(one for one in doubts_of(found) if one.quantity == "load_share_without_friction")
         assert said.kind == "effect" and said.most >= min(share, 1.0) - 1e-9
+
+
+@pytest.mark.parametrize("modulus", (1e8, 2e14))
+def test_a_film_beyond_the_table_of_layers_is_solved(modulus):
+    """A single film more than 200 times as soft or stiff as its bodies ended the whole comparison with a traceback."""
+    body = {"youngs_modulus": 210e9, "poissons_ratio": 0.3, "hardness": 1e11}
+    contact = st.Contact(
+        first=body, second=body, nominal_area=1e-6, interfacial_shear_strength=1e6,
+        coating={"material": body | {"youngs_modulus": modulus}, "thickness": 5e-8, "bodies": "first"},
+        roughness=st.Roughness(asperity_height_deviation=1e-7, asperity_radius=1e-5, asperity_density=5e10),
+    )  # fmt: skip
+    found = st.solve(contact, separation=1e-7, model="layered")
+    assert float(found["contact_area"]) > 0.0
 
 
 def test_a_handful_of_asperities_is_a_lottery():

@@ -171,7 +171,7 @@ def test_without_a_stated_strength_the_best_grade():
 
 
 def test_what_knows_more_but_not_the_stated_strength_comes_after():
-    """The graded film takes account of adhesion too, but has a friction of its own, which its asperities that flow have none of:
+    """The graded film takes account of adhesion too, but of its own friction its asperities that flow have none:
     without a stated strength what gives them some is the one to take."""
     told, data = said(contact("200 nm", **STATED), "1 N")
     assert told["halling_1979"][:2] == (0, "C") and told["graded"][:2] == (2, "C")
@@ -196,7 +196,7 @@ def test_load_without_friction_weighs_by_the_rest_of_it():
 
 
 def test_nothing_is_recommended_where_a_contact_sticks_and_no_model_that_knows_it_is_possible():
-    """PDMS pulled onto glass: from mu = 18 to 1.06, of a sphere without adhesion, where Derjaguin's area passed the nominal one."""
+    """PDMS pulled onto glass: from mu = 18 to 1.06, of no adhesion, where Derjaguin's area passed the nominal one."""
     silicone = {"youngs_modulus": 2e6, "poissons_ratio": 0.499, "hardness": 0.6e6}
     glass = {"youngs_modulus": 70e9, "poissons_ratio": 0.22, "hardness": 6e9}
     given = {"second": glass, "interfacial_shear_strength": 0.2e6}

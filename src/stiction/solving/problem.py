@@ -327,8 +327,8 @@ def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
 
 
 def _share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
-    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, or only as far as they do not flow yet, all of it
-    at the most: of the net load, where others pull and make that small; 0 where all is nothing."""
+    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, or only as far as they do not flow yet, all
+    of it at the most: of the net load, where others pull and make that small; 0 where all is nothing."""
     flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
     lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
     return np.minimum(np.divide(lost, net, where=net > 0.0, out=np.zeros_like(net)), 1.0)
