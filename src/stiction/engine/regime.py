@@ -26,6 +26,7 @@ class Regime:
     state: "elastic", "plastic" ...; body: "bare", "film" or "substrate": what answers. Sums are reported by both.
     touching: whether an asperity here is counted as one that touches (a film and its substrate share asperities).
     in_half_space: False where a film's own law is used beyond the depth to which it is a half-space.
+    yields_by_degrees: an asperity here flows in part, and only what does not yet flow of it resists.
     """
 
     along: Callable
@@ -37,6 +38,7 @@ class Regime:
     branch: np.ndarray | None = None
     touching: bool = True
     in_half_space: bool = True
+    yields_by_degrees: bool = False
     lowest: float = 0.0
 
 

@@ -92,8 +92,10 @@ def _rules_for(problem: Problem) -> list[Validity]:
 
 
 def _hardens(problem: Problem) -> bool:
+    """Whether the metal hardens, and a law that answers knows it: one that does not lets nothing bear more than H."""
     hardening = problem.groups.hardening
-    return hardening is not None and bool(np.all(np.asarray(hardening) > 0.0))
+    known = any("hardening" in (*record.needs, *record.takes) for record in problem.records())
+    return known and hardening is not None and bool(np.all(np.asarray(hardening) > 0.0))
 
 
 def _hardened(rule: Validity) -> Validity:

@@ -214,7 +214,7 @@ class Sum(Problem):
             return results
         friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
         if not self.law.interfacial:
-            results["load_share_without_friction"] = _share_without(sums[..., _LOAD], friction)
+            results["load_share_without_friction"] = _share_without(regimes, sums[..., _LOAD], friction)
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
@@ -326,10 +326,11 @@ def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
     return np.divide(beyond, whole, where=whole > 0.0, out=np.zeros_like(whole))
 
 
-def _share_without(loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
-    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, all of it at the most: of the net load, where
-    others pull and make that small; 0 where all is nothing."""
-    lost, net = np.where(friction == 0.0, np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
+def _share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
+    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, or only as far as they do not flow yet, all
+    of it at the most: of the net load, where others pull and make that small; 0 where all is nothing."""
+    flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
+    lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
     return np.minimum(np.divide(lost, net, where=net > 0.0, out=np.zeros_like(net)), 1.0)
 
 

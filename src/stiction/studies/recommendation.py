@@ -9,6 +9,7 @@ contacts of tests/compare/test_six_contacts.py.
 
 import math
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -26,6 +27,8 @@ _LITTLE = 0.05
 _MOST_DOUBLINGS = 10.0
 # Of models that differ by less than this from the weighted median the best founded one stands for it.
 _AS_GOOD_AS = 0.02
+# Neighbours by friction that differ by this factor are two opinions; less than this is no friction.
+_A_GAP, _NO_FRICTION = 2.0, 1e-300
 # Where adhesion pulls with less than this share of the load, how exactly it acts does not matter.
 _ADHESION_MATTERS = 0.1
 
@@ -75,8 +78,16 @@ class Answer:
 
     def cost_of(self, doubt: Doubt) -> float:
         """What one doubt costs."""
-        cost = _COSTS[doubt.kind] * min(doubt.doublings, _MOST_DOUBLINGS)
+        cost = _COSTS[doubt.kind] * min(_doublings(doubt), _MOST_DOUBLINGS)
         return cost * min(1.0, self.adhesion / _ADHESION_MATTERS) if doubt.quantity == "tabor_parameter" else cost
+
+
+def _doublings(doubt: Doubt) -> float:
+    """How far a range is left. Of the load without friction by what is left of the rest: friction is wrong by that factor, and
+    the share itself never doubles again."""
+    if doubt.quantity != "load_share_without_friction":
+        return doubt.doublings
+    return math.log2((1.0 - doubt.high) / (1.0 - doubt.most)) if doubt.most < 1.0 else math.inf
 
 
 @dataclass(frozen=True)
@@ -109,16 +120,47 @@ def recommend(answers: list[Answer]) -> Recommendation:
     possible = [one for one in able if not one.impossible]
     if not possible:
         return Recommendation(None, f"no model holds: {_why_none(able)}", advice=_advice(able))
+    if all(map(_knows_nothing_of_the_pull, possible)):
+        return Recommendation(None, f"no model holds: {_PULLED}; of the others {_why_none(able)}", advice=_MORE_THAN_THE_PULL)
     stated = any(one.of_interface for one in possible)
     family = sorted((one for one in possible if one.of_interface == stated), key=lambda one: (one.mu, one.candidate.name))
     weights = _weights(family)
     below = np.cumsum(weights)
     middle = family[int(np.searchsorted(below, 0.5 - 1e-12))].mu
-    best = min((one for one in family if abs(one.mu - middle) <= _AS_GOOD_AS * abs(middle)), key=lambda one: one.cost)
+    best = _nearest([one for one, weight in zip(family, weights, strict=True) if weight > _LITTLE] or family, middle)
     low, high = (family[int(np.searchsorted(below, share - 1e-12))].mu for share in (1.0 / 6.0, 5.0 / 6.0))
     others = [one for one in possible if one.of_interface != stated]
     aside = _set_aside([one for one, weight in zip(family, weights, strict=True) if weight <= _LITTLE], able)
     return Recommendation(best, _reason(best, family, weights, others), low, high, FAMILIES[stated], set_aside=aside)
+
+
+# Said where a contact sticks and the models that know it say what cannot be.
+_PULLED = "adhesion pulls with more than the load, and the models that are possible leave it out"
+_MORE_THAN_THE_PULL = "more load, less work of adhesion, or a rougher surface"
+
+
+def _knows_nothing_of_the_pull(one: Answer) -> bool:
+    """Whether it leaves out adhesion that pulls with more than the load."""
+    return any(doubt.quantity == "adhesion_share" and doubt.most > 1.0 for doubt in one.outside)
+
+
+def _nearest(well_founded: list[Answer], middle: float) -> Answer:
+    """The best founded of those nearest to the weighted median, which may itself be of a model that counts for nothing."""
+    apart = [abs(math.log(max(one.mu, _NO_FRICTION) / max(middle, _NO_FRICTION))) for one in well_founded]
+    near = [one for one, by in zip(well_founded, apart, strict=True) if by <= min(apart) + _AS_GOOD_AS]
+    return min(near, key=lambda one: one.cost)
+
+
+def _two_opinions(family: list[Answer], weights: np.ndarray) -> str:
+    """Said where those that count fall into two groups with a gap between: then a small change of input may turn the scale."""
+    counted = [one for one, weight in zip(family, weights, strict=True) if weight > _LITTLE]
+    gaps = [(high.mu / max(low.mu, _NO_FRICTION), low, high) for low, high in pairwise(counted)]
+    widest = max(gaps, key=lambda gap: gap[0], default=None)
+    if widest is None or widest[0] < _A_GAP:
+        return ""
+    share = float(sum(weight for one, weight in zip(family, weights, strict=True) if one.mu <= widest[1].mu))
+    ends = f"{share:.0%} of the weight is at {widest[1].mu:.3g} or below, the rest from {widest[2].mu:.3g} on"
+    return f"the models are of two opinions: {ends}"
 
 
 def _weights(family: list[Answer]) -> np.ndarray:
@@ -139,6 +181,7 @@ def _reason(best: Answer, family: list[Answer], weights: np.ndarray, others: lis
         if len(family) > 1
         else "the only model that says anything of friction here",
         f"beside it {shares}" if shares else "",
+        _two_opinions(family, weights),
         _left(best, within),
         FAMILIES[best.of_interface],
         f"grade {best.grade} ({GRADES[best.grade]})",

@@ -30,7 +30,8 @@ def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) ->
     places = np.stack([np.log(ratio) / _RANGE, excess, 2.0 * _together(share, ratio) - 1.0], axis=1)
     tabled = np.abs(places[:, 0]) <= 1.0
     out = np.empty((len(places), CURVES, TERMS))
-    out[tabled] = _interpolated(places[tabled])
+    if tabled.any():
+        out[tabled] = _interpolated(places[tabled])
     for i in np.flatnonzero(~tabled):
         out[i] = curves((Layer(share[i], ratio[i], excess[i]),))
     return out
@@ -46,7 +47,7 @@ def _interpolated(places: np.ndarray) -> np.ndarray:
     """Coefficients (n, CURVES, TERMS) at places (n, 3) within -1 and 1."""
     table, modes = _table()
     series = [chebyshev.chebvander(column, size - 1) for column, size in zip(places.T, _SIZES, strict=True)]
-    if np.ptp(places[:, 2]) == 0.0 and len(places):  # a sweep over materials on one kind of counterbody, rigid as a rule
+    if np.ptp(places[:, 2]) == 0.0:  # a sweep over materials on one kind of counterbody, rigid as a rule
         weights, table = series[:2], np.tensordot(series[2][0], table, axes=(0, 2))
     else:
         weights = series

@@ -138,7 +138,16 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
     edges, part, levels, branch = find_kinks(parameters, tau)
     columns = (*parameters.T, *levels.T)
     return [
-        Regime(along, coordinate, columns, gather(edges, part, at), state, body, branch=branch)
+        Regime(
+            along,
+            coordinate,
+            columns,
+            gather(edges, part, at),
+            state,
+            body,
+            branch=branch,
+            yields_by_degrees=state == "plastic",
+        )
         for at, (state, body) in enumerate(parts)
     ]
 
