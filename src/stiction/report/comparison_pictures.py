@@ -115,7 +115,8 @@ def _name_ends(axes: Axes) -> None:
         axes.annotate(
             str(line.get_label()), (x, y), xytext=(1.02, place), textcoords="axes fraction", va="center", fontsize=7.5,
             color=line.get_color(), weight="bold" if line.get_linewidth() > 2.0 else "normal",
-            arrowprops={"arrowstyle": "-", "relpos": (0.0, 0.5), "color": line.get_color(), "linewidth": 0.5, "alpha": 0.6}, annotation_clip=False,
+            arrowprops={"arrowstyle": "-", "relpos": (0.0, 0.5), "color": line.get_color(), "linewidth": 0.5, "alpha": 0.6},
+            annotation_clip=False,
         )  # fmt: skip
 
 
