@@ -344,6 +344,26 @@ def test_the_picture_ends_curves_where_they_cannot_be_and_names_them():
             assert not impossible.size or not np.isin(impossible, np.asarray(line.get_xdata())).any()
 
 
+def test_the_family_of_the_recommended_model_is_the_first_panel():
+    """Whichever model happens to be first in the comparison."""
+    data = compare(contact(interfacial_shear_strength="200 MPa"), load="1 N")
+    its_own = data["family_of_curve"].values == data.attrs["family"]
+    for order in (np.argsort(its_own), np.argsort(~its_own)):
+        assert comparison_figure(data.isel(model=order)).axes[0].get_title() == data.attrs["family"]
+
+
+def test_an_error_bar_is_in_sight_with_its_ends_and_names_stay_beside_their_curves():
+    data = compare(contact(), load="1 N").sel(model=["soft_coating_2015"])
+    mu = data["friction_coefficient_at_load"]
+    ends = {"friction_coefficient_at_load_low": mu / 50.0, "friction_coefficient_at_load_high": mu * 50.0}
+    (axes,) = comparison_figure(data.assign(ends).assign_attrs(recommended="soft_coating_2015")).axes
+    bottom, top = axes.get_ylim()
+    assert bottom < 0.9 * float(mu.item()) / 50.0 and 1.1 * float(mu.item()) * 50.0 < top
+    (name,) = (text for text in axes.texts if text.get_text() == "soft_coating_2015")
+    end = np.log(name.xy[1] / bottom) / np.log(top / bottom)
+    assert name.xyann[1] == pytest.approx(end, abs=1e-6)
+
+
 def test_the_picture_is_of_the_loads_of_the_case(case):
     read = read_case(case)
     figure = drawn_without_warning(compare_case(read, 1.0))

@@ -28,6 +28,7 @@ def comparison_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     its validity, ended where what it says cannot be so, named at the right end. The recommended one is black and thick; the
     legend says why. The loads are those of the case where these are known."""
     families = [name for name in dict.fromkeys(data["family_of_curve"].values.tolist()) if name and _any_drawn(data, name)]
+    families.sort(key=lambda name: name != data.attrs.get("family"))  # the family of the recommended one first
     figure = Figure(figsize=(8.4 + 6.0 * (len(families) > 1), 7.4), layout="constrained")
     panels = np.atleast_1d(figure.subplots(1, max(len(families), 1), sharey=True)).tolist()
     for axes, family in zip(panels, families, strict=False):
@@ -41,8 +42,9 @@ def comparison_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     for axes in panels:
         finish(axes)
     for axes, family in zip(panels, families, strict=False):
-        _name_ends(axes)
         _mark_working_load(axes, data, family)
+    for axes in panels:
+        _name_ends(axes)  # last: an error bar may have changed what is in sight
     _legend(figure, panels[0], data)
     return figure
 
@@ -158,7 +160,7 @@ def _error_bar(axes: Axes, data: "xarray.Dataset") -> None:
         label = f"over methods of finding asperities:\n{low:.3g} to {high:.3g}"
         axes.errorbar([data.attrs["working_load"]], [mu], yerr=reach, fmt="ko", capsize=6, linewidth=2.0, label=label)
         bottom, top = axes.get_ylim()
-        axes.set_ylim(min(bottom, max(low, bottom * 1e-3)), max(top, 1.5 * high))
+        axes.set_ylim(min(bottom, max(low / 1.5, bottom * 1e-3)), max(top, 1.5 * high))
 
 
 def _legend(figure: Figure, axes: Axes, data: "xarray.Dataset") -> None:
