@@ -162,3 +162,10 @@ def test_missing_number_is_named():
 
 def test_docstring_comes_from_the_table():
     assert "youngs_modulus: Young's modulus [Pa], >= 1000 Pa" in Material.__doc__
+
+
+@pytest.mark.parametrize(("written", "meant"), (("PTFE", "ptfe"), ("Ti6Al4V", "titanium_6al_4v"), ("SILVER", "silver")))
+def test_a_preset_in_capital_letters_is_suggested(written, meant):
+    """As coating people write them."""
+    with pytest.raises(InputError, match=f"a preset: {meant}.* \\(all: alumina"):
+        material(written)

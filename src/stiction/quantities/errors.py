@@ -41,7 +41,8 @@ class InputError(ValueError):
 def nearest(word, known: Iterable[str]) -> str:
     """The known words, the likely ones first if there are any: the text of a suggestion."""
     known = list(known)
-    close = difflib.get_close_matches(str(word), known, n=3, cutoff=0.5)
+    plain = {one.casefold(): one for one in known}
+    close = [plain[one] for one in difflib.get_close_matches(str(word).casefold(), plain, n=3, cutoff=0.5)]
     every = ", ".join(known)
     return f"{' or '.join(close)} (all: {every})" if close else every
 
