@@ -111,7 +111,7 @@ def test_the_reason_says_what_decided():
     )
     assert found.best.candidate.name == "a"
     for said in (
-        "in the middle of 2 models",
+        "the best founded of 2 models",
         "no range",
         "interface strength as stated",
         "takes account of adhesion and plasticity",
@@ -263,3 +263,8 @@ def test_the_working_load_of_an_even_number(points, tmp_path):
     path = tmp_path / "case.toml"
     path.write_text(f'title = "Steel on steel"\n{STEEL_ON_STEEL}[solve]\n{points}\n')
     assert working_load(read_case(path), None) == MIDDLES[points]
+
+
+def test_the_word_recommended_is_no_model_of_solve_but_it_says_where_to_look():
+    with pytest.raises(st.InputError, match=r"model: 'recommended'; allowed: a name: stiction\.compare says which"):
+        st.solve(contact(), load="1 N", model="recommended")

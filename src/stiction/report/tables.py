@@ -241,7 +241,8 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
         lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
         if used["recommended"] in data["model"]:
             low, high = used["recommended_range"]
-            lines.append(Text(f"two thirds of the weight of the models: mu {low:.3g} to {high:.3g}", style="bold"))
+            weighed = f"mu {low:.3g} to {high:.3g}" if low < high else "one opinion, no range"
+            lines.append(Text(f"two thirds of the weight of the models: {weighed}", style="bold"))
             lines.append(Text(f"to run it: {run_command(data, used['recommended'])}"))
         lines += [Text(f"set aside: {line}", style="dim") for line in used["set_aside"].splitlines()]
         if used["advice"]:

@@ -59,6 +59,8 @@ def choice_of(name: str, given: Mapping[str, str | None], subject: Subject) -> C
         # A film or a sum may be left out of a name: the asperity law alone says enough.
         known |= {key: Choice(_SUM, asperity=key) for key in of_kind(AsperityLaw)} if name not in known else {}
         if name not in known:
+            if name == "recommended":
+                raise InputError(error.field, name, "a name: stiction.compare says which, in attrs['recommended']") from None
             raise InputError(error.field, name, ", ".join(dict.fromkeys([*of_kind(RoughSurface), *known]))) from None
     asked = Choice.of(name, given)
     laws = {law: getattr(asked, law) for law in ("asperity", "tangential", "film", "presliding")}

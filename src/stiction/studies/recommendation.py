@@ -177,9 +177,7 @@ def _reason(best: Answer, family: list[Answer], weights: np.ndarray, others: lis
     own = weights[[one is best for one in family]].item()
     within = [one for one in family if not one.outside]
     lines = [
-        f"in the middle of {len(family)} models by how well each is founded here ({own:.0%} of the weight is its own)"
-        if len(family) > 1
-        else "the only model that says anything of friction here",
+        _standing(len(family), own),
         f"beside it {shares}" if shares else "",
         _two_opinions(family, weights),
         _left(best, within),
@@ -189,6 +187,15 @@ def _reason(best: Answer, family: list[Answer], weights: np.ndarray, others: lis
         _other_family(best, others),
     ]
     return "; ".join(filter(None, lines))
+
+
+def _standing(models: int, own: float) -> str:
+    """How the one recommended stands among the models of its family, with its own share of the weight."""
+    if models == 1:
+        return "the only model that says anything of friction here: one opinion and no range"
+    if own > 1.0 - _LITTLE:
+        return f"the best founded of {models} models, with nearly all of the weight: one opinion and no range"
+    return f"in the middle of {models} models by how well each is founded here ({own:.0%} of the weight is its own)"
 
 
 def _set_aside(little: list[Answer], able: list[Answer]) -> str:
@@ -229,11 +236,11 @@ def _why_none(answers: list[Answer]) -> str:
 # How the reason begins of a model that does not carry the load.
 TOO_MUCH = "carries loads up to"
 _ADVICE = {
-    "area_fraction": "less load, a larger nominal area, a rougher or harder surface",
-    "nominal_pressure_over_hardness": "less load, or a larger nominal area",
-    "sharpness": "asperity_height_deviation and asperity_radius as they are of a rough surface",
-    "roughness_parameter": "an asperity_density that goes with sigma and R: N R sigma of random surfaces is 0.02 to 0.2",
-    "nominal_width": "a nominal_area that is wide against the roughness",
+    "area_fraction": ("less load", "a larger nominal area", "a rougher or harder surface"),
+    "nominal_pressure_over_hardness": ("less load", "a larger nominal area"),
+    "sharpness": ("asperity_height_deviation and asperity_radius as they are of a rough surface",),
+    "roughness_parameter": ("an asperity_density that goes with sigma and R: N R sigma of random surfaces is 0.02 to 0.2",),
+    "nominal_width": ("a nominal_area that is wide against the roughness",),
 }
 
 
@@ -242,4 +249,5 @@ def _advice(answers: list[Answer]) -> str:
     met = dict.fromkeys(doubt.quantity for one in answers for doubt in one.impossible)
     if not met and any(one.why_not.startswith(TOO_MUCH) for one in answers):
         met = {"nominal_pressure_over_hardness": None}
-    return "; ".join(_ADVICE[name] for name in met if name in _ADVICE)
+    ways = [way for name in met if name in _ADVICE for way in _ADVICE[name]]
+    return "; ".join(dict.fromkeys(ways))
