@@ -43,8 +43,9 @@ def run(
     """Solve a case: friction coefficient, contact area and load along a curve.
 
     With --out: curve.csv, curve.nc (netCDF4) and curve.png. What is given here overrides the case file; the options of a model
-    or a law may be given too, such as --reading published: stiction models KEY names them. Where the case names scans, the
-    spread of mu over the methods of finding asperities is its error band, drawn in band.png.
+    or a law may be given too, such as --reading published: stiction models KEY names them. Any number of the contact may be
+    several, a list or {start, stop, count, spacing}: then the picture and the table show mu against it. Where the case names
+    scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
     """
     from stiction.report.files import check_folder
 
@@ -79,13 +80,12 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and pictures; returns their names."""
     with busy("Writing the results"):
         from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture
-        from stiction.report.pictures import curve_figure
         from stiction.studies.method_spread import as_columns
 
         files = {
             "curve.csv": lambda path: write_csv(as_columns(data), path),
             "curve.nc": lambda path: write_netcdf(data, path),
-            "curve.png": lambda path: write_picture(curve_figure(data, case.title), path),
+            "curve.png": lambda path: write_picture(_figure(case, data), path),
         }
         if "friction_coefficient_by_method" in data:
             from stiction.report.surface_pictures import method_spread_figure
@@ -93,6 +93,26 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
             files["band.png"] = lambda path: write_picture(method_spread_figure(data, case.title), path)
         write_folder(out, files)
     return list(files)
+
+
+def _figure(case: "Case", data: "xarray.Dataset"):
+    if case.is_several:
+        from stiction.report.several_pictures import several_figure
+
+        return several_figure(data, case.title)
+    from stiction.report.pictures import curve_figure
+
+    return curve_figure(data, case.title)
+
+
+def _table(case: "Case", data: "xarray.Dataset"):
+    if case.is_several:
+        from stiction.report.several_tables import several_table
+
+        return several_table(data)
+    from stiction.report.tables import curve_table
+
+    return curve_table(data)
 
 
 def _print_json(case: "Case", data: "xarray.Dataset") -> None:
@@ -105,10 +125,10 @@ def _print_json(case: "Case", data: "xarray.Dataset") -> None:
 def _print_run(case: "Case", data: "xarray.Dataset") -> None:
     from rich.text import Text
 
-    from stiction.report.tables import curve_table, outside_validity, run_notes, run_summary
+    from stiction.report.tables import outside_validity, run_notes, run_summary
 
     terminal = console()
-    terminal.print(run_summary(case, data), "", curve_table(data), "")
+    terminal.print(run_summary(case, data), "", _table(case, data), "")
     if case.measured is not None:
         from stiction.report.surface_tables import roughness_notes, roughness_table
 

@@ -57,8 +57,7 @@ def compare(
     its model claims, outside of it, or impossible (0, 1, 2); `criteria` (is it sticky?), and `left_out`: model:
     why. Raises InputError for bad input.
     """
-    if any(True for _ in as_subject(contact).arrays()):
-        raise InputError("contact", "arrays", "single numbers, for a comparison of models")
+    _refuse_arrays(as_subject(contact))
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups = make_problem(contact, Choice()).groups
@@ -66,6 +65,11 @@ def compare(
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
     return _dataset(contact, answers, target)
+
+
+def _refuse_arrays(subject: Subject) -> None:
+    for name, array in subject.arrays():
+        raise InputError(name, f"{array.size} numbers", "single numbers, where models are compared")
 
 
 def _separations(given: Iterable[float]) -> np.ndarray:
@@ -238,6 +242,7 @@ def working_load(case: "Case", given: str | None) -> float | None:
     """The load at which the models of a case are judged: that given, else the middle one of the case, or the compressive one
     that is nearest to it in the list; where the case names separations, of the loads that its own model carries there. None
     where none is compressive."""
+    _refuse_arrays(case.subject)
     if given is not None:
         return _pressing(case.subject, given, "--load")
     loads = case.load
