@@ -19,10 +19,13 @@ from pathlib import Path
 import stiction as st
 from stiction.contact.materials import material_names
 from stiction.laws.asperity.shared import letting_go as unloading
+from stiction.laws.claims import KINDS_OF_DOUBT
 from stiction.laws.finding import methods
 from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, records, text_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.solving.conditions import RULES
+from stiction.studies.recommendation import COST_OF_A_DOUBLING, COST_OF_GRADE, COST_UNIT
 from stiction.surfaces.read import readers
 
 HERE = Path(__file__).parent
@@ -156,6 +159,7 @@ def section(model: dict) -> str:
     good = "Sigma and R of wide paraboloids" if model["kind"] == "asperity method" else "Sums"
     lines += [f"- {good} are good to: {model['accuracy']:.0e}"] if record.keyword else []
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
+    lines += [f"- In the limit: {departure}" for departure in model.get("departures", ())]
     lines += [f"- Only with asperity laws marked {trait}: {why}" for trait, why in model.get("wants", {}).items()]
     lines += [f"- Marked: {', '.join(model['traits'])}"] if model.get("traits") else []
     lines += more(record)
@@ -218,6 +222,27 @@ def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
 
 
+def conditions() -> str:
+    """What every result is asked, whichever model made it."""
+    rows = [
+        (f"${QUANTITIES[rule.quantity].latex}$: {QUANTITIES[rule.quantity].meaning}", rule.range, rule.kind, rule.why)
+        for rule, _ in RULES
+    ]
+    return table(("quantity", "range", "kind", "outside of it"), rows)
+
+
+def kinds_of_doubt() -> str:
+    """What it means to leave a range."""
+    return table(("kind", "meaning"), list(KINDS_OF_DOUBT.items()))
+
+
+def costs() -> str:
+    """What a doubt and a grade cost in the recommendation."""
+    doubts = [(f"a doubling outside of a range, {kind}", f"{cost:g}") for kind, cost in COST_OF_A_DOUBLING.items()]
+    grades = [(f"grade {grade}", f"{cost:g}") for grade, cost in COST_OF_GRADE.items()]
+    return table(("what", "cost"), [*doubts, *grades, ("c_0, the cost that divides the weight by e", f"{COST_UNIT:g}")])
+
+
 def letting_go() -> str:
     """How asperities that have yielded are let go, where their law says nothing of that."""
     return inspect.getdoc(unloading) or ""
@@ -272,6 +297,7 @@ TABLES = {
         "letting go": letting_go,
     },
     "surfaces.md": {"formats": formats, "methods": ways},
+    "trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt, "costs": costs},
     "materials.md": {"materials": materials, "sources of materials": material_sources},
     "../tests/reference/README.md": {"scripts": reference_scripts},
 }

@@ -111,7 +111,7 @@ def test_settings(read):
         ('"200 nm"', '[1]', "contact.coating.thickness: 1; allowed: text with a unit"),
         ('"200 nm"', "2024-01-01", "contact.coating.thickness: datetime.date(2024, 1, 1); allowed: "),
         ("thickness", "thicknes", "contact.coating.thicknes: '200 nm'; allowed: thickness (all: "),
-        ('"210 GPa"', '"-210 GPa"', "contact.second.youngs_modulus: '-210 GPa'; allowed: > 0 Pa"),
+        ('"210 GPa"', '"-210 GPa"', "contact.second.youngs_modulus: '-210 GPa'; allowed: >= 1000 Pa"),
         ('"210 GPa"', "2.1e11", "contact.second.youngs_modulus: 210000000000.0; allowed: text with a unit"),
         ('"0.5 GPa"', "5e8", "contact.coating.material.hardness: 500000000.0; allowed: text with a unit"),
         ("0.3,", "0.5,", "contact.second.poissons_ratio: 0.5; allowed: >= 0 and < 0.5"),
@@ -215,3 +215,11 @@ def test_json_schema_states_units_and_bounds():
 
 def test_json_schema_has_no_null_since_toml_has_none():
     assert '"null"' not in json.dumps(json_schema())
+
+
+def test_a_mark_of_the_encoding_is_no_content(tmp_path):
+    """As editors put it at the beginning of a file."""
+    plain = "[indices]\ntheta = 40\nlam = 10\n[solve]\nseparation = 1\n"
+    (tmp_path / "case.toml").write_text(plain, encoding="utf-8-sig")
+    assert (tmp_path / "case.toml").read_bytes().startswith(b"\xef\xbb\xbf")
+    assert read_case(tmp_path / "case.toml").subject.theta == 40.0

@@ -20,7 +20,7 @@ CASES = {
     "compare case.toml --lod 3": ("option: '--lod'", "--load, --out, --json, --help"),
     "run case.toml -x": ("option: '-x'", "--model"),
     "run case.toml --json=3": ("--json: 'with a value'", "without a value"),
-    "--bad": ("option: '--bad'", "--version, --help"),
+    "--bad": ("option: '--bad'", "--version, --install-completion, --show-completion, --help"),
     "no-such-command --out x": ("command: 'no-such-command'", "run, compare, surface"),
     "--": ("command: not given", "run, compare, surface"),
 }

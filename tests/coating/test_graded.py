@@ -23,7 +23,7 @@ from tables import groups
 GAUSSIAN = heights.gaussian()
 ALONG = graded_law.along
 SHARP = Law(roy_chowdhury_ghosh_1994.RECORD, soft_coating_2015.RECORD, {"branch": "loading"})  # with the jump at yield
-MANY = 20  # parameters of the law
+MANY = 26  # parameters of the law
 END = 9.0  # u; depths of more than 6000 sigma are of no use
 
 

@@ -4,8 +4,6 @@ All that is said of the ranking is in this file and in test_six_contacts: on ans
 time, and on contacts, where it is said beside each what decides.
 """
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -173,17 +171,17 @@ def test_without_a_stated_strength_the_best_grade():
 
 
 def test_what_knows_more_but_not_the_stated_strength_comes_after():
-    """The graded film takes account of adhesion too, within its validity, but has a friction of its own; without a stated
-    strength it is the one to take."""
+    """The graded film takes account of adhesion too, but has a friction of its own; without a stated strength it is the one to
+    take. It bears a little more than its hardness here."""
     told, data = said(contact("200 nm", **STATED), "1 N")
-    alike = ["halling_1979", "chang_1997", "liu_neville_reuben_2002"]
-    assert [told[name][:2] for name in (*alike, "graded")] == [(0, "C")] * 4
-    assert all(told[low][2] < told[high][2] for low, high in pairwise(alike))
-    assert data.attrs["recommended"] in (*alike, "dayson_1971")  # which says the same as Chang of a film of its hardness
+    assert told["halling_1979"][:2] == (0, "C") and told["graded"][:2] == (1, "C")
+    assert "bear more than their hardness" in told["graded"][3][0]
+    assert told["chang_1997"][0] and told["liu_neville_reuben_2002"][0]  # all of the film is not plastic
+    assert data.attrs["recommended"] == "halling_1979"
     assert compare(contact("200 nm"), load="1 N").attrs["recommended"] == "graded"
 
 
-@pytest.mark.parametrize(("load", "recommended", "share"), (("1 N", "chang_1997", 0), ("1 kN", "none", 1)))
+@pytest.mark.parametrize(("load", "recommended", "share"), (("1 N", "halling_1979", 0), ("1 kN", "none", 1)))
 def test_validity_is_that_at_the_working_load(load, recommended, share):
     """The film law of the paper is for contact spots that are smaller than the film is thick: so they are under a light load
     and not under a heavy one, and the curves, pressed to a mean separation of -2 sigma, go through both. Silver is pressed flat

@@ -74,7 +74,8 @@ def test_hardening_is_that_of_the_softer_body():
     assert contact(soft, "gold", coating={"material": hard, "thickness": "200 nm"}).indices().film().hardening is None
     assert contact(soft, soft, coating={"material": hard, "thickness": "200 nm"}).indices().film().hardening == 0.82 / 82
     with pytest.raises(InputError, match=r"^hardening: 1.5; allowed: >= 0 and < 1"):
-        contact(material("silver", tangent_modulus="123 GPa")).indices()
+        stretched = material("silver", tangent_modulus="123 GPa")
+        contact(stretched, stretched).indices()
     with pytest.raises(InputError, match=r"^tangent_modulus: -1.0; allowed: >= 0 Pa"):
         material("silver", tangent_modulus=-1)
 
@@ -175,7 +176,7 @@ def test_groups_do_not_change_with_the_units_of_length_and_force():
     one, other = rescaled(1.0, 1.0), rescaled(a, b)
     groups, others = one.indices(), other.indices()
     for name in type(groups).model_fields:
-        if name != "tabor_parameter":
+        if name not in ("tabor_parameter", "hardness_group"):  # the latter is given where nothing adheres
             assert getattr(groups, name) == pytest.approx(getattr(others, name), rel=1e-12), name
     # The range of the attraction is a length of matter: to keep the Tabor parameter it has to be rescaled too.
     assert groups.tabor_parameter == one.tabor_parameter()
@@ -226,7 +227,7 @@ def test_work_of_adhesion_from_surface_energies():
     assert work_of_adhesion("silver", "iron", interfacial="1 J/m^2") == pytest.approx(2.65)
     with pytest.raises(InputError, match=r"^second\.surface_energy: not given"):
         work_of_adhesion("silver", STEEL, interfacial=0)
-    with pytest.raises(InputError, match=r"^work_of_adhesion: -.*> 0 J/m\^2"):
+    with pytest.raises(InputError, match=r"^work_of_adhesion: -.*>= 0 J/m\^2"):
         work_of_adhesion("silver", "iron", interfacial=9)
 
 
@@ -235,9 +236,9 @@ def test_work_of_adhesion_from_surface_energies():
     [
         ({"first": "silvr"}, "first: 'silvr'; allowed: a preset: silver"),
         ({"first": 5}, "first: 5; allowed: a material: the name of a preset, or its numbers"),
-        ({"first": {"preset": "silver", "hardness": -1}}, "first.hardness: -1.0; allowed: > 0 Pa"),
-        ({"first": {"youngs_modulus": 1, "poissons_ratio": 0.3}}, "first.hardness: not given; allowed: "),
-        ({"work_of_adhesion": 0}, "work_of_adhesion: 0.0; allowed: > 0 J/m^2"),
+        ({"first": {"preset": "silver", "hardness": -1}}, "first.hardness: -1.0; allowed: >= 1000 Pa"),
+        ({"first": {"youngs_modulus": 1e9, "poissons_ratio": 0.3}}, "first.hardness: not given; allowed: "),
+        ({"work_of_adhesion": -1}, "work_of_adhesion: -1.0; allowed: >= 0 J/m^2"),
         ({"nominal_area": "1 mm"}, "nominal_area: '1 mm'; allowed: > 0 m^2"),
         ({"roughness": {"asperity_radius": 1}}, "roughness.asperity_height_deviation: not given; allowed: "),
         (
@@ -264,8 +265,8 @@ def test_bad_contact_is_one_line_with_the_dotted_field(changes, message):
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"theta": -1}, "theta: -1.0; allowed: > 0"),
-        ({"theta": float("nan")}, "theta: nan; allowed: finite, > 0"),
+        ({"theta": -1}, "theta: -1.0; allowed: >= 1e-12 and <= 1e+40"),
+        ({"theta": float("nan")}, "theta: nan; allowed: finite, >= 1e-12 and <= 1e+40"),
         ({"lamda": 1}, "lamda: 1; allowed: lam (all: "),
         ({"nu": 0.5}, "nu: 0.5; allowed: >= 0 and < 0.5"),
         ({"n_E": 1.5, "n_H": 0.5}, "tau: not given; allowed: a film needs n_E, n_H and tau together"),

@@ -268,7 +268,7 @@ OUTSIDE = AsperityMethod(
 
 
 class Entry:
-    module = __name__
+    module = name = value = __name__
 
     def load(self):
         return OUTSIDE

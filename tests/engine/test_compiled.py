@@ -5,11 +5,13 @@ import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from stiction.engine.compiled import digest
+from stiction.engine.compiled import digest, kernel
+from stiction.quantities.notices import Notice, notice
 
 FORMULAS = '''
 import math
@@ -77,10 +79,12 @@ def plug_in(tmp_path):
     for name, text in (("formulas", FORMULAS), ("constants", CONSTANTS), ("kernels", KERNELS), ("run", RUN)):
         (tmp_path / f"{name}.py").write_text(text)
 
-    def run(*names):
+    def run(*names, said=None):
         settings = {**os.environ, "STICTION_CACHE_DIR": str(tmp_path / "cache"), "PYTHONDONTWRITEBYTECODE": "1"}
         command = [sys.executable, str(tmp_path / "run.py"), *names]
         done = subprocess.run(command, check=True, capture_output=True, text=True, env=settings)
+        if said is not None:
+            said.append(done.stderr)
         return json.loads(done.stdout)
 
     return tmp_path, run
@@ -141,10 +145,69 @@ def test_what_decides_nothing_compiles_nothing(plug_in):
     assert run("first")["first"][1:] == [1, 0]
 
 
-def test_a_folder_that_cannot_be_written_costs_only_time(plug_in):
+def test_a_folder_that_cannot_be_written_costs_only_time_and_is_said_once(plug_in):
     folder, run = plug_in
     (folder / "cache").write_text("a file where the folder should be")
-    np.testing.assert_allclose(run("first")["first"][0], np.sin(X) + 1.0, rtol=1e-15)
+    found = run("first", "second", said=(said := []))
+    np.testing.assert_allclose(found["first"][0], np.sin(X) + 1.0, rtol=1e-15)
+    assert said[0].count("takes no more files") == 1
+
+
+@pytest.mark.parametrize("damage", [lambda made: b"", lambda made: made[: len(made) // 2], lambda made: made[:-1] + b"x"])
+def test_a_damaged_file_is_made_anew(plug_in, damage):
+    folder, run = plug_in
+    run("first")
+    (file,) = (folder / "cache" / "kernels").iterdir()
+    whole = file.read_bytes()
+    file.write_bytes(damage(whole))
+    values, hits, misses = run("first")["first"]
+    np.testing.assert_allclose(values, np.sin(X) + 1.0, rtol=1e-15)
+    assert (hits, misses) == (0, 1)
+    assert run("first")["first"][1:] == [1, 0]
+
+
+def test_a_file_that_could_not_be_finished_is_not_left(tmp_path, monkeypatch):
+    """As on a full disk."""
+
+    def full(path, made):
+        with path.open("wb") as file:
+            file.write(made[:10])
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(Path, "write_bytes", full)
+    notice.cache_clear()
+
+    @kernel
+    def double(x):
+        return 2.0 * x
+
+    with pytest.warns(Notice, match="No space left on device"):
+        assert double(3.0) == 6.0
+    assert list(tmp_path.rglob("*.*")) == []
+
+
+WITHOUT_COMPILER = """
+import numpy as np
+import stiction as st
+whole = st.solve(st.Indices(theta=40, lam=10, n_E=1.5, n_H=0.5, tau=2), separation=[1.0])
+print(*(float(whole[name].item()) for name in ("load", "contact_area", "friction_force")))
+"""
+
+
+def test_models_without_the_compiler():
+    """NUMBA_DISABLE_JIT, for those who step through formulas: the same numbers."""
+    found = [
+        subprocess.run(
+            [sys.executable, "-c", WITHOUT_COMPILER],
+            check=True,
+            capture_output=True,
+            text=True,
+            env={**os.environ, "NUMBA_DISABLE_JIT": switch},
+        ).stdout.split()
+        for switch in "01"
+    ]
+    np.testing.assert_allclose(*(np.array(one, dtype=float) for one in found), rtol=1e-12)
 
 
 def outer(factor):
@@ -170,7 +233,8 @@ def test_what_is_closed_over_decides():
 
 DIGESTS = """
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import plastic, plastic_coordinate
-from stiction.engine.compiled import digest
+from stiction.engine.compiled import digest, kernel
+from stiction.quantities.notices import Notice, notice
 from stiction.laws.tangential.shared.slip_or_yield import _fill_kinks
 from stiction.laws.tangential.soft_coating_2015 import resistance
 from stiction.engine.heights import gaussian

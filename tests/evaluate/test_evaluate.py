@@ -146,12 +146,12 @@ def test_corners_of_the_range(reading, coated):
 GOOD = {"h": 1.0, "theta": 40.0, "lam": 10.0}
 FILM = {"n_E": 1.5, "n_H": 0.5, "tau": 2.0}
 BAD = [  # what is given, the field that is named, the value, a piece of what is allowed
-    ({"theta": -1.0}, "theta", "-1", "> 0"),
-    ({"theta": 0.0}, "theta", "0", "> 0"),
-    ({"theta": [1.0, -3.0]}, "theta", "-3", "> 0"),
-    ({"theta": np.inf}, "theta", "inf", "> 0"),
-    ({"theta": "forty"}, "theta", "forty", "> 0"),
-    ({"lam": np.nan}, "lam", "nan", "> 0"),
+    ({"theta": -1.0}, "theta", "-1", ">= 1e-12"),
+    ({"theta": 0.0}, "theta", "0", ">= 1e-12"),
+    ({"theta": [1.0, -3.0]}, "theta", "-3", ">= 1e-12"),
+    ({"theta": np.inf}, "theta", "inf", ">= 1e-12"),
+    ({"theta": "forty"}, "theta", "forty", ">= 1e-12"),
+    ({"lam": np.nan}, "lam", "nan", ">= 1e-60"),
     ({"nu": 0.5}, "nu", "0.5", "< 0.5"),
     ({"nu": -0.1}, "nu", "-0.1", ">= 0"),
     ({"hardness_to_yield": 0.5}, "hardness_to_yield", "0.5", ">= 1"),
@@ -160,8 +160,8 @@ BAD = [  # what is given, the field that is named, the value, a piece of what is
     ({"n_E": 1.5}, "n_H", "not given", "together"),
     ({"tau": 1.5}, "n_E", "not given", "together"),
     (FILM | {"tau": -1.0}, "tau", "-1", ">= 0"),
-    (FILM | {"n_E": 0.0}, "n_E", "0", "> 0"),
-    (FILM | {"n_H": -2.0}, "n_H", "-2", "> 0"),
+    (FILM | {"n_E": 0.0}, "n_E", "0", ">= 1e-09"),
+    (FILM | {"n_H": -2.0}, "n_H", "-2", ">= 1e-09"),
     ({"reading": "literal"}, "reading", "literal", "corrected, published"),
     ({"h": [1.0, 2.0], "theta": [1.0, 2.0, 3.0]}, "h and groups", "(2,)", "broadcast"),
 ]

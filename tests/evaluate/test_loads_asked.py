@@ -60,9 +60,9 @@ def test_of_many_contacts_too():
 
 
 def test_a_tiny_load_is_what_friction_is_compared_to():
-    data = st.solve(ADHESIVE, load="1e-20 N")
+    data = st.solve(ADHESIVE, load="1e-8 N")
     nothing = st.solve(ADHESIVE, load="0 N")
-    assert_allclose(float(data["friction_coefficient"]), float(nothing["friction_force"]) / 1e-20, rtol=1e-12)
+    assert_allclose(float(data["friction_coefficient"]), float(nothing["friction_force"]) / 1e-8, rtol=1e-6)
 
 
 @pytest.mark.parametrize("model", ("persson_2001", "persson_2001_elastoplastic"))

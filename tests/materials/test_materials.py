@@ -39,12 +39,12 @@ def test_unknown_preset_lists_near_names():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"youngs_modulus": -1}, "youngs_modulus: -1.0; allowed: > 0 Pa"),
-        ({"youngs_modulus": "210"}, "youngs_modulus: '210'; allowed: a number with its unit: > 0 Pa"),
-        ({"youngs_modulus": "210 N"}, "youngs_modulus: '210 N'; allowed: > 0 Pa"),
+        ({"youngs_modulus": -1}, "youngs_modulus: -1.0; allowed: >= 1000 Pa"),
+        ({"youngs_modulus": "210"}, "youngs_modulus: '210'; allowed: a number with its unit: >= 1000 Pa"),
+        ({"youngs_modulus": "210 N"}, "youngs_modulus: '210 N'; allowed: >= 1000 Pa"),
         ({"poissons_ratio": 0.5}, "poissons_ratio: 0.5; allowed: >= 0 and < 0.5"),
-        ({"hardness": float("nan")}, "hardness: nan; allowed: finite, > 0 Pa"),
-        ({"hardness": None}, "hardness: not given; allowed: > 0 Pa"),
+        ({"hardness": float("nan")}, "hardness: nan; allowed: finite, >= 1000 Pa"),
+        ({"hardness": None}, "hardness: not given; allowed: >= 1000 Pa"),
         (
             {"hardness": [1e9, 2e9]},
             "hardness: 'array of shape (2,)'; allowed: one number, or an array with a named",
@@ -60,9 +60,9 @@ def test_bad_material_is_one_line(change, message):
 
 
 def test_missing_number_is_named():
-    with pytest.raises(InputError, match=r"^hardness: not given; allowed: hardness, .*> 0 Pa"):
+    with pytest.raises(InputError, match=r"^hardness: not given; allowed: hardness, .*>= 1000 Pa"):
         Material(youngs_modulus="210 GPa", poissons_ratio=0.3)
 
 
 def test_docstring_comes_from_the_table():
-    assert "youngs_modulus: Young's modulus [Pa], > 0 Pa" in Material.__doc__
+    assert "youngs_modulus: Young's modulus [Pa], >= 1000 Pa" in Material.__doc__

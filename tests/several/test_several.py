@@ -200,6 +200,6 @@ def test_run_writes_the_same_files_and_the_same_json(tmp_path):
     with xarray.open_dataset(tmp_path / "out" / "curve.nc", engine="h5netcdf") as again:
         np.testing.assert_array_equal(again["friction_coefficient"], mu["values"])
     with (tmp_path / "out" / "curve.csv").open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     assert len(rows) == 24 and float(rows[-1]["theta"]) == 80.0
     assert float(rows[-1]["friction_coefficient"]) == mu["values"][-1][-1][-1]

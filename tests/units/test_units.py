@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from stiction.quantities import units
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import axis, show, to_si
@@ -114,7 +115,11 @@ def test_axis_is_its_own_coordinate_with_units():
     array = axis("thickness", ["100 nm", "200 nm"])
     assert array.dims == ("thickness",)
     assert np.array_equal(array, [1e-7, 2e-7]) and np.array_equal(array.coords["thickness"], array)
-    assert array.coords["thickness"].attrs == {"units": "m", "long_name": QUANTITIES["thickness"].meaning}
+    assert array.coords["thickness"].attrs == {
+        "units": "m",
+        "long_name": "film thickness",
+        "comment": QUANTITIES["thickness"].meaning,
+    }
     assert axis("hardness", [1e9], "film hardness").dims == ("film hardness",)
     assert axis("nu", 0.3).attrs["units"] == "1"
     with pytest.raises(InputError, match=r"^axis: 'thicknes'"):
@@ -161,6 +166,7 @@ def test_show(value, name, text):
     st.floats(1e-20, 1e20),
 )
 def test_what_is_shown_reads_back(name, value):
+    value = max(value, QUANTITIES[name].lower)
     assert to_si(show(value, name), name) == pytest.approx(value, rel=1e-5)
 
 
@@ -194,3 +200,17 @@ def test_slow_libraries_are_not_imported_before_they_are_needed():
     code = f"import stiction.studies.case, sys; print(sorted({slow} & set(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_damaged_definitions_of_units_are_made_anew(tmp_path, monkeypatch):
+    monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))
+    units._registry.cache_clear()
+    units._registry()
+    kept = {file: file.stat().st_size for file in tmp_path.rglob("*") if file.is_file()}
+    assert kept
+    for file in kept:
+        file.write_bytes(file.read_bytes()[:20])
+    units._registry.cache_clear()
+    assert units._registry().Quantity(1, "inch").to("m").magnitude == pytest.approx(0.0254)
+    assert {file: file.stat().st_size for file in kept} == kept
+    units._registry.cache_clear()

@@ -9,6 +9,7 @@ import gc
 from stiction.cli import run, compare, surface, figures, models, cite, schema  # noqa: F401
 
 # isort: on
+from stiction.cli.output import readable, said_if_unwritable
 from stiction.cli.program import app
 
 __all__ = ["app", "main"]
@@ -22,4 +23,6 @@ def main() -> None:
     """
     gc.set_threshold(200_000)
     atexit.register(gc.freeze)
-    app(prog_name="stiction")
+    readable()
+    with said_if_unwritable():
+        app(prog_name="stiction")

@@ -4,12 +4,14 @@ from typing import Annotated
 
 import typer
 
-from stiction.cli.program import app
+from stiction.cli.program import app, every_key
 
 
 @app.command()
 def cite(
-    keys: Annotated[list[str] | None, typer.Argument(metavar="[KEY]...", help="Models or entries; all if none.")] = None,
+    keys: Annotated[
+        list[str] | None, typer.Argument(metavar="[KEY]...", help="Models or entries; all if none.", autocompletion=every_key)
+    ] = None,
 ) -> None:
     """BibTeX of models, film laws and entries of the bibliography."""
     from stiction.laws.overview import cite as bibtex_of

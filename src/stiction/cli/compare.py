@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stiction.cli.output import print_json
 from stiction.cli.program import Json, Out, app, bar, busy, console, written
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ def compare(
     also the spread of each model over the methods of finding asperities. A working load presses: it is above 0 N; where the
     middle one of the case is not, the nearest that is stands in, and without any there are only curves.
     """
-    from stiction.report.files import as_json, check_folder
+    from stiction.report.files import check_folder
 
     if out is not None:
         check_folder(out)
@@ -41,7 +42,7 @@ def compare(
     names = _write_comparison(out, data, chosen.title) if out is not None else []
     if json:
         measured = {} if chosen.measured is None else {"measured": chosen.measured.record()}
-        print(as_json(comparison(data) | measured))
+        print_json(comparison(data) | measured)
         return
     from stiction.report.tables import comparison_summary, comparison_table
 

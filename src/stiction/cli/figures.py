@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from stiction.cli.output import print_json
 from stiction.cli.program import Json, Reading, app, bar, busy, console, folder, solving
 from stiction.quantities.table import QUANTITIES
 
@@ -36,7 +37,7 @@ def figures(
     covers theta 1 to 1e4 and lambda 1e-3 to 1e4 in both readings. Written: fig1a.png to fig3.png, curves.csv, claims.png,
     claims.csv.
     """
-    from stiction.report.files import as_json, check_folder
+    from stiction.report.files import check_folder
 
     check_folder(out)
     with solving():
@@ -50,7 +51,7 @@ def figures(
     with busy("Drawing"):
         _write_figures(out, panels, claims, {"theta": theta, "lam": lam})
     if json:
-        print(as_json({"theta": theta, "lambda": lam, "reading": reading or "corrected", "claims": rows}))
+        print_json({"theta": theta, "lambda": lam, "reading": reading or "corrected", "claims": rows})
         return
     from stiction.report.tables import claims_meaning, claims_table
 

@@ -4,12 +4,16 @@ from typing import Annotated
 
 import typer
 
-from stiction.cli.program import Json, app, console
+from stiction.cli.output import print_json
+from stiction.cli.program import Json, app, console, every_key
 
 
 @app.command()
 def models(
-    keys: Annotated[list[str] | None, typer.Argument(metavar="[KEY]...", help="Say all of these; else a line of each.")] = None,
+    keys: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[KEY]...", help="Say all of these; else a line of each.", autocompletion=every_key),
+    ] = None,
     json: Json = False,
 ) -> None:
     """Every model and law: key, kind, provenance grade, source, range of validity; what is missing where there is none.
@@ -18,9 +22,7 @@ def models(
 
     rows = all_models(keys or None)
     if json:
-        from stiction.report.files import as_json
-
-        print(as_json(rows))
+        print_json(rows)
         return
     from stiction.report.tables import grades, model_in_full, models_tables
 

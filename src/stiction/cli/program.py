@@ -2,7 +2,7 @@
 
 import sys
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,7 +11,9 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperCommand, TyperGroup
 
+from stiction.cli.output import closed_pipe, give_up_output
 from stiction.quantities.errors import InputDoubt, InputError
+from stiction.quantities.notices import Notice
 
 _BAD_INPUT, _INTERRUPTED = 2, 130
 # What typer raises for wrong usage; it has no name for the parent of BadParameter.
@@ -39,7 +41,8 @@ class _Commands(TyperGroup):
 
 @contextmanager
 def _one_line() -> Iterator[None]:
-    """What the user can cause is said in one line, and ends the program with its exit code; so is that a name is old."""
+    """What the user can cause is said in one line, and ends the program with its exit code; so are old names, and
+    what else the user should know."""
     try:
         with warnings.catch_warnings():
             for category in _SAID:
@@ -52,13 +55,15 @@ def _one_line() -> Iterator[None]:
     except _UsageError as error:
         print(f"stiction: {_as_input(error)}", file=sys.stderr)
         raise typer.Exit(_BAD_INPUT) from None
+    except BrokenPipeError as error:
+        give_up_output(error)
     except KeyboardInterrupt:
         print("stiction: interrupted", file=sys.stderr)
         raise typer.Exit(_INTERRUPTED) from None
 
 
-# Warnings that a user is to see: of names that are old, and of numbers that were hardly meant.
-_SAID = (FutureWarning, InputDoubt)
+# Warnings that a user is to see: of names that are old, of numbers that were hardly meant, of what the program could not do.
+_SAID = (FutureWarning, InputDoubt, Notice)
 
 
 def _say_in_a_line(message: Any, category: Any, *where: Any, **more: Any) -> None:
@@ -105,7 +110,6 @@ def _refused(error: Any) -> tuple[Any, str]:
 app = typer.Typer(
     cls=_Commands,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
@@ -148,6 +152,25 @@ def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
     return found, rest
 
 
+def keys_of(kind: str) -> Callable[[str], list[str]]:
+    """What completes a word on the command line to the keys of the records of a kind, by its keyword in `solve`."""
+
+    def complete(incomplete: str) -> list[str]:
+        from stiction.laws.registry import KINDS, of_kind
+
+        known = [key for one in KINDS if one.keyword == kind for key in of_kind(one)]
+        return [key for key in [*known, *(["none"] if kind == "tangential" else [])] if key.startswith(incomplete)]
+
+    return complete
+
+
+def every_key(incomplete: str) -> list[str]:
+    """What completes a word to the key of any record."""
+    from stiction.laws.registry import records
+
+    return [one.key for one in records() if one.key.startswith(incomplete)]
+
+
 def folder(text: str | Path) -> Path:
     """A folder that is named, by a user or by default: without a name it would be the current one, which nobody asked for."""
     if not str(text).strip():
@@ -180,7 +203,9 @@ def _stiction(
 def console():
     from rich.console import Console
 
-    return Console()
+    terminal: Any = Console()
+    terminal.on_broken_pipe = closed_pipe  # its own ends the program without a word
+    return terminal
 
 
 @contextmanager

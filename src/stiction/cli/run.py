@@ -6,7 +6,19 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stiction.cli.program import Json, Out, TakesOptionsOfRecords, app, busy, console, options_of_records, solving, written
+from stiction.cli.output import print_json
+from stiction.cli.program import (
+    Json,
+    Out,
+    TakesOptionsOfRecords,
+    app,
+    busy,
+    console,
+    keys_of,
+    options_of_records,
+    solving,
+    written,
+)
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import without_old_names
 
@@ -31,21 +43,34 @@ def run(
     context: typer.Context,
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact and what to solve.")],
     out: Out = None,
-    model: Annotated[str | None, typer.Option(help="Any model that stiction compare shows, or: recommended.")] = None,
-    asperity: Annotated[str | None, typer.Option(help="Asperity law in place of its own.")] = None,
-    tangential: Annotated[str | None, typer.Option(help="Tangential law in place of its own; none: contact only.")] = None,
-    film: Annotated[str | None, typer.Option(help="Film law in place of its own.")] = None,
+    model: Annotated[
+        str | None,
+        typer.Option(help="Any model that stiction compare shows, or: recommended.", autocompletion=keys_of("model")),
+    ] = None,
+    asperity: Annotated[
+        str | None, typer.Option(help="Asperity law in place of its own.", autocompletion=keys_of("asperity"))
+    ] = None,
+    tangential: Annotated[
+        str | None,
+        typer.Option(help="Tangential law in place of its own; none: contact only.", autocompletion=keys_of("tangential")),
+    ] = None,
+    film: Annotated[str | None, typer.Option(help="Film law in place of its own.", autocompletion=keys_of("film"))] = None,
     coating_law: Annotated[str | None, typer.Option(hidden=True)] = None,
     presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
     load: Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')] = None,
+    all_rows: Annotated[
+        bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")
+    ] = False,
     json: Json = False,
 ) -> None:
     """Solve a case: friction coefficient, contact area and load along a curve.
 
-    With --out: curve.csv, curve.nc (netCDF4) and curve.png. What is given here overrides the case file; the options of a model
-    or a law may be given too, such as --reading published: stiction models KEY names them. Any number of the contact may be
-    several, a list or {start, stop, count, spacing}: then the picture and the table show mu against it. Where the case names
-    scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
+    The table shows about twelve of the points, --all-rows every one.
+    With --out: curve.csv (with comments after #), curve.nc (netCDF4) and curve.png. What is given here overrides the case file;
+    the options of a model or a law may be given too, such as --reading published: stiction models KEY names them.
+    Any number of the contact may be several, a list or {start, stop, count, spacing}: then the picture and the table show mu
+    against it. Where the case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in
+    band.png.
     """
     from stiction.report.files import check_folder
 
@@ -64,7 +89,7 @@ def run(
     if json:
         _print_json(chosen, data)
         return
-    _print_run(chosen, data)
+    _print_run(chosen, data, all_rows)
     if out is not None:
         written(out, names)
 
@@ -79,11 +104,11 @@ def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, s
 def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and pictures; returns their names."""
     with busy("Writing the results"):
-        from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture
-        from stiction.studies.method_spread import as_columns
+        from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
+        from stiction.solving.method_spread import as_columns
 
         files = {
-            "curve.csv": lambda path: write_csv(as_columns(data), path),
+            "curve.csv": lambda path: write_csv(as_columns(data), path, comments_of(data)),
             "curve.nc": lambda path: write_netcdf(data, path),
             "curve.png": lambda path: write_picture(_figure(case, data), path),
         }
@@ -105,30 +130,32 @@ def _figure(case: "Case", data: "xarray.Dataset"):
     return curve_figure(data, case.title)
 
 
-def _table(case: "Case", data: "xarray.Dataset"):
+def _table(case: "Case", data: "xarray.Dataset", all_rows: bool):
     if case.is_several:
         from stiction.report.several_tables import several_table
 
-        return several_table(data)
+        return several_table(data, all_rows)
     from stiction.report.tables import curve_table
 
-    return curve_table(data)
+    return curve_table(data, all_rows)
 
 
 def _print_json(case: "Case", data: "xarray.Dataset") -> None:
-    from stiction.report.files import as_json, record
+    from stiction.report.files import record
 
     measured = {} if case.measured is None else {"measured": case.measured.record()}
-    print(as_json(record(data, case.subject.groups()) | measured))
+    print_json(record(data, case.subject.groups()) | measured)
 
 
-def _print_run(case: "Case", data: "xarray.Dataset") -> None:
+def _print_run(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:
     from rich.text import Text
 
-    from stiction.report.tables import outside_validity, run_notes, run_summary
+    from stiction.report.tables import outside_validity, rows_shown, run_notes, run_summary
 
     terminal = console()
-    terminal.print(run_summary(case, data), "", _table(case, data), "")
+    terminal.print(run_summary(case, data), "", _table(case, data, all_rows), "")
+    if not all_rows and not case.is_several and (text := rows_shown(data)):
+        terminal.print(Text(text, style="dim"), "", sep="\n")
     if case.measured is not None:
         from stiction.report.surface_tables import roughness_notes, roughness_table
 

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from stiction.cli.output import print_json
 from stiction.cli.program import app
 from stiction.quantities.errors import InputError
 
@@ -15,11 +16,10 @@ def schema(out: Annotated[Path | None, typer.Option(help="File to write to; else
     from stiction.report.files import as_json
     from stiction.studies.case import json_schema
 
-    text = as_json(json_schema())
     if out is None:
-        print(text)
+        print_json(json_schema())
         return
     try:
-        out.write_text(text + "\n", encoding="utf-8")
+        out.write_text(as_json(json_schema()) + "\n", encoding="utf-8")
     except OSError as error:
         raise InputError("--out", str(out), f"a file that can be written ({error.strerror})") from None

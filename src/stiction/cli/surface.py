@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from stiction.cli.output import print_json
 from stiction.cli.program import Json, Out, app, bar, busy, console, written
 from stiction.quantities.errors import InputError
 
@@ -42,7 +43,7 @@ def surface(
     With --out: map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study (how sigma, R and N,
     and with --case mu, change with the method and the shortest wavelength) as fan.png, fan.csv and fan.nc.
     """
-    from stiction.report.files import as_json, check_folder
+    from stiction.report.files import check_folder
 
     if out is not None:
         check_folder(out)
@@ -59,7 +60,7 @@ def surface(
     analysis = analyse(scan, progress=bar("Analysing"), tip_radius=tip_radius)
     names = _write(out, analysis, chosen, at) if out is not None else []
     if json:
-        print(as_json(summary(analysis)))
+        print_json(summary(analysis))
         return
     from stiction.report.surface_tables import asperity_table, surface_notes, surface_summary
 

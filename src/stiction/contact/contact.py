@@ -1,12 +1,14 @@
 """From two materials, a film and a rough surface to the dimensionless groups (docs/theory.md)."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
+from stiction.contact import measuring
 from stiction.contact.indices import HARDNESS_TO_YIELD, Indices, plain_number
 from stiction.contact.materials import Material, as_material
 from stiction.contact.subject import Scales, Subject
@@ -43,7 +45,8 @@ class Coating(Input):
     work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact. friction_constant: C
     of mu = (C t/W)^(1/3), which one film law takes (Ravindran et al. 1980); left out, it follows from strength and hardness.
     The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
-    yield_stress or tangent_modulus of the film is not used. Raises InputError.
+    yield_stress or tangent_modulus of the film is not used, but to say whether it or a body as hard yields first. Raises
+    InputError.
     """
 
     material: Body = Field(description="a material: the name of a preset, or its numbers")
@@ -67,6 +70,18 @@ class Roughness(Input):
     height_distribution: str = "gaussian"
     height_parameters: dict[str, _Parameter] = Field(default_factory=dict)
     surface: "Roughness | None" = Field(default=None, description="a table with sigma, R and N of a Gaussian surface")
+    _measured: Any = PrivateAttr(None)
+
+    @property
+    def measured(self) -> Any:
+        """What scans say by all ways of finding asperities (studies.measured.Measured), where these numbers are from scans."""
+        return self._measured
+
+    def as_measured(self, measured: Any) -> "Roughness":
+        """The same numbers, found in scans that say this."""
+        found = self.model_copy()
+        found._measured = measured
+        return found
 
     @model_validator(mode="after")
     def _surface_is_gaussian(self):
@@ -77,12 +92,31 @@ class Roughness(Input):
         return self
 
 
+def _rough(value):
+    """Numbers as they are, scans as the roughness that is found in them."""
+    if isinstance(value, Roughness | str | int | float | None) or (
+        isinstance(value, Mapping) and not value.keys() & {"first", "second"}
+    ):
+        return value
+    return measuring.measure(value)
+
+
+_Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]
+
+
 class Contact(Subject):
     """Two bodies with rough surfaces, perhaps a film between them.
 
-    first, second: Material, name of a preset, or dict of numbers. work_of_adhesion: of the bodies'
-    surfaces, see the function of that name. hardness_to_yield: H/Y; left out, it is hardness over
-    yield_stress of the softer body, or 2.8 if that has no yield_stress. interfacial_shear_strength and
+    first, second: Material, name of a preset, or dict of numbers; which is which changes no result. The strength of a contact
+    is that of the softer body; of two as hard, of the one that yields first: of the lower yield stress, then of the lower
+    Poisson's ratio, then of the lower tangent modulus.
+    roughness: Roughness, or dict of its numbers; or a scan of the first body, the second being smooth: a HeightMap, a
+    topography of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size); or a dict like the table
+    of a case file, with a scan or numbers as `first`, `second` or both, and how asperities are found. With a scan, results say
+    the spread over the ways of finding asperities, and `roughness.measured` what each finds.
+    work_of_adhesion: of the bodies' surfaces, see the function of that name; left out or zero, nothing adheres, and models that
+    need it say so. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that has no
+    yield_stress. interfacial_shear_strength and
     pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
     tangential energy release that peels an adhesive asperity (Savkoor and Briggs: all). Every number may be an array with a
     named dimension (`stiction.axis`). Raises InputError.
@@ -90,8 +124,8 @@ class Contact(Subject):
 
     first: Body = Field(description="a material: the name of a preset, or its numbers")
     second: Body = Field(description="a material: the name of a preset, or its numbers")
-    roughness: Roughness = Field(description="a table with sigma, R and N of the asperities")
-    work_of_adhesion: Number
+    roughness: _Rough = Field(description="a table with sigma, R and N of the asperities")
+    work_of_adhesion: OptionalNumber = None
     nominal_area: Number
     coating: Coating | None = None
     hardness_to_yield: OptionalNumber = None
@@ -102,7 +136,24 @@ class Contact(Subject):
     @model_validator(mode="after")
     def _dimensions_agree(self):
         self.check_dimensions()
+        self._check_adhesion()
         return self
+
+    def _check_adhesion(self) -> None:
+        """Raise InputError where something adheres here and nothing there: no group stands for both."""
+        some = np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion)
+        if (some == 0.0).any() and some.any():
+            raise InputError("work_of_adhesion", "a sweep from 0", "above 0 all along, or 0 all along: then nothing adheres")
+        film = None if self.coating is None else self.coating.work_of_adhesion
+        if film is None or np.all((np.asarray(film) > 0.0) == some.any()):
+            return
+        wanted = "above 0, as that of the bodies is" if some.any() else "nothing, as the bodies do not adhere either"
+        raise InputError("coating.work_of_adhesion", "0" if some.any() else "above 0", wanted)
+
+    @property
+    def adheres(self) -> bool:
+        """Whether there is a work of adhesion."""
+        return bool(np.any(np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion) > 0.0))
 
     def indices(self) -> Indices:
         """The dimensionless groups of theory 1, and 4 if there is a film; arrays broadcast by dimension.
@@ -120,15 +171,11 @@ class Contact(Subject):
 
     def _groups(self) -> dict[str, Any]:
         bare = _pair(self.first, self.second)
-        sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
-        groups = {
-            # theory 1 and paper, section 2
-            "theta": bare.K * sigma**1.5 / (gamma * radius**0.5),
-            "lam": pi**2 * radius * bare.hardness**4 * sigma / (18 * bare.K**2 * gamma**2),
+        sigma, radius = self._sigma, self._radius
+        groups = self._adhesion(bare) | {
             "nu": bare.nu,
             "hardness_to_yield": bare.k if self.hardness_to_yield is None else self.hardness_to_yield,
             "K_beta": bare.K * bare.beta,
-            "tabor_parameter": self.tabor_parameter(),
             "sharpness": (sigma / radius) ** 0.5,
             "roughness_parameter": self.roughness.asperity_density * radius * sigma,
             "nominal_width": self.nominal_area**0.5 / sigma,
@@ -138,21 +185,42 @@ class Contact(Subject):
         }
         if self.interfacial_shear_strength is not None:
             groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
-        if self.coating is not None:
-            film = _pair(self.coating.material, self._against_film(self.coating))
-            film_gamma, constant = self.coating.work_of_adhesion, self.coating.friction_constant
-            groups |= {
-                # theory 4; the ratio of K is the paper's n_E = E_c/E_s where film and bodies share one nu
-                "n_E": film.K / bare.K,
-                "n_H": film.hardness / bare.hardness,
-                "tau": self.coating.thickness / sigma,
-                "n_g": 1.0 if film_gamma is None else film_gamma / gamma,
-                "film_aspect": self.coating.thickness / (radius * sigma) ** 0.5,
-                "film_nu": film.nu,
-                "film_K_beta": film.K * film.beta,
-                "film_friction_constant": None if constant is None else constant / (bare.K * (radius * sigma) ** 0.5),
-            }
-        return groups
+        return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
+
+    def _adhesion(self, bare: "_Pair") -> dict[str, Any]:
+        """theta and lambda (theory 1 and paper, section 2) and the Tabor parameter; without adhesion the hardness group."""
+        sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
+        if not self.adheres:
+            return {"hardness_group": pi * bare.hardness * (radius / sigma) ** 0.5 / bare.K}
+        return {
+            "theta": bare.K * sigma**1.5 / (gamma * radius**0.5),
+            "lam": pi**2 * radius * bare.hardness**4 * sigma / (18 * bare.K**2 * gamma**2),
+            "tabor_parameter": self.tabor_parameter(),
+        }
+
+    def _film_groups(self, coating: Coating, bare: "_Pair") -> dict[str, Any]:
+        film = _pair(coating.material, self._against_film(coating))
+        film_gamma, constant = coating.work_of_adhesion if self.adheres else None, coating.friction_constant
+        # With both coated either may be called the coated one: the more compliant, so that their order does not matter.
+        coated, counter = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
+        first = True if coating.bodies != "both" else _more_compliant(coated, counter)
+        share = _choose(first, _compliance(coated), _compliance(counter)) * (0.75 * bare.K)  # rounded, it may exceed 1
+        return {
+            # theory 4; the ratio of K is the paper's n_E = E_c/E_s where film and bodies share one nu
+            "n_E": film.K / bare.K,
+            "n_H": film.hardness / bare.hardness,
+            "tau": coating.thickness / self._sigma,
+            "n_g": 1.0 if film_gamma is None else film_gamma / self.work_of_adhesion,
+            "film_aspect": coating.thickness / (self._radius * self._sigma) ** 0.5,
+            "film_nu": film.nu,
+            "film_K_beta": film.K * film.beta,
+            "film_friction_constant": None if constant is None else constant / (bare.K * (self._radius * self._sigma) ** 0.5),
+            "films": 2.0 if coating.bodies == "both" else 1.0,
+            "layer_nu": coating.material.poissons_ratio,
+            "coated_share": np.minimum(share, 1.0),
+            "coated_nu": _choose(first, coated.poissons_ratio, counter.poissons_ratio),
+            "counter_nu": _choose(first, counter.poissons_ratio, coated.poissons_ratio),
+        }
 
     @property
     def has_film(self) -> bool:
@@ -161,6 +229,48 @@ class Contact(Subject):
     @property
     def heights(self) -> tuple[str, dict[str, Any]]:
         return self.roughness.height_distribution, self.roughness.height_parameters
+
+    def optional_inputs(self) -> dict[str, str]:
+        names = {
+            "work_of_adhesion": "adhesion",
+            "interfacial_shear_strength": "shear_strength",
+            "pressure_coefficient": "pressure_coefficient",
+            "peeling": "peeling",
+            "hardness_to_yield": "hardness_to_yield",
+        }
+        found = {name: group for name, group in names.items() if getattr(self, name) is not None}
+        of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening"}
+        for body in ("first", "second"):
+            found |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
+        if self.coating is None:
+            return found
+        found |= {f"coating.material.{name}": "" for name in of_bodies if self.coating.material.is_own(name)}
+        return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
+
+    def remarks(self) -> list[str]:
+        if self.coating is None or self.coating.bodies == "both":
+            return []
+        film, other = self.coating.material, self._against_film(self.coating)
+        below = np.asarray(other.hardness) < np.asarray(film.hardness)  # of sweeps, anywhere, as far as they can be lined up
+        if not (below.any() if below.shape else bool(below)):
+            return []
+        ratio = other.hardness / _pair(self.first, self.second).hardness
+        n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
+        return [
+            f"the counterbody {other.name} is softer than the film {film.name} and yields first: where they meet its hardness "
+            f"counts ({n_H}), and the hardness of the film changes nothing"
+        ]
+
+    def notes(self) -> list[str]:
+        found = [] if self.measured is None else [f"roughness measured, by {self.measured.method}"]
+        return [*found, *self.remarks()]
+
+    @property
+    def measured(self) -> Any:
+        return self.roughness.measured
+
+    def as_numbers(self) -> "Contact":
+        return self if self.measured is None else self.replace(roughness=self.roughness.replace())
 
     def with_surface_moments(self) -> "Contact":
         surface = self.roughness.surface
@@ -171,7 +281,8 @@ class Contact(Subject):
         return super().all_groups() | {"plasticity_index": self.plasticity_index}
 
     def given_as(self, group: str) -> str:
-        return {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}.get(group, group)
+        names = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}
+        return names.get(group, "work_of_adhesion" if group in ("theta", "lam", "tabor_parameter") else group)
 
     def read(self, value: Any, name: str) -> Any:
         return to_si(value, name)
@@ -192,8 +303,7 @@ class Contact(Subject):
         return show(value, name, digits)
 
     def attributes(self, name: str) -> dict[str, str]:
-        quantity = QUANTITIES[name]
-        return {"long_name": quantity.meaning, "symbol": quantity.symbol, "units": quantity.unit or "1"}
+        return QUANTITIES[name].attributes
 
     def scales(self) -> Scales:
         """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""
@@ -224,6 +334,8 @@ class Contact(Subject):
         sourced one. JKR holds well above about 5, DMT well below about 0.1.
         """
         distance = to_si(equilibrium_distance, "equilibrium_distance")
+        if not self.adheres:
+            return 0.0
         return (self._radius * self.work_of_adhesion**2 / (self.contact_modulus**2 * distance**3)) ** (1 / 3)
 
     @property
@@ -245,7 +357,7 @@ def work_of_adhesion(first, second, *, interfacial) -> Any:
     first, second: Material or preset name with a surface_energy; interfacial: gamma_12, energy of the closed
     interface, SI or text with unit, >= 0: zero for one material in perfect registry, and the upper bound
     otherwise. This holds for clean surfaces; adsorbed layers lower it by one or two orders of magnitude.
-    Raises InputError where a surface energy is missing or the result is not positive.
+    Raises InputError where a surface energy is missing or the result is negative.
     """
     energies = []
     for field, body in (("first", first), ("second", second)):
@@ -270,8 +382,8 @@ class _Pair:
 
 def _pair(first: Material, second: Material) -> _Pair:
     bodies = (first, second)
-    compliance = sum((1 - body.poissons_ratio**2) / body.youngs_modulus for body in bodies)  # 1/E*, departure D1
-    softer = first.hardness <= second.hardness
+    compliance = sum(map(_compliance, bodies))  # 1/E*, departure D1
+    softer = _first_is_softer(first, second)
     return _Pair(
         K=4 / (3 * compliance),
         beta=sum((2 - body.poissons_ratio) / body.shear_modulus for body in bodies),  # paper, below eq (10)
@@ -280,6 +392,45 @@ def _pair(first: Material, second: Material) -> _Pair:
         k=_choose(softer, _hardness_to_yield(first), _hardness_to_yield(second)),
         hardening=_choose(softer, _hardening(first), _hardening(second)),
     )
+
+
+def _compliance(body: Material):
+    """1/E' = (1 - nu^2)/E."""
+    return (1 - body.poissons_ratio**2) / body.youngs_modulus
+
+
+def _first_is_softer(first: Material, second: Material) -> Any:
+    """Whether the strength of the contact is that of the first body, elementwise.
+
+    It is that of the softer. Of two as hard it is that of the body which yields first, whatever their order: the lower yield
+    stress, then the lower Poisson's ratio, where the pressure at first yield is less (Chang, Etsion & Bogy 1987); and if these
+    are equal too, the lower tangent modulus over Young's, one that is not known before one that is.
+    """
+    keys = (
+        (first.hardness, second.hardness),
+        (-_hardness_to_yield(first), -_hardness_to_yield(second)),
+        (first.poissons_ratio, second.poissons_ratio),
+        (_or_lowest(_hardening(first)), _or_lowest(_hardening(second))),
+    )
+    return _before(keys)
+
+
+def _more_compliant(first: Material, second: Material) -> Any:
+    """Whether the first body is the more compliant, or of two alike the one of the lower Poisson's ratio; elementwise."""
+    return _before(((-_compliance(first), -_compliance(second)), (first.poissons_ratio, second.poissons_ratio)))
+
+
+def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
+    """Whether the first comes before the second by the first pair in which they differ, or if they differ in none."""
+    (one, other), *rest = keys
+    equal = one == other
+    if not rest or not np.any(equal):
+        return one <= other
+    return (one < other) | (equal & _before(tuple(rest)))
+
+
+def _or_lowest(value: Any) -> Any:
+    return -1.0 if value is None else value
 
 
 def _hardness_to_yield(body: Material):

@@ -10,6 +10,7 @@ from pydantic import model_validator
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import check_names, flattened
 from stiction.quantities.errors import InputError
+from stiction.quantities.foreign import as_sequence, has_unit
 from stiction.quantities.inputs import Number, OptionalNumber, floats
 from stiction.quantities.table import QUANTITIES
 
@@ -18,7 +19,13 @@ __all__ = ["Groups", "Indices", "hardness_group", "stiffness_group"]
 # H/Y where no material says otherwise: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
 HARDNESS_TO_YIELD = 2.8
 
-_FILM = ("n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", "film_friction_constant")
+_FILM = (
+    "n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", "films", "layer_nu", "coated_share", "coated_nu",
+    "counter_nu", "film_friction_constant",
+)  # fmt: skip
+
+# What follows from others where it is not given.
+_FOLLOWS = ("hardness_group", "films", "layer_nu", "coated_share", "coated_nu", "counter_nu")
 
 
 def hardness_group(theta, lam):
@@ -31,18 +38,32 @@ def stiffness_group(nu):
     return 8.0 / 3.0 * (2.0 - nu) / (1.0 - nu)
 
 
+def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
+    """Raise InputError unless the film alone, as a half-space, has groups within the bounds of theta and lambda. Arrays."""
+    with np.errstate(over="ignore"):
+        alone = {"theta": (theta * n_E / n_g, n_E), "lam": (lam * (n_H * n_H / (n_E * n_g)) ** 2, n_H)}
+    for (name, (value, ratio)), field in zip(alone.items(), ("n_E", "n_H"), strict=True):
+        bounds = QUANTITIES[name]
+        if not np.all((value >= bounds.lower) & (value <= bounds.upper)):
+            raise InputError(field, ratio, f"what leaves {bounds.symbol} of the film alone {bounds.allowed}")
+
+
 class Indices(Subject):
     """The dimensionless groups of theory 1 and 4: all that a model needs to know of a contact.
 
-    Any of them may be an array with a named dimension (`stiction.axis`). K_beta left out is that of bodies
+    Any of them may be an array with a named dimension (`stiction.axis`). Without adhesion theta and lam are infinite: then
+    hardness_group is given in place of both, and models that know no adhesion are asked. K_beta left out is that of bodies
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
-    half-space to every asperity; film_friction_constant left out follows from strength and hardness. It and the last eight are
-    needed by some laws only. Raises InputError.
+    half-space to every asperity. One body is coated, and the other rigid, unless films and coated_share say otherwise; with two
+    films the bodies are alike unless coated_share does; layer_nu left out is film_nu, coated_nu and counter_nu are nu.
+    film_friction_constant left out follows from strength and hardness. It and the last eight are needed by some
+    laws only. Raises InputError.
     """
 
-    theta: Number
-    lam: Number
+    theta: OptionalNumber = None
+    lam: OptionalNumber = None
+    hardness_group: OptionalNumber = None
     nu: Number = 0.3
     hardness_to_yield: Number = HARDNESS_TO_YIELD
     n_E: OptionalNumber = None
@@ -53,6 +74,11 @@ class Indices(Subject):
     K_beta: OptionalNumber = None
     film_nu: OptionalNumber = None
     film_K_beta: OptionalNumber = None
+    films: OptionalNumber = None
+    layer_nu: OptionalNumber = None
+    coated_share: OptionalNumber = None
+    coated_nu: OptionalNumber = None
+    counter_nu: OptionalNumber = None
     film_friction_constant: OptionalNumber = None
     tabor_parameter: OptionalNumber = None
     sharpness: OptionalNumber = None
@@ -72,6 +98,17 @@ class Indices(Subject):
         return given
 
     @model_validator(mode="after")
+    def _adheres_or_not(self):
+        given = [name for name in ("theta", "lam") if getattr(self, name) is not None]
+        if (self.hardness_group is None) == (len(given) == 2) and len(given) != 1:
+            return self
+        missing = "lam" if self.lam is None and self.theta is not None else "theta"
+        if self.hardness_group is not None:
+            raise InputError("hardness_group", self.hardness_group, f"nothing where {given[0]} is given: it follows from both")
+        wanted = f"{QUANTITIES[missing].meaning}, {QUANTITIES[missing].wanted}"
+        raise InputError(missing, None, f"{wanted}; or hardness_group in place of theta and lam where nothing adheres")
+
+    @model_validator(mode="after")
     def _film_is_whole(self):
         needed = ("n_E", "n_H", "tau")
         missing = [name for name in needed if getattr(self, name) is None]
@@ -82,7 +119,27 @@ class Indices(Subject):
             given = next((name for name in needed if name not in missing), None) or beside[0]
             raise InputError(missing[0], None, f"a film needs n_E, n_H and tau together ({given} is given)")
         self.check_dimensions()
+        if not missing and self.theta is not None:
+            check_film(self.theta, self.lam, self.n_E, self.n_H, self.n_g)
+        self._check_bodies()
         return self
+
+    def _check_bodies(self) -> None:
+        """Raise InputError where the film and both bodies cannot be as they are said to be."""
+        if self.films is not None and not np.all((self.films == 1.0) | (self.films == 2.0)):
+            raise InputError("films", self.films, "1 or 2")
+        if not self.has_film or self.coated_share is None:
+            return
+        films = 1.0 if self.films is None else self.films
+        if np.any((films == 2.0) & (self.coated_share == 1.0)):
+            raise InputError("coated_share", self.coated_share, "below 1 where both bodies are coated")
+        if np.any((films == 1.0) & (self.n_E * (1.0 - self.coated_share) > 1.0 + 1e-9)):
+            raise InputError("n_E", self.n_E, "1/(1 - coated_share) at most: what a rigid film leaves to the other body")
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core_schema, handler):
+        schema = super().__get_pydantic_json_schema__(core_schema, handler)
+        return schema | {"oneOf": [{"required": ["theta", "lam"]}, {"required": ["hardness_group"]}]}
 
     @property
     def has_film(self) -> bool:
@@ -92,7 +149,31 @@ class Indices(Subject):
     @property
     def eta(self) -> Any:
         """The hardness group: a mean pressure H on the area x is the load eta x."""
-        return hardness_group(self.theta, self.lam)
+        return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
+
+    @property
+    def film_plasticity_index(self) -> Any:
+        """(E*/H) sqrt(sigma/R) of the film as a half-space, that is (3/4) pi/eta; None without a film."""
+        return 0.75 * math.pi / (self.eta * self.n_H / self.n_E) if self.has_film else None
+
+    @property
+    def film_stiffness(self) -> Any:
+        """n_E sqrt(R sigma)/t; None where there is no film, or R is not known."""
+        return self.n_E / self.film_aspect if self.has_film and self.film_aspect is not None else None
+
+    @property
+    def film_modulus(self) -> Any:
+        """E'_f/E*, the plane-strain modulus of the film itself over the contact modulus of the bodies without it.
+
+        n_E is that of the film against what it meets: E'_f/2 where that is a film too, in series with the other body where not.
+        """
+        whole = self.resolved()
+        rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)
+        return whole.n_E / np.maximum(1.0 - rest, 1e-15)
+
+    def knows(self, group: str) -> bool:
+        """Whether a group that a law needs is known; theta and lambda, of what does not adhere, are not."""
+        return group in _FOLLOWS or getattr(self, group) is not None
 
     def indices(self) -> "Indices":
         return self
@@ -109,7 +190,10 @@ class Indices(Subject):
         film_K_beta = self.film_K_beta
         if film_K_beta is None:
             film_K_beta = K_beta if self.film_nu is None else stiffness_group(film_nu)
-        return self.with_changes(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta)
+        films = 1.0 if self.films is None else self.films
+        alone = {"films": films, "layer_nu": film_nu, "coated_share": 1.0 / films, "coated_nu": self.nu, "counter_nu": self.nu}
+        given = {name: getattr(self, name) for name in alone if getattr(self, name) is not None}
+        return self.with_changes(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta, **alone | given)
 
     def film(self) -> Self:
         """The groups of the film as a half-space: theta n_E/n_g, lambda n_H^4/(n_E n_g)^2, with nu and K beta of the film.
@@ -120,10 +204,11 @@ class Indices(Subject):
         if not self.has_film:
             raise InputError("tau", None, "n_E, n_H and tau: there is no film")
         whole = self.resolved()
-        strength, tabor = whole.shear_strength, whole.tabor_parameter
+        strength, tabor, eta = whole.shear_strength, whole.tabor_parameter, whole.hardness_group
         return whole.substrate().with_changes(
-            theta=whole.theta * whole.n_E / whole.n_g,
-            lam=whole.lam * (whole.n_H * whole.n_H / (whole.n_E * whole.n_g)) ** 2,
+            theta=None if whole.theta is None else whole.theta * whole.n_E / whole.n_g,
+            lam=None if whole.lam is None else whole.lam * (whole.n_H * whole.n_H / (whole.n_E * whole.n_g)) ** 2,
+            hardness_group=None if eta is None else eta * whole.n_H / whole.n_E,
             nu=whole.film_nu,
             K_beta=whole.film_K_beta,
             shear_strength=None if strength is None else strength / whole.n_H,
@@ -134,11 +219,18 @@ class Indices(Subject):
         """The groups of the same contact without its film."""
         return self.with_changes(n_g=1.0, **dict.fromkeys(_FILM))
 
+    def without_adhesion(self) -> Self:
+        """The same groups of bodies that do not adhere."""
+        return self.with_changes(theta=None, lam=None, hardness_group=self.eta, n_g=1.0, tabor_parameter=None)
+
     def with_changes(self, **changes: Any) -> Self:
         """The same groups but for these."""
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def read(self, value: Any, name: str) -> Any:
+        value = as_sequence(value)
+        if has_unit(value):
+            raise InputError(name, str(value), "numbers without a unit, normalised like the indices")
         normalised, labelled = "numbers, normalised like the indices", hasattr(value, "dims")
         array = floats(value.values if labelled else value, name, normalised)
         if not np.all(np.isfinite(array)):
@@ -164,8 +256,7 @@ class Indices(Subject):
 
     def attributes(self, name: str) -> dict[str, str]:
         quantity = QUANTITIES[name]
-        attributes = {"long_name": quantity.meaning, "symbol": quantity.symbol, "units": quantity.unit or "1"}
-        return attributes | ({"units": "1", "normalised_by": quantity.normalised_by} if quantity.normalised_by else {})
+        return quantity.attributes | ({"units": "1", "normalised_by": quantity.normalised_by} if quantity.normalised_by else {})
 
 
 class Groups(Indices):
@@ -195,7 +286,7 @@ class Groups(Indices):
         return cls(**flat), dims
 
     def __len__(self) -> int:
-        return len(self.theta)
+        return len(self.hardness_group if self.theta is None else self.theta)
 
     def __getitem__(self, rows: slice | np.ndarray) -> "Groups":
         """The groups of some of the contacts."""

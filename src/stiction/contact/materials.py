@@ -5,10 +5,12 @@ from functools import cache
 from importlib import resources
 from typing import Any
 
+import numpy as np
 from pydantic import Field
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber, nearest
+from stiction.quantities.units import to_si
 
 __all__ = ["Material", "material", "material_names"]
 
@@ -34,6 +36,20 @@ class Material(Input):
     def shear_modulus(self):
         """Shear modulus of an isotropic material [Pa], E / (2 (1 + nu))."""
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
+
+    def notes(self) -> list[str]:
+        """Where the numbers come from."""
+        if not self.source:
+            return []
+        if isinstance(self.source, str):
+            return [f"source: {self.source}"]
+        return [f"{field}: {text}" for field, text in self.source.items() if text]
+
+    def is_own(self, field: str) -> bool:
+        """Whether this field was given, and is not just that of the preset of this name."""
+        value = getattr(self, field)
+        preset = _presets().get(self.name, ({}, {}))[0].get(field)
+        return value is not None and not (preset is not None and np.all(to_si(preset, field) == value))
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core_schema, handler):

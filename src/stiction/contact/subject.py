@@ -51,10 +51,32 @@ class Subject(Input):
     def has_film(self) -> bool:
         """Whether there is a film."""
 
+    def inputs(self) -> list[tuple[str, str]]:
+        """Dotted name and value, with its unit, of all that was given."""
+        return self.listed()
+
+    def optional_inputs(self) -> dict[str, str]:
+        """What was given and may be left out: dotted name -> the group that it decides, "" where no law asks for it."""
+        names = ("shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield")
+        return {name: name for name in names if name in self.model_fields_set and getattr(self, name) is not None}
+
+    def remarks(self) -> list[str]:
+        """What is worth knowing of the groups of this contact before anything is solved."""
+        return []
+
     @property
     def heights(self) -> tuple[str, dict[str, Any]]:
         """Name and parameters of the distribution of asperity heights."""
         return "gaussian", {}
+
+    @property
+    def measured(self) -> Any:
+        """What scans say of the roughness, where it was measured; else None."""
+        return None
+
+    def as_numbers(self) -> "Subject":
+        """The same without the memory of what was measured: with the numbers of the method that stands for the surface."""
+        return self
 
     def with_surface_moments(self) -> "Subject":
         """The same as theories of the whole surface take it: with the asperities that have its spectral moments."""

@@ -19,12 +19,13 @@ from typing import Any
 
 import numba
 import numpy as np
+from numba.core import config
 from numba.core.caching import NullCache
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
-from stiction.quantities.cache import cache_folder
+from stiction.quantities.cache import cache_folder, cannot_keep
 
 # `contract` (fused multiply-add) is safe in every formula. Sums may also be reordered, which is what lets them vectorise;
 # formulas may not: a reordered range reduction in the exponential loses half its digits. A formula that is called, and not
@@ -33,7 +34,12 @@ FORMULA: dict[str, Any] = {"fastmath": {"contract"}, "forceinline": True, "error
 KERNEL: dict[str, Any] = {"fastmath": {"contract", "reassoc", "nsz"}, "error_model": "numpy", "nogil": True}
 
 # unpack(row, length): an array as a tuple, in kernels; the length must be a constant. Numba does not give its type.
-unpack: Any = to_fixed_tuple
+# NUMBA_DISABLE_JIT leaves formulas and kernels as plain Python: slow, and right.
+_PLAIN: bool = config.DISABLE_JIT  # type: ignore[attr-defined]
+unpack: Any = (lambda row, length: tuple(row[:length])) if _PLAIN else to_fixed_tuple
+
+# Bytes at the end of a file of the cache, by which it is known to be whole.
+_CHECKSUM = hashlib.sha256().digest_size
 
 # What the compiler knows by itself: their names say enough, and the version of the compiler, which the cache asks for.
 _KNOWN = ("numpy", "numba", "math")
@@ -52,8 +58,14 @@ def loop(function: Callable) -> Any:
 def kernel(function: Callable) -> Any:
     """Compile a loop over many inputs, with a cache on disk. It may be a closure over formulas and constants."""
     compiled: Any = numba.njit(**KERNEL)(function)
-    compiled._cache = _KernelCache(compiled)
+    if compiled is not function:
+        compiled._cache = _KernelCache(compiled)
     return compiled
+
+
+def plain(compiled: Any) -> Any:
+    """The Python function of a formula, which takes arrays too."""
+    return getattr(compiled, "py_func", compiled)
 
 
 class _KernelCache(NullCache):
@@ -79,23 +91,31 @@ class _KernelCache(NullCache):
             content = self._file(sig, target_context.codegen()).read_bytes()
         except OSError:
             return None
-        return CompileResult._rebuild(target_context, *pickle.loads(content))
+        made, checksum = content[:-_CHECKSUM], content[-_CHECKSUM:]
+        if not made or hashlib.sha256(made).digest() != checksum:  # cut short or changed: what is in it could do anything
+            return None
+        return CompileResult._rebuild(target_context, *pickle.loads(made))
 
     def save_overload(self, sig: Any, data: Any) -> None:
         if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted):
             return
         file = self._file(sig, data.codegen)
         part = file.with_suffix(f".{uuid.uuid4().hex}")
-        with contextlib.suppress(OSError):  # a folder that cannot be written to costs time, and nothing else
+        made = dumps(data._reduce())
+        try:
             file.parent.mkdir(parents=True, exist_ok=True)
-            part.write_bytes(dumps(data._reduce()))
+            part.write_bytes(made + hashlib.sha256(made).digest())
             part.replace(file)
+        except OSError as error:  # which costs time, and nothing else
+            with contextlib.suppress(OSError):
+                part.unlink(missing_ok=True)
+            cannot_keep(error)
 
     def _file(self, sig: Any, codegen: Any) -> Path:
         made_by = numba.__version__, sys.version_info[:2], codegen.magic_tuple()
         key = hashlib.sha256(repr((self._digest, sig, made_by)).encode()).hexdigest()[:24]
-        plain = self._compiled.py_func
-        return cache_folder("kernels") / f"{plain.__module__}.{plain.__name__}-{key}.nbi"
+        function = plain(self._compiled)
+        return cache_folder("kernels") / f"{function.__module__}.{function.__name__}-{key}.nbi"
 
 
 def digest(function: Callable) -> str:
@@ -106,25 +126,25 @@ def digest(function: Callable) -> str:
 def _decides(value: Any, seen: list[Callable]) -> str:
     """What decides the compiled code of a value: of a function its own code and, in turn, that of all that it names or closes
     over; of anything else, what it is equal to. seen: functions already told, which are named by their place."""
-    plain = getattr(value, "py_func", value)
+    function = plain(value)
     if isinstance(value, tuple):
         return f"({', '.join(_decides(one, seen) for one in value)})"
     if isinstance(value, np.ndarray):
         return f"{value.dtype} {value.shape} {value.tobytes()!r}"  # the text of a long array leaves out its middle
     if isinstance(value, type):
         return f"{value.__module__}.{value.__qualname__} {getattr(value, '_fields', '')}"
-    if not isinstance(plain, types.FunctionType):
+    if not isinstance(function, types.FunctionType):
         return repr(value)
-    if _known(plain.__module__):
-        return f"{plain.__module__}.{plain.__qualname__}"
-    if plain in seen:
-        return f"function {seen.index(plain)}"
-    seen.append(plain)
+    if _known(function.__module__):
+        return f"{function.__module__}.{function.__qualname__}"
+    if function in seen:
+        return f"function {seen.index(function)}"
+    seen.append(function)
     given = getattr(value, "targetoptions", {})
     options = sorted((name, sorted(of) if isinstance(of, set) else of) for name, of in given.items())
-    inner = [f"{name}={_decides(one, seen)}" for name, one in sorted(_named(plain).items())]
-    defaults = _decides(plain.__defaults__ or (), seen)
-    return f"{plain.__name__} {_code(plain.__code__, plain.__doc__)} {options} {defaults} {inner}"
+    inner = [f"{name}={_decides(one, seen)}" for name, one in sorted(_named(function).items())]
+    defaults = _decides(function.__defaults__ or (), seen)
+    return f"{function.__name__} {_code(function.__code__, function.__doc__)} {options} {defaults} {inner}"
 
 
 def _code(code: types.CodeType, doc: str | None = None) -> str:
@@ -134,14 +154,14 @@ def _code(code: types.CodeType, doc: str | None = None) -> str:
     return f"{code.co_code!r} {constants} {names} {code.co_exceptiontable!r}"
 
 
-def _named(plain: types.FunctionType) -> dict[str, Any]:
+def _named(function: types.FunctionType) -> dict[str, Any]:
     """Values of the names that a function takes from outside: of its closure, its module, and what it takes from modules."""
-    codes, names = [plain.__code__], set()
+    codes, names = [function.__code__], set()
     for code in codes:
         names |= {*code.co_names}
         codes += [one for one in code.co_consts if isinstance(one, types.CodeType)]
-    found = {name: plain.__globals__[name] for name in names if name in plain.__globals__}
-    for name, cell in zip(plain.__code__.co_freevars, plain.__closure__ or (), strict=True):
+    found = {name: function.__globals__[name] for name in names if name in function.__globals__}
+    for name, cell in zip(function.__code__.co_freevars, function.__closure__ or (), strict=True):
         found[name] = cell.cell_contents
     modules = [one for one in found.values() if isinstance(one, types.ModuleType)]
     for module in modules:  # those in modules join at the end

@@ -66,6 +66,33 @@ class Limit:
     options: Mapping[str, Any] = field(default_factory=dict)
 
 
+# What a film has to become, whatever its law: under which a law is held by a test over the registry, or says how far it is off.
+FILM_LIMITS = {
+    "thin": "a film of no thickness leaves the substrate alone",
+    "thick": "a film without end is the film alone",
+    "alike": "a film like its substrate is not felt",
+}
+
+
+@dataclass(frozen=True)
+class Departure:
+    """A published film law does not become what it has to: by how much a result is off there, relative to what it should be.
+
+    limit: see FILM_LIMITS. least, most: over soft and hard films, at plasticity indices of 0.5 and more; infinite where it has
+    no bound. A test over the registry holds the record to them, and to a range of validity that is left wherever a result is
+    off by more than a fifth.
+    """
+
+    limit: str
+    quantity: str
+    least: float
+    most: float
+
+    def __str__(self) -> str:
+        ends = dict.fromkeys("any factor" if end == inf else f"{end:+.0%}" for end in (self.least, self.most))
+        return f"{FILM_LIMITS[self.limit]}, but here {self.quantity} is off by {' to '.join(ends)}"
+
+
 @dataclass(frozen=True)
 class Jump:
     """A published law is not continuous: what its load and area are multiplied by where one piece gives way to the next.

@@ -71,6 +71,7 @@ _MORE: dict[str, Callable[[Any], Any]] = {
     "traits": sorted,
     "wants": dict,
     "jumps": lambda jumps: [f"{jump.where}: load times {jump.load:g}, contact area times {jump.area:g}" for jump in jumps],
+    "departures": lambda departures: [str(one) for one in departures],
     "asperity": str,
     "tangential": str,
     "default_film": str,

@@ -15,9 +15,10 @@ from functools import cache
 from importlib.metadata import entry_points
 from typing import ClassVar, TypeVar
 
-from stiction.laws.claims import GRADES, TRAITS, Jump, Limit, Parameter, Validity
+from stiction.laws.claims import FILM_LIMITS, GRADES, TRAITS, Departure, Jump, Limit, Parameter, Validity
 from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
+from stiction.quantities.notices import notice
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,7 +27,8 @@ class Record:
 
     kind: what it is, in words; its folder has this name. keyword: by which a user chooses one, "" if nobody does. key:
     author_year, or a name. grade: see GRADES. verified: what the numbers were checked against. needs: names of the groups
-    it depends on. own_options: option name -> allowed values, the first is the default. load_falls: the source's load falls
+    it depends on; takes: of others that count where they are given.
+    own_options: option name -> allowed values, the first is the default. load_falls: the source's load falls
     with growing separation wherever it is compressive. accuracy: sums are good to this, relative to each law's own; larger
     where kinks of a law are found by scanning. notes: what a user should know. entries: bibliography entries that the
     package does not have, key -> BibTeX.
@@ -40,6 +42,7 @@ class Record:
     sources: tuple[Source, ...]
     verified: str
     needs: tuple[str, ...] = ()
+    takes: tuple[str, ...] = ()
     validity: tuple[Validity, ...] = ()
     limits: tuple[Limit, ...] = ()
     own_options: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -96,11 +99,14 @@ class FilmLaw(Record):
 
     regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
     of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
-    `law` is not used. bares_substrate: a law of the interface shears what is film of the contact, and the rest shears at the
-    substrate's own strength. confined: the film may bear more than its own hardness, up to the substrate's.
+    `law` is not used. one_body: film and substrate are one, with the film's surface: where that has a work of adhesion of its
+    own, that of the bodies does not count, nor what `law` takes beside its needs. bares_substrate: a law of the interface
+    shears what is film of the contact, and the rest shears at the substrate's own strength. confined: the film may bear more
+    than its own hardness, up to the substrate's.
     tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
     interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
     any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
+    departures: from what films of no thickness, without end, and like their substrate have to be.
     composites: properties of film and substrate together which options of these names choose among the composites: property ->
     key of the default.
     """
@@ -109,11 +115,13 @@ class FilmLaw(Record):
     regimes: Callable
     wants: Mapping[str, str] = field(default_factory=dict)
     own_asperity: bool = False
+    one_body: bool = False
     bares_substrate: bool = False
     confined: bool = False
     tangential: str = ""
     asperity: str = ""
     interchangeable: bool = True
+    departures: tuple[Departure, ...] = ()
     composites: Mapping[str, str] = field(default_factory=dict)
 
     @property
@@ -228,10 +236,10 @@ KINDS: tuple[type[Record], ...] = (
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "FilmLaw", "Jump", "Limit",
-    "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Validity", "all_options",
-    "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records", "resolve_options",
-    "select_options", "text_of",
+    "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure",
+    "FilmLaw", "Jump", "Limit", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
+    "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
+    "resolve_options", "select_options", "text_of",
 ]  # fmt: skip
 _R = TypeVar("_R", bound=Record)
 
@@ -242,9 +250,20 @@ def _package(kind: type[Record]) -> str:
 
 
 @cache
-def _outside() -> tuple[Record, ...]:
-    """Records of other distributions."""
-    return tuple(entry.load() for entry in entry_points(group="stiction"))
+def _outside() -> tuple[tuple[Record, str], ...]:
+    """Records of other distributions, each with its module. One that cannot be had is named, and all else goes on."""
+    found = []
+    for entry in entry_points(group="stiction"):
+        try:
+            record = entry.load()
+            problem = "" if isinstance(record, Record) else f"it is {type(record).__name__}, no record of a law"
+        except (Exception, SystemExit) as error:  # somebody else's code may raise anything
+            problem = " ".join(f"{type(error).__name__}: {error}".split())
+        if problem:
+            notice(f"the plug-in {entry.name} ({entry.value}) is left out: {problem}")
+        else:
+            found.append((record, entry.module))
+    return tuple(found)
 
 
 @cache
@@ -257,7 +276,8 @@ def _inside(folder: str) -> tuple[Record, ...]:
 
 def of_kind(kind: type[_R]) -> dict[str, _R]:
     """The records of one kind, in alphabetical order: key -> record. Those of other kinds are not loaded."""
-    found = [one for one in (*_inside(_package(kind)), *_outside()) if isinstance(one, kind) and one.kind == kind.kind]
+    everybody = (*(record for record, _ in _outside()), *_inside(_package(kind)))  # of two with one key ours is the last
+    found = [one for one in everybody if isinstance(one, kind) and one.kind == kind.kind]
     return {one.key: one for one in sorted(found, key=lambda one: one.key)}
 
 
@@ -342,7 +362,7 @@ def text_of(record: Record) -> str:
         module = importlib.import_module(name)
         if getattr(module, "RECORD", None) is record:
             return inspect.getdoc(module) or ""
-    for entry in entry_points(group="stiction"):
-        if entry.load() is record:
-            return inspect.getdoc(importlib.import_module(entry.module)) or ""
+    for other, where in _outside():
+        if other is record:
+            return inspect.getdoc(importlib.import_module(where)) or ""
     return ""

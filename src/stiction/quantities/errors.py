@@ -1,8 +1,10 @@
 """The one error that a user's input can cause, and the one warning."""
 
+import difflib
 import re
+from collections.abc import Iterable
 
-__all__ = ["InputDoubt", "InputError"]
+__all__ = ["InputDoubt", "InputError", "nearest"]
 
 _LONGEST = 80  # of a longer value the two ends are shown: of a path, the end says most
 
@@ -34,6 +36,14 @@ class InputError(ValueError):
     def __str__(self) -> str:
         field, allowed = (re.sub(r"\s+", " ", text) for text in (self.field, self.allowed))
         return f"{field}: {_short(self.value)}; allowed: {allowed}"
+
+
+def nearest(word, known: Iterable[str]) -> str:
+    """The known words, the likely ones first if there are any: the text of a suggestion."""
+    known = list(known)
+    close = difflib.get_close_matches(str(word), known, n=3, cutoff=0.5)
+    every = ", ".join(known)
+    return f"{' or '.join(close)} (all: {every})" if close else every
 
 
 class InputDoubt(UserWarning):

@@ -1,26 +1,20 @@
 """What all typed input has in common: frozen records whose numbers obey the table of quantities."""
 
-import difflib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, ValidationError, ValidationInfo
 
+from stiction.quantities import html
 from stiction.quantities.dimensions import coordinates
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.foreign import is_series
 from stiction.quantities.table import QUANTITIES, Quantity
-from stiction.quantities.units import to_si
+from stiction.quantities.units import from_series, show, to_si
 
 __all__ = ["Input", "Number", "OptionalNumber", "floats", "nearest", "unnamed"]
-
-
-def nearest(word: str, known) -> str:
-    """The known words, the likely ones first if there are any: the text of a suggestion."""
-    close = difflib.get_close_matches(str(word), list(known), n=3, cutoff=0.5)
-    every = ", ".join(known)
-    return f"{' or '.join(close)} (all: {every})" if close else every
 
 
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
@@ -45,8 +39,9 @@ def unnamed():
 
 
 def _number(value, info: ValidationInfo):
+    name = str(info.field_name)
     with unnamed():
-        number = to_si(value, str(info.field_name))
+        number = to_si(from_series(value, name) if is_series(value) else value, name)
     if isinstance(number, np.ndarray):
         raise InputError(
             "",
@@ -70,11 +65,34 @@ class Input(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
 
-    def __init__(self, /, **data):
+    def __init__(self, /, *unnamed_values, **data):
+        if unnamed_values:
+            names = ", ".join(f"{name}=..." for name, field in type(self).model_fields.items() if field.is_required())
+            count = len(unnamed_values)
+            given = f"{count} value{'s' * (count > 1)} without a name"
+            raise InputError(type(self).__name__, given, f"every value by its name: {names or 'see its fields'}")
         try:
             super().__init__(**data)
         except ValidationError as error:
             raise _input_error(error, type(self)) from None
+
+    def replace(self, **changes: Any) -> Self:
+        """Another record, with these fields in place of its own, read and checked as when it is made. Raises InputError."""
+        given = {name: getattr(self, name) for name in self.model_fields_set}
+        return type(self)(**given | changes)
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """What `replace` gives; without an update, the same record again."""
+        return self.replace(**update) if update else super().model_copy(deep=deep)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Refused: what is bad for what it is, and what is good because a record does not change."""
+        if name in type(self).model_fields:
+            self.replace(**{name: value})
+            raise InputError(
+                f"{type(self).__name__}.{name}", value, f"nothing: records are frozen; replace({name}=...) gives another"
+            )
+        super().__setattr__(name, value)
 
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs):
@@ -106,9 +124,46 @@ class Input(BaseModel):
             elif hasattr(value, "dims"):
                 yield name, value
 
+    def listed(self) -> list[tuple[str, str]]:
+        """Dotted name and value, as a user may write it, of all that this record and those in it were given."""
+        rows: list[tuple[str, str]] = []
+        for name in type(self).model_fields:
+            value = getattr(self, name)
+            if isinstance(value, Input):
+                rows += [(f"{name}.{inner}", text) for inner, text in value.listed()]
+            elif name in QUANTITIES and value is not None:
+                rows.append((name, _as_text(value, name)))
+            elif isinstance(value, str) and name != "source":
+                rows.append((name, value))
+            elif isinstance(value, dict) and name != "source":
+                rows += [
+                    (f"{name}.{key}", str(one) if np.ndim(one) == 0 else f"{np.size(one)} values") for key, one in value.items()
+                ]
+        return rows
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        meanings = {name: QUANTITIES[name].meaning for name in QUANTITIES}
+        rows = [
+            (name, f"{text}  ({meanings[last]})" if (last := name.rpartition(".")[2]) in meanings else text)
+            for name, text in self.listed()
+        ]
+        return html.table(type(self).__name__, rows, self.notes())
+
+    def notes(self) -> list[str]:
+        """What a notebook says below the numbers."""
+        return []
+
     def check_dimensions(self) -> None:
         """Raise InputError where two arrays disagree about a dimension of the same name."""
         coordinates(self.arrays())
+
+
+def _as_text(value: Any, name: str) -> str:
+    if not hasattr(value, "dims"):
+        return show(value, name)
+    ends = [show(float(end), name) for end in (value.min(), value.max())]
+    return f"{value.size} values, {ends[0]} to {ends[1]}, along {', '.join(map(str, value.dims))}"
 
 
 def number_schema(quantity: Quantity) -> dict:

@@ -4,7 +4,7 @@ Validators, docstrings, command-line help, result attributes and axis labels rea
 unit or a bound. The symbols are those of docs/theory.md.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, isinf
 
 __all__ = ["QUANTITIES", "Quantity"]
@@ -16,7 +16,8 @@ class Quantity:
 
     name: the key; symbol: plain text; latex: without dollar signs; unit: SI, "" if none; meaning: a phrase;
     lower, upper: bounds in the unit, with lower_included, upper_included (infinite values are never allowed);
-    normalised_by: what the dimensionless form is divided by, "" if it has none; example: an accepted input.
+    normalised_by: what the dimensionless form is divided by, "" if it has none; example: an accepted input; short: a name that
+    fits on an axis of a plot together with its unit.
     """
 
     name: str
@@ -30,6 +31,13 @@ class Quantity:
     upper_included: bool = False
     normalised_by: str = ""
     example: str = ""
+    short: str = ""
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """Attributes of a variable: long_name, symbol and units; comment, the meaning in full where the name is short."""
+        comment = {"comment": self.meaning} if self.short else {}
+        return {"long_name": self.short or self.meaning, "symbol": self.symbol, "units": self.unit or "1"} | comment
 
     @property
     def allowed(self) -> str:
@@ -65,6 +73,15 @@ _NOT_NEGATIVE = (0.0, inf, True, False)
 _FROM_ONE = (1.0, inf, True, False)
 _SHARE = (0.0, 1.0, True, True)
 _SHARE_BELOW_ONE = (0.0, 1.0, True, False)
+# Softer than any solid: a number meant in GPa, or mPa for MPa.
+_SOLID = (1e3, inf, True, False)
+# Dimensionless groups: beyond these no contact is, and sums and their limits lose their digits or all of their size.
+_GROUP = (1e-9, 1e9, True, True)
+_THETA = (1e-12, 1e40, True, True)
+_LAMBDA = (1e-60, 1e120, True, True)
+_LENGTH_RATIO = (0.0, 1e15, True, True)
+_PART = (0.0, 1.0, False, True)
+_ONE_OR_TWO = (1.0, 2.0, True, True)
 # nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
 # Below 0 nothing was checked.
 _POISSON = (0.0, 0.5, True, False)
@@ -76,11 +93,11 @@ _COUNT = "number of asperities"
 # fmt: off
 _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     # materials
-    ("youngs_modulus", "E", "E", "Pa", _POSITIVE, "210 GPa", "Young's modulus"),
+    ("youngs_modulus", "E", "E", "Pa", _SOLID, "210 GPa", "Young's modulus"),
     ("poissons_ratio", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio"),
-    ("hardness", "H", "H", "Pa", _POSITIVE, "7.3 GPa",
+    ("hardness", "H", "H", "Pa", _SOLID, "7.3 GPa",
      "hardness, the mean pressure of a fully plastic contact"),
-    ("yield_stress", "Y", "Y", "Pa", _POSITIVE, "2.5 GPa", "yield stress in tension"),
+    ("yield_stress", "Y", "Y", "Pa", _SOLID, "2.5 GPa", "yield stress in tension"),
     ("tangent_modulus", "E_t", r"E_\mathrm{t}", "Pa", _NOT_NEGATIVE, "2 GPa",
      "tangent modulus, the slope of stress over strain beyond yield"),
     ("surface_energy", "gamma_s", r"\gamma_s", "J/m^2", _POSITIVE, "1.25 J/m^2",
@@ -91,7 +108,7 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("asperity_radius", "R", "R", "m", _POSITIVE, "50 um", "asperity tip radius"),
     ("asperity_density", "N", "N", "1/m^2", _POSITIVE, "1.7e10 1/m^2", "asperities per nominal area"),
     ("nominal_area", "A_n", r"A_\mathrm{n}", "m^2", _POSITIVE, "1 mm^2", "nominal contact area"),
-    ("work_of_adhesion", "gamma", r"\gamma", "J/m^2", _POSITIVE, "50 mJ/m^2", "work of adhesion"),
+    ("work_of_adhesion", "gamma", r"\gamma", "J/m^2", _NOT_NEGATIVE, "50 mJ/m^2", "work of adhesion"),
     ("interfacial_energy", "gamma_12", r"\gamma_{12}", "J/m^2", _NOT_NEGATIVE, "0.5 J/m^2",
      "energy of the closed interface"),
     ("thickness", "t", "t", "m", _POSITIVE, "200 nm",
@@ -104,21 +121,30 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("equilibrium_distance", "epsilon", r"\varepsilon", "m", _POSITIVE, "0.3 nm",
      "equilibrium distance of two surfaces"),
     # dimensionless groups
-    ("theta", "theta", r"\theta", "", _POSITIVE, "40",
+    ("theta", "theta", r"\theta", "", _THETA, "40",
      "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2))"),
-    ("lam", "lambda", r"\lambda", "", _POSITIVE, "10",
+    ("lam", "lambda", r"\lambda", "", _LAMBDA, "10",
      "plastic adhesion index pi^2 R H^4 sigma / (18 K^2 gamma^2)"),
+    ("hardness_group", "eta", r"\eta", "", _POSITIVE, "2",
+     "hardness group pi H R^(1/2) / (K sigma^(1/2)), in place of theta and lambda where nothing adheres"),
     ("nu", "nu", r"\nu", "", _POISSON, "0.3", "Poisson's ratio of the softer body"),
-    ("K_beta", "K beta", r"K\beta", "", _POSITIVE, "6.476", "normal stiffness times tangential compliance"),
-    ("n_E", "n_E", "n_E", "", _POSITIVE, "1.5", "film modulus over substrate modulus"),
-    ("n_H", "n_H", "n_H", "", _POSITIVE, "0.5", "film hardness over substrate hardness"),
-    ("tau", "tau", r"\tau", "", _NOT_NEGATIVE, "2", "film thickness over sigma, t / sigma"),
-    ("n_g", "n_g", "n_g", "", _POSITIVE, "1", "work of adhesion of the film over that of the substrate"),
-    ("film_aspect", "t/sqrt(R sigma)", r"t/\sqrt{R\sigma}", "", _NOT_NEGATIVE, "0.13",
+    ("K_beta", "K beta", r"K\beta", "", _GROUP, "6.476", "normal stiffness times tangential compliance"),
+    ("n_E", "n_E", "n_E", "", _GROUP, "1.5", "film modulus over substrate modulus"),
+    ("n_H", "n_H", "n_H", "", _GROUP, "0.5", "film hardness over substrate hardness"),
+    ("tau", "tau", r"\tau", "", _LENGTH_RATIO, "2", "film thickness over sigma, t / sigma"),
+    ("n_g", "n_g", "n_g", "", _GROUP, "1", "work of adhesion of the film over that of the substrate"),
+    ("film_aspect", "t/sqrt(R sigma)", r"t/\sqrt{R\sigma}", "", _LENGTH_RATIO, "0.13",
      "film thickness over sqrt(R sigma)"),
     ("film_nu", "nu_c", r"\nu_\mathrm{c}", "", _POISSON, "0.3", "Poisson's ratio in the film's contact"),
-    ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _POSITIVE, "6.476",
+    ("film_K_beta", "(K beta)_c", r"(K\beta)_\mathrm{c}", "", _GROUP, "6.476",
      "K beta of the film's contact"),
+    ("films", "n_f", r"n_\mathrm{f}", "", _ONE_OR_TWO, "1",
+     "coated bodies: 1, with all of the thickness, or 2, with half of it each"),
+    ("layer_nu", "nu_l", r"\nu_\mathrm{l}", "", _POISSON, "0.3", "Poisson's ratio of the film itself"),
+    ("coated_share", "s", "s", "", _PART, "1",
+     "share of the coated body in the compliance of the bare contact: 1 if the other is rigid"),
+    ("coated_nu", "nu_1", r"\nu_1", "", _POISSON, "0.3", "Poisson's ratio of the coated body"),
+    ("counter_nu", "nu_2", r"\nu_2", "", _POISSON, "0.3", "Poisson's ratio of the body that meets the coated one"),
     ("film_friction_constant", "C/(K sqrt(R sigma))", r"C/(K\sqrt{R\sigma})", "", _POSITIVE, "1e-4",
      "constant of the film's friction (C t/W)^(1/3) over K sqrt(R sigma)"),
     ("tabor_parameter", "mu_T", r"\mu_\mathrm{T}", "", _POSITIVE, "2",
@@ -147,6 +173,10 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("normal_stiffness", "K", "K", "Pa", _POSITIVE, "", "K = (4/3) E*"),
     ("tangential_compliance", "beta", r"\beta", "1/Pa", _POSITIVE, "", "beta = sum of (2 - nu)/G"),
     ("plasticity_index", "psi", r"\psi", "", _POSITIVE, "", "plasticity index (E*/H) (sigma/R)^(1/2)"),
+    ("film_plasticity_index", "psi_f", r"\psi_\mathrm{f}", "", _POSITIVE, "",
+     "plasticity index of the film against what it meets"),
+    ("film_stiffness", "n_E sqrt(R sigma)/t", r"n_E\sqrt{R\sigma}/t", "", _POSITIVE, "",
+     "modulus over thickness of the film, over the substrate's modulus over sqrt(R sigma)"),
     # of a solution
     ("mean_separation", "d", "d", "m", _ANY, "sigma",
      "mean separation, from the mean of the asperity heights"),
@@ -189,8 +219,6 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
      "share of the load on asperities that the model gives no friction"),
     ("rms_slope", "h'", r"h'", "", _NOT_NEGATIVE, "", "rms slope of the Gaussian surface that has these asperities"),
-    ("film_plasticity_index", "psi_f", r"\psi_\mathrm{f}", "", _POSITIVE, "",
-     "plasticity index (E*/H) (sigma/R)^(1/2) of the film's contact"),
     ("thickness_over_radius", "t/R", r"t/R", "", _NOT_NEGATIVE, "", "film thickness over asperity radius"),
     ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, _COUNT, "number of touching asperities"),
     ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,
@@ -199,6 +227,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "mean separation at the largest tension, undefined where there is none"),
     ("load_share_beyond_film", "s_P", r"s_P", "", _SHARE, "",
      "share of the load on asperities wider than the film is thick (a > t)"),
+    ("load_share_substrate", "s_s", r"s_\mathrm{s}", "", _SHARE, "", "share of the load that the substrate carries"),
     ("friction_share_beyond_film", "s_T", r"s_T", "", _SHARE, "",
      "share of the friction on asperities wider than the film is thick (a > t)"),
 ]
@@ -206,10 +235,84 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
 
 _RESULT_EXAMPLES = {"mean_separation": "48 nm", "load": "1 N"}  # results that are also what is solved for
 
-QUANTITIES: dict[str, Quantity] = {
+# Names for axes, where the meaning with its unit is longer than the 30 characters to which xarray's plots break their labels.
+_SHORT = {
+    "film_plasticity_index": "film plasticity index",
+    "friction_constant": "film friction constant",
+    "film_friction_constant": "film constant over K",
+    "hardness": "hardness",
+    "tangent_modulus": "tangent modulus",
+    "surface_energy": "surface energy",
+    "asperity_height_deviation": "asperity deviation",
+    "asperity_density": "asperities per area",
+    "interfacial_energy": "interfacial energy",
+    "thickness": "film thickness",
+    "hardness_to_yield": "hardness over yield",
+    "interfacial_shear_strength": "shear strength",
+    "equilibrium_distance": "equilibrium distance",
+    "theta": "elastic adhesion index",
+    "lam": "plastic adhesion index",
+    "nu": "Poisson's ratio",
+    "K_beta": "K beta",
+    "n_E": "film modulus ratio",
+    "n_H": "film hardness ratio",
+    "tau": "thickness over sigma",
+    "n_g": "film adhesion ratio",
+    "film_aspect": "t over sqrt(R sigma)",
+    "film_nu": "Poisson's ratio, film",
+    "film_K_beta": "K beta of the film",
+    "tabor_parameter": "Tabor parameter",
+    "roughness_parameter": "N R sigma",
+    "nominal_width": "sqrt(A_n) over sigma",
+    "shear_strength": "shear strength over H",
+    "pressure_coefficient": "pressure coefficient",
+    "peeling": "peeling share",
+    "hardening": "hardening E_t/E",
+    "scan_size": "scan size",
+    "shear_modulus": "shear modulus",
+    "contact_modulus": "contact modulus",
+    "tangential_compliance": "compliance beta",
+    "plasticity_index": "plasticity index",
+    "mean_separation": "mean separation",
+    "load": "net normal load",
+    "load_elastic": "load, elastic",
+    "load_plastic": "load, plastic",
+    "load_elastic_plastic": "load, elastic-plastic",
+    "load_film": "load on the film",
+    "load_substrate": "load on the substrate",
+    "contact_area_elastic": "real area, elastic",
+    "contact_area_plastic": "real area, plastic",
+    "contact_area_elastic_plastic": "area, elastic-plastic",
+    "friction_force": "friction force",
+    "friction_slip_limited": "friction, slip first",
+    "friction_yield_limited": "friction, yield first",
+    "friction_film": "friction of the film",
+    "friction_substrate": "friction, substrate",
+    "friction_coefficient": "friction coefficient",
+    "tangential_stiffness": "tangential stiffness",
+    "area_fraction": "real area fraction",
+    "nominal_pressure": "nominal pressure",
+    "nominal_pressure_over_hardness": "pressure over hardness",
+    "mean_pressure_over_hardness": "contact pressure over H",
+    "touching_share": "share that touches",
+    "asperity_area_over_yield": "area over that at yield",
+    "adhesion_share": "pull-off over load",
+    "load_share_without_friction": "load without friction",
+    "rms_slope": "rms slope",
+    "thickness_over_radius": "thickness over radius",
+    "touching_asperities": "touching asperities",
+    "pull_off_force": "pull-off force",
+    "pull_off_separation": "pull-off separation",
+    "load_share_beyond_film": "load share with a > t",
+    "friction_share_beyond_film": "friction share, a > t",
+}
+
+_ROWS: dict[str, Quantity] = {
     name: Quantity(name, symbol, latex, unit, meaning, *bounds, example=example)
     for name, symbol, latex, unit, bounds, example, meaning in _INPUTS
 } | {
     name: Quantity(name, symbol, latex, unit, meaning, *bounds, divisor, _RESULT_EXAMPLES.get(name, ""))
     for name, symbol, latex, unit, bounds, divisor, meaning in _OUTPUTS
 }
+
+QUANTITIES: dict[str, Quantity] = {name: replace(row, short=_SHORT.get(name, "")) for name, row in _ROWS.items()}

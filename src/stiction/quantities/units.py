@@ -4,6 +4,7 @@ pint knows the units; it is slow to import, so it is imported when the first uni
 """
 
 import re
+import shutil
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
@@ -11,33 +12,41 @@ from numbers import Real
 
 import numpy as np
 
+from stiction.quantities import foreign
 from stiction.quantities.cache import cache_folder
 from stiction.quantities.dimensions import check_names, without_indexes
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.hardness import from_hardness_test
+from stiction.quantities.hints import meant, too_soft, with_a_point
 from stiction.quantities.table import QUANTITIES, Quantity
 
-__all__ = ["axis", "show", "to_si"]
+__all__ = ["axis", "from_series", "show", "to_si"]
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 # pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
 _POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
 _UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
 _LONGEST_TEXT = 100  # no quantity takes more, and the patterns above take their time over megabytes
+_DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 
 def to_si(value, name: str):
     """A value of the named quantity in SI units, checked against its bounds.
 
-    value: float, array or xarray.DataArray in SI units, or text with its unit ("48 nm"), or a list of
-    these; a DataArray whose `units` attribute is not the SI unit is converted. name: a key of QUANTITIES.
+    value: float, array, pandas.Series or xarray.DataArray in SI units, text with its unit ("48 nm"), a pint quantity of any
+    registry, or a list of these; a DataArray whose `units` attribute is not the SI unit is converted. name: a key of
+    QUANTITIES.
     Returns a float, a float array, or a DataArray without attributes of its own (its coordinates keep
     theirs). Raises InputError if it is no number, not finite, out of bounds, or its unit is missing,
     unknown or of another dimension.
     """
     quantity = QUANTITIES[name]
+    value = foreign.as_sequence(value)
     if isinstance(value, str):
         number = _from_text(value, quantity)
+    elif foreign.has_unit(value):
+        number = _from_pint(value, quantity)
     elif hasattr(value, "dims"):
         number = _from_labelled(value, quantity)
     else:
@@ -62,7 +71,7 @@ def show(value, name: str, digits: int = 6) -> str:
     return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{square}{rest}"
 
 
-def axis(name: str, values, dimension: str | None = None):
+def axis(name: str, values=None, dimension: str | None = None):
     """Values of the named quantity along a dimension: usable as any number of a Contact or Indices.
 
     name: a key of QUANTITIES; values: n numbers in SI units or texts with units; dimension: another name
@@ -72,29 +81,45 @@ def axis(name: str, values, dimension: str | None = None):
     import xarray
 
     if not isinstance(name, str) or name not in QUANTITIES:
-        raise InputError("axis", name, "the name of a quantity: " + ", ".join(QUANTITIES))
+        first = 'first the name of a quantity, then its values, e.g. axis("load", ["1 N", "2 N"])'
+        raise InputError("axis", name, f"{first}: {nearest(name, QUANTITIES)}")
     quantity = QUANTITIES[name]
+    if values is None:
+        raise InputError(name, None, f"its values along the axis, {quantity.wanted}")
     numbers = np.atleast_1d(np.asarray(to_si(values, name)))
     if numbers.ndim != 1:
         raise InputError(name, f"array of shape {numbers.shape}", "one row of values")
     dimension = dimension or name
     if not isinstance(dimension, str):
         raise InputError("dimension", dimension, "a name, as text")
-    attributes = {"units": quantity.unit or "1", "long_name": quantity.meaning}
+    attributes = {name: text for name, text in quantity.attributes.items() if name != "symbol"}
     coordinate = xarray.DataArray(numbers, dims=(dimension,), attrs=attributes)
     return xarray.DataArray(numbers, dims=(dimension,), coords={dimension: coordinate}, name=name, attrs=attributes)
 
 
+def from_series(series, name: str):
+    """A pandas.Series of the named quantity as an array with a named dimension: that of its index, which is then the
+    coordinate, or of the quantity where the index has no name. Raises InputError as `to_si` does."""
+    import xarray
+
+    along = series.index.name
+    if along is None:
+        return axis(name, series)
+    return xarray.DataArray(to_si(series, name), dims=(str(along),), coords={str(along): series.index.to_numpy()}, name=name)
+
+
 def _from_text(text: str, quantity: Quantity) -> float:
     match = _NUMBER_AND_UNIT.fullmatch(text) if len(text) <= _LONGEST_TEXT else None
-    if match is None:
-        raise InputError(quantity.name, text, quantity.wanted)
+    if match is None or _DECIMAL_COMMA.match(text[:_LONGEST_TEXT]):
+        raise InputError(quantity.name, text, quantity.wanted + with_a_point(text))
     number, unit = match.groups()
     rounded = float(number)
     if not unit:
         if quantity.unit:
-            raise InputError(quantity.name, text, "a number with its unit: " + quantity.wanted)
+            raise InputError(quantity.name, text, f"a number with its unit: {quantity.wanted}{meant(number, '', quantity)}")
         return rounded
+    if quantity.name == "hardness" and (pressure := from_hardness_test(rounded, unit, text)) is not None:
+        return pressure
     factor = _factor(unit, quantity, text)
     if rounded == 0 or not np.isfinite(rounded):
         return rounded  # also keeps a number like 1e999999999 away from exact arithmetic
@@ -112,7 +137,9 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
         import pint
 
         problem = "another dimension" if isinstance(error, pint.DimensionalityError) else "no known unit"
-        raise InputError(quantity.name, text, f"{quantity.wanted} (what was given has {problem})") from None
+        number = text.removesuffix(unit).strip()
+        told = f"{quantity.wanted} (what was given has {problem}){meant(number, unit, quantity)}"
+        raise InputError(quantity.name, text, told) from None
 
 
 @cache
@@ -128,10 +155,13 @@ def _registry():
     kept for another release, or cannot be read or written, is made anew."""
     import pint
 
-    try:
-        return pint.UnitRegistry(non_int_type=Fraction, cache_folder=cache_folder(f"units-{pint.__version__}"))
-    except Exception:  # of a damaged file, anything that unpickling may raise
-        return pint.UnitRegistry(non_int_type=Fraction)
+    kept = cache_folder(f"units-{pint.__version__}")
+    for _ in range(2):
+        try:
+            return pint.UnitRegistry(non_int_type=Fraction, cache_folder=kept)
+        except Exception:  # of a damaged file, anything that unpickling may raise: it is made anew
+            shutil.rmtree(kept, ignore_errors=True)
+    return pint.UnitRegistry(non_int_type=Fraction)
 
 
 @cache
@@ -154,12 +184,27 @@ def _unit_errors() -> tuple[type[Exception], ...]:
     )
 
 
+def _from_pint(value, quantity: Quantity):
+    """What has a unit of its own, of whatever registry: the text of its unit is read as every other."""
+    unit, numbers = f"{value.units:C}", value.magnitude
+    if unit in ("", "dimensionless") and not quantity.unit:
+        return _from_numbers(numbers, quantity)
+    factor = _factor(unit or "1", quantity, str(value))
+    if np.ndim(numbers):
+        return _from_numbers(np.asarray(numbers), quantity) * float(factor)
+    number = _from_numbers(numbers, quantity)
+    return _float(Fraction(number) * factor, quantity, value) if np.isfinite(number) else number
+
+
 def _from_labelled(array, quantity: Quantity):
     check_names(array, quantity.name)
-    values = _from_numbers(array.values, quantity)
-    unit = str(array.attrs.get("units", quantity.unit))
-    if unit not in (quantity.unit, quantity.unit or "1"):  # xarray users write "1" where there is no unit
-        values = values * float(_factor(unit, quantity, unit))
+    if foreign.has_unit(array.data):
+        values = _from_pint(array.data, quantity)
+    else:
+        values = _from_numbers(array.values, quantity)
+        unit = str(array.attrs.get("units", quantity.unit))
+        if unit not in (quantity.unit, quantity.unit or "1"):  # xarray users write "1" where there is no unit
+            values = values * float(_factor(unit, quantity, unit))
     result = without_indexes(array).copy(data=np.asarray(values))
     result.attrs = {}  # they would travel into products with other quantities; the field says what it is
     return result
@@ -179,7 +224,7 @@ def _from_numbers(value, quantity: Quantity):
 def _single(entry, quantity: Quantity) -> float:
     if isinstance(entry, str):
         return _from_text(entry, quantity)
-    number = _from_numbers(entry, quantity)
+    number = _from_pint(entry, quantity) if foreign.has_unit(entry) else _from_numbers(entry, quantity)
     if not isinstance(number, float):
         raise InputError(quantity.name, entry, quantity.wanted)
     return number
@@ -200,6 +245,18 @@ def _check(number, quantity: Quantity, given) -> None:
     below = values <= quantity.upper if quantity.upper_included else values < quantity.upper
     good = np.isfinite(values) & above & below
     if not good.all():
-        worst = values[~good][0]
+        place = tuple(index[0] for index in np.nonzero(~good)) if values.ndim else ()
+        worst = float(values[place])
         allowed = quantity.allowed if np.isfinite(worst) else f"finite, {quantity.allowed}"
-        raise InputError(quantity.name, given if isinstance(given, str) else float(worst), allowed)
+        told = _as_given(given, place, worst)
+        raise InputError(quantity.name, told, allowed + too_soft(told, worst, quantity))
+
+
+def _as_given(given, place: tuple[int, ...], worst: float):
+    """The one value that is out of bounds as it was written, with its unit if it had one."""
+    if isinstance(given, str):
+        return given
+    if isinstance(given, list | tuple) and len(place) == 1:
+        return given[place[0]]
+    unit = getattr(given, "attrs", {}).get("units", "")
+    return f"{given.values[place]:g} {unit}" if unit not in ("", "1") else worst

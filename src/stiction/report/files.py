@@ -1,15 +1,20 @@
 """What leaves the program: one JSON object, and a folder with a table, a netCDF file and a picture."""
 
 import csv
+import io
 import json
 import math
+import re
+import shutil
 import tempfile
+import time
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.laws.registry import GRADES
 from stiction.laws.validity import doubts_of
 from stiction.quantities.errors import InputError
 
@@ -18,11 +23,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _DOTS_PER_INCH = 150
+_TOLD = ("normalised_by", "symbol", "long_name", "comment")  # attributes of a variable that go into JSON
+_ABANDONED = 600.0  # s: in less, whoever is alive has written something
 
 
-def as_json(content: Any) -> str:
-    """Strict JSON: NaN and infinities, which it does not know, become null."""
-    return json.dumps(_plain(content), ensure_ascii=False, allow_nan=False, indent=2)
+def as_json(content: Any, only_ascii: bool = False) -> str:
+    """Strict JSON: NaN and infinities, which it does not know, become null; only_ascii: other characters are escaped."""
+    return json.dumps(_plain(content), ensure_ascii=only_ascii, allow_nan=False, indent=2)
 
 
 def _plain(value: Any) -> Any:
@@ -49,12 +56,13 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
         variables[name] = {
             "name": name,
             "unit": variable.attrs.get("units", "1"),
-            **{key: variable.attrs[key] for key in ("normalised_by", "symbol", "long_name") if key in variable.attrs},
+            **{key: variable.attrs[key] for key in _TOLD if key in variable.attrs},
             "dims": list(variable.dims),
             "values": variable.values,
         }
     doubts = [doubt.as_data() for doubt in doubts_of(data)]
-    return {"attrs": {**data.attrs, "doubts": doubts}, "groups": dict(groups), "variables": variables}
+    unused = json.loads(data.attrs.get("unused_inputs", "[]"))
+    return {"attrs": {**data.attrs, "doubts": doubts, "unused_inputs": unused}, "groups": dict(groups), "variables": variables}
 
 
 def _names(data: "xarray.Dataset") -> list[str]:
@@ -62,27 +70,64 @@ def _names(data: "xarray.Dataset") -> list[str]:
     return [str(name) for name in (*data.coords, *data.data_vars)]
 
 
-def write_csv(data: "xarray.Dataset", path: Path) -> None:
-    """Every variable as a column under "name [unit]", a row for each point; floats to their last digit."""
+def comments_of(data: "xarray.Dataset") -> list[str]:
+    """What a table of a result has to say before its first row: what was computed, by which model, with what doubts, from which
+    inputs, and what the columns are."""
+    used = data.attrs
+    laws = ", ".join(f"{kind} {used[kind]}" for kind in ("asperity", "tangential", "film") if used.get(kind, "none") != "none")
+    options = ", ".join(f"{name} {used[name]}" for name in used.get("options", "").split())
+    said = {
+        "title": used.get("case") or used.get("title"),
+        "program": used.get("program"),
+        "model": f"{used.get('model')} ({', '.join(filter(None, [laws, options])) or 'no other laws'})",
+        "grade": f"{used.get('grade')}: {GRADES.get(used.get('grade', ''), '')}",
+        "doubt": [str(doubt) for doubt in doubts_of(data)] or "none: within the ranges that are claimed",
+        "not used": used.get("inputs_not_used"),
+        "remark": used.get("remarks"),
+        "sources": used.get("sources"),
+        "input": used.get("inputs", "").splitlines(),
+        "scan": used.get("scans", "").splitlines(),
+        "column": [_column_said(data[name]) for name in _names(data)],
+        "read with": 'pandas.read_csv(path, comment="#")',
+    }
+    lines = [(head, text) for head, texts in said.items() for text in (texts if isinstance(texts, list) else [texts]) if text]
+    return [" ".join(f"{head}: {text}".split()) for head, text in lines]
+
+
+def _column_said(variable: "xarray.DataArray") -> str:
+    unit = unit_of(variable)
+    meaning = variable.attrs.get("comment") or variable.attrs.get("long_name") or "as given"
+    return f"{variable.name}: {meaning}" + (f" [{unit}]" if unit else "")
+
+
+def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) -> None:
+    """Every variable as a column under "name [unit]", a row for each point; floats to their last digit. comments: lines before
+    that, each after a "#"."""
     import xarray
 
     names = _names(data)
     heads = [f"{name} [{unit}]" if (unit := unit_of(data[name])) else name for name in names]
     columns = xarray.broadcast(*(data[name] for name in names))
-    write_rows(path, heads, zip(*(column.values.ravel().tolist() for column in columns), strict=True))
+    write_rows(path, heads, zip(*(column.values.ravel().tolist() for column in columns), strict=True), comments)
 
 
-def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]]) -> None:
-    """A CSV file with one line of heads."""
+def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]], comments: Iterable[str] = ()) -> None:
+    """A CSV file with one line of heads, after lines of comments."""
     with path.open("w", encoding="utf-8", newline="") as file:
+        file.writelines(f"# {line}\n" for line in comments)
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(heads)
         writer.writerows(rows)
 
 
 def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
-    """netCDF4, to be opened again with xarray.open_dataset(path)."""
-    data.to_netcdf(path, engine="h5netcdf")
+    """netCDF4, to be opened again with xarray.open_dataset(path).
+
+    Made in memory first: on a disk that is full the library would not only fail, but take the program down with it.
+    """
+    made = io.BytesIO()
+    data.to_netcdf(made, engine="h5netcdf")
+    path.write_bytes(made.getbuffer())
 
 
 def write_picture(figure: "Figure", path: Path) -> None:
@@ -106,6 +151,7 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
     folder = folder.resolve()
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
+        _clear_abandoned(folder)
         with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as beside:
             made = Path(beside) / "files"  # with the usual permissions, which a temporary folder has not
             made.mkdir()
@@ -118,3 +164,14 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
                 (made / name).replace(folder / name)
     except OSError as error:
         raise InputError("--out", str(folder), f"a folder that can be written ({error.strerror or error})") from None
+
+
+def _clear_abandoned(folder: Path) -> None:
+    """Remove what a program that was killed left beside the folder: nothing has been written there for a while."""
+    made_up = re.compile(rf"\.{re.escape(folder.name)}-[a-z0-9_]{{8}}")  # as tempfile names them
+    for beside in folder.parent.iterdir():
+        if made_up.fullmatch(beside.name) and beside.is_dir() and not beside.is_symlink():
+            inside = [one.name for one in beside.iterdir()]
+            written = [one.lstat().st_mtime for one in (beside, *beside.rglob("*"))]
+            if inside in ([], ["files"]) and max(written) < time.time() - _ABANDONED:
+                shutil.rmtree(beside, ignore_errors=True)

@@ -12,8 +12,8 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.picture_style import look_of, plain, scale, unit_for
-from stiction.report.pictures import GREY, SKY, WIDE, finish, heading, label, say
-from stiction.studies.method_spread import METHOD
+from stiction.report.pictures import GREY, RED, SKY, WIDE, doubts_below, finish, heading, label, say
+from stiction.solving.method_spread import METHOD
 
 if TYPE_CHECKING:
     import xarray
@@ -172,6 +172,9 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     each = table.values.reshape(len(methods), -1)[:, drawn]
     figure = Figure(figsize=(9.6, 5.2), layout="constrained")
     figure.suptitle(heading(data, title), fontsize=11)
+    if notes := doubts_below(data, 140):
+        figure.set_figheight(5.2 + 0.16 * len(notes))
+        figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
     axes = figure.subplots()
     axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
     if drawn.any():

@@ -1,6 +1,7 @@
 """Pictures: a dataset in, a matplotlib Figure out. Nothing is computed here, and no global state is touched."""
 
 import re
+import textwrap
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +12,7 @@ from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogFormatter, NullLocator
 
+from stiction.laws.validity import doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.files import unit_of
@@ -48,6 +50,8 @@ _PANELS = (
 )  # fmt: skip
 _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
 _MANY_DECADES = 1e3
+_FEW_POINTS = 20  # of a curve, up to which each is marked
+_MOST_DOUBTS = 5  # that are told below a picture
 WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
 
@@ -57,7 +61,7 @@ def label(variable: "xarray.DataArray", longest: int = 200) -> str:
     longest: number of characters above which the unit goes to a second line.
     """
     name = str(variable.name).rpartition(".")[2]  # of one of two bodies: "first.hardness"
-    meaning = variable.attrs.get("long_name", name).partition(",")[0]
+    meaning = variable.attrs.get("comment", variable.attrs.get("long_name", name)).partition(",")[0]
     symbol = f" ${QUANTITIES[name].latex}$" if name in QUANTITIES else ""
     unit = _unit(variable)
     space = "\n" if len(f"{meaning} {unit_of(variable)}") > longest else " "
@@ -84,10 +88,16 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     rows, columns = (2, 2) if len(drawn) == 4 else (1, len(drawn))
     width, height = max(5.5 * columns, 8.0), 8.2 if rows == 2 else 4.6
     # Fixed margins: matplotlib's automatic layouts draw everything twice, and this picture is made on every run.
-    figure = Figure(figsize=(width, height))
+    notes = doubts_below(data, int(14.5 * width))
+    below = 0.16 * len(notes)  # inches, which the figure has more
+    figure = Figure(figsize=(width, height + below))
     figure.suptitle(heading(data, title), fontsize=11)
+    if notes:
+        figure.text(0.01, 0.06 / (height + below), "\n".join(notes), fontsize=8, color=RED, va="bottom")
     edge, beside = (1.0 if rows == 2 else 0.6), width / 11.0  # the same text takes more of one row, or column
-    figure.subplots_adjust(0.085 / beside, 0.07 / edge, 1.0 - 0.015 / beside, 1.0 - 0.085 / edge, wspace=0.24, hspace=0.22)
+    room = height / (height + below)
+    bottom = (below + 0.07 / edge * height) / (height + below)
+    figure.subplots_adjust(0.085 / beside, bottom, 1.0 - 0.015 / beside, 1.0 - 0.085 / edge * room, wspace=0.24, hspace=0.22)
     for axes, (what, against) in zip(figure.subplots(rows, columns, squeeze=False).flat, drawn, strict=True):
         if what == "friction_coefficient":
             _friction_panel(axes, data)
@@ -104,10 +114,31 @@ def heading(data: "xarray.Dataset", title: str) -> str:
     return "\n".join(filter(None, [title, f"{', '.join(words)} (grade {used['grade']})"]))
 
 
+def doubts_below(data: "xarray.Dataset", width: int) -> list[str]:
+    """Lines, of so many characters, that say below a picture what is doubtful in it; none where nothing is."""
+    doubts = [str(doubt) for doubt in doubts_of(data)]
+    if not doubts:
+        return []
+    more = len(doubts) - _MOST_DOUBTS
+    told = [
+        *doubts[:_MOST_DOUBTS],
+        *([f"and {more} more doubts: outside_validity of the result has them all"] if more > 0 else []),
+    ]
+    return [
+        "outside the range of validity:",
+        *(line for one in told for line in textwrap.wrap(one, width, subsequent_indent="  ")),
+    ]
+
+
+def _marked(count: int) -> dict[str, Any]:
+    """Marks on a line of few points: a line alone would claim what is between them, and of one point show nothing."""
+    return {"marker": "o", "markersize": 4.0} if count <= _FEW_POINTS else {}
+
+
 def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     load, mu = data["load"].values, data["friction_coefficient"].values
     drawn = (load > 0.0) & (mu > 0.0)
-    axes.plot(load[drawn], mu[drawn], color="black")
+    axes.plot(load[drawn], mu[drawn], color="black", **_marked(int(drawn.sum())))
     seen = [mu[drawn], *_method_spread(axes, data, load)]
     axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
     if drawn.any():
@@ -154,7 +185,8 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
             drawn = (sign * y > floor) & ((x > 0.0) | (against != "load"))
             if drawn.any():
                 tension |= sign < 0.0
-                axes.plot(x, np.where(drawn, sign * y, np.nan), label=None if name in named else text, **style)
+                marks = _marked(x.size) | style | ({"markevery": None} if x.size <= _FEW_POINTS else {})
+                axes.plot(x, np.where(drawn, sign * y, np.nan), label=None if name in named else text, **marks)
                 named.add(name)
                 sizes += [np.min(sign * y[drawn]), np.max(sign * y[drawn])]
     axes.set(xlabel=label(data[against]), ylabel=label(data[what], longest=42))
@@ -277,6 +309,4 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
 
 
 def _wrapped(text: str, width: int = 36) -> str:
-    import textwrap
-
     return "\n".join(textwrap.wrap(text, width))

@@ -70,13 +70,14 @@ def _head(name: str) -> str:
     return f"{part.replace('.', ' ')}\n{symbol}".strip()
 
 
-def several_table(data: "xarray.Dataset") -> Table:
-    """A row for each combination of what varies, at most about sixteen; a column for each of at most four points."""
+def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
+    """A row for each combination of what varies, at most about sixteen or all; a column for each of at most four points."""
     name, dims = shown_quantity(data), varied(data)
     points = points_dimension(data)
     columns = some(data.sizes[points], _POINTS) if points else np.array([0])
     each = max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
-    picked = [some(data.sizes[dim], _ROWS if len(dims) == 1 else each) for dim in dims]
+    most = data[name].size if all_rows else _ROWS if len(dims) == 1 else each
+    picked = [some(data.sizes[dim], most) for dim in dims]
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
     for dim in dims:
         for one in coordinates_along(data, dim):

@@ -16,6 +16,7 @@ from stiction.laws.validity import doubts_of, read_doubts
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.comparison_rows import run_command
+from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:
     import xarray
@@ -36,10 +37,9 @@ _COLUMNS = {
 }
 
 
-def curve_table(data: "xarray.Dataset") -> Table:
-    """About twelve points along a curve of one dimension, each column in units with a fitting prefix."""
-    count = data["load"].size
-    chosen = np.unique(np.linspace(0, count - 1, min(count, _ROWS)).round().astype(int))
+def curve_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
+    """About twelve points along a curve of one dimension, or all, each column in units with a fitting prefix."""
+    chosen = _chosen_rows(data["load"].size, all_rows)
     names = [name for name in _COLUMNS if name in data]
     columns = [_column(data[name], name, chosen) for name in names]
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
@@ -50,6 +50,19 @@ def curve_table(data: "xarray.Dataset") -> Table:
     for cells in zip(*(cells for _, cells in columns), strict=True):
         table.add_row(*cells)
     return table
+
+
+def _chosen_rows(count: int, all_rows: bool) -> np.ndarray:
+    return np.unique(np.linspace(0, count - 1, count if all_rows else min(count, _ROWS)).round().astype(int))
+
+
+def rows_shown(data: "xarray.Dataset") -> str:
+    """How many of the points `curve_table` shows; "" if all."""
+    count = data["load"].size
+    shown = len(_chosen_rows(count, False))
+    return (
+        f"{shown} of {count} points are shown; --all-rows shows all, and --out writes all to curve.csv" if shown < count else ""
+    )
 
 
 def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
@@ -177,6 +190,8 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
         notes.append(f"friction: {used['friction_law']}")
     elif bool((data["load"] <= 0.0).any()):
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
+    notes += [one.say("--") for one in unused_of(data)]
+    notes += [used["remarks"]] if used.get("remarks") else []
     for kind in _NOTED:
         key = used[kind.keyword]
         if key != "none" and (text := find(key, kind).notes):
@@ -302,7 +317,7 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
 _LINE_ENDS = re.compile(r"(?<=\S)(?<!\$\$)\n(?!\$\$)(?=[^\s|-])")
 # What a record says in full, besides its options: the name of the entry and how it is called.
 _IN_FULL = {
-    "source": "source", "verified": "checked against", "jumps": "jumps",
+    "source": "source", "verified": "checked against", "jumps": "jumps", "departures": "in the limit",
     "traits": "marked", "validity": "valid for", "limits": "becomes", "needs": "depends on", "notes": "note",
 }  # fmt: skip
 

@@ -76,5 +76,5 @@ def with_interface(choice: Choice, groups: Groups) -> Choice:
 def law_of_the_interface(groups: Groups) -> str:
     """The law of the interface that uses most of what is known of it; "none" where nothing is."""
     laws = [one for one in of_kind(TangentialLaw).values() if one.interfacial]
-    known = [one for one in laws if all(getattr(groups, name) is not None for name in one.needs)]
+    known = [one for one in laws if all(groups.knows(name) for name in one.needs)]
     return max(known, key=lambda one: len(one.needs)).key if known else "none"

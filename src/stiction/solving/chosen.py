@@ -25,6 +25,7 @@ class Chosen:
     """A model with its laws and all their options.
 
     asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
+    ignored: what was chosen too and has nothing to answer for.
     """
 
     model: RoughSurface
@@ -33,6 +34,7 @@ class Chosen:
     film: FilmLaw | None
     presliding: Presliding | None
     options: Mapping[str, str]
+    ignored: tuple[str, ...] = ()
 
     @property
     def law(self) -> Law:
@@ -61,7 +63,7 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
     tangential = _tangential(choice.tangential or model.tangential)
     if not model.asperity:
         _refuse_parts(choice, model, tangential, coated)
-        return Chosen(model, None, tangential, None, None, _options(choice, model, tangential))
+        return Chosen(model, None, tangential, None, None, _options(choice, model, tangential), _ignored(choice, coated))
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
     if choice.film and not coated:
@@ -74,7 +76,12 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         assert tangential is not None  # without friction there is nothing that could not suit
         raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
     options = _options(choice, model, asperity, tangential, film)
-    return Chosen(model, asperity, tangential, film, presliding, options)
+    return Chosen(model, asperity, tangential, film, presliding, options, _ignored(choice, coated))
+
+
+def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
+    """The film law that was chosen for a contact without a film. Raises InputError for a key that is not known."""
+    return () if coated or choice.film is None else (f"film {find(choice.film, FilmLaw).key}",)
 
 
 def _options(choice: Choice, *laws: Record | None) -> dict[str, str]:

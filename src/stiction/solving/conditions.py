@@ -17,7 +17,6 @@ from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
 
-
 # A theory that ends at full contact ends there to rounding.
 _ROUNDING = 1e-9
 
@@ -42,6 +41,8 @@ OUT_OF_PROPORTION = (
     Validity("nominal_width", 10.0, inf, "the surface is rougher than it is wide", "impossible"),
 )
 
+_FEW = "so few make no average: from one contact to the next their number alone scatters by 1/sqrt(n)"
+
 RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     *((rule, _any) for rule in OUT_OF_PROPORTION),
     (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area is above the nominal one", "impossible"), _any),
@@ -55,7 +56,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _any),
     (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _any),
     (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _any),
-    (Validity("touching_asperities", 10.0, inf, "so few asperities make no average", "statistics"), _any),
+    (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _any),
 )  # fmt: skip
 
 

@@ -5,11 +5,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from stiction.contact.indices import Groups
+from stiction.contact.indices import Groups, check_film
 from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime
 from stiction.engine.summation import FARTHEST, check_threads, in_threads, scattered, totals_on_grid
 from stiction.quantities.errors import InputError
+from stiction.quantities.foreign import has_unit
 from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
@@ -67,6 +68,8 @@ def evaluate(
         raise InputError("h and groups", f"shapes {shapes}", "shapes that broadcast") from None
     columns = [column.reshape((1,) * (len(shape) - column.ndim) + column.shape) for column in columns]
     separation, laws = columns[0], dict(zip(given, columns[1:], strict=True))
+    if not missing:
+        check_film(*(laws[name] for name in ("theta", "lam", "n_E", "n_H")))
     law_shape = np.broadcast_shapes(*(column.shape for column in laws.values()))
     own_axes = all(one == 1 or other == 1 for one, other in zip(separation.shape, law_shape, strict=True))
     if own_axes and separation.size > 1:
@@ -74,10 +77,17 @@ def evaluate(
     return _scattered(separation, laws, shape, choice, threads)
 
 
+def _array(value, name: str, allowed: str) -> np.ndarray:
+    """The value as an array of floats; InputError also for what has a unit, which NumPy would drop without a word."""
+    if has_unit(value):
+        raise InputError(name, str(value), f"{allowed}, without a unit")
+    return floats(value, name, allowed)
+
+
 def _checked(name: str, value) -> np.ndarray:
     """The value as an array of floats within the bounds of its quantity."""
     quantity = QUANTITIES[name]
-    array = floats(value, name, quantity.allowed)
+    array = _array(value, name, quantity.allowed)
     if array.size == 0:
         return array
     low, high = float(array.min()), float(array.max())  # either is NaN if any element is
@@ -90,7 +100,7 @@ def _checked(name: str, value) -> np.ndarray:
 
 def _separations(h) -> np.ndarray:
     allowed = f"finite, {-FARTHEST:g} to {FARTHEST:g}"
-    array = floats(h, "h", allowed)
+    array = _array(h, "h", allowed)
     wrong = ~(np.abs(array) <= FARTHEST)
     if wrong.any():
         raise InputError("h", float(array[wrong][0]), allowed)

@@ -206,7 +206,7 @@ def _approach(problem: Problem, targets: np.ndarray) -> _Approach:
     h, loads, size = _loads_past(problem, targets)
     load = _load_of(problem)
     tension, where = largest_tension(load, np.broadcast_to(h, loads.shape), loads)
-    if problem.heights.tops.size:
+    if problem.heights.tops.size and problem.groups.theta is not None:
         near = _below_tops(problem)
         more, at = largest_tension(load, near, load(near, np.arange(len(near))[:, None]))
         larger = more > tension

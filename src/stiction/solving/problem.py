@@ -23,6 +23,7 @@ from stiction.solving.choice import Choice
 from stiction.solving.chosen import Chosen, look_up
 
 _AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
+_RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
 _COUNT, _LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
 
@@ -203,6 +204,10 @@ class Sum(Problem):
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
             results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., _LOAD].sum(axis=0)
+        if bodies:
+            film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
+            whole = film + substrate
+            results["load_share_substrate"] = np.divide(substrate, whole, where=whole > 0.0, out=np.zeros_like(whole))
         if not all(regime.in_half_space for regime in regimes):
             results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., _LOAD])
         if not self.friction:
@@ -234,7 +239,7 @@ class ClosedForm(Problem):
 
     @property
     def effects(self) -> list[str]:
-        return ["plasticity"] if "lam" in self.record.needs else []
+        return ["plasticity"] if "hardness_group" in self.record.needs else []
 
     def on_branch(self, branch: str) -> "ClosedForm":
         return self
@@ -283,6 +288,12 @@ class ClosedForm(Problem):
         return results | with_coefficient(load, resistances(self.chosen.tangential, self.groups, load, area))
 
 
+def _wanted(name: str) -> str:
+    """What must be given of a quantity that a model needs: a work of adhesion that is one."""
+    quantity = QUANTITIES[name]
+    return replace(quantity, lower_included=False).wanted if name == "work_of_adhesion" else quantity.wanted
+
+
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
     """The friction force, and its ratio to the load: not a number where the load is not compressive."""
     ratio = np.divide(friction, load, where=load > 0.0, out=np.full(load.shape, np.nan))
@@ -290,10 +301,16 @@ def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.nda
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Normalised results at the loads that were asked for: these are the load, and what friction is compared to. What the
-    search for a separation leaves of no load makes no friction coefficient."""
-    exact = results | {"load": load}
-    return exact | with_coefficient(load, results["friction_force"]) if "friction_force" in results else exact
+    """Normalised results at the loads that were asked for: these are the load, and what friction is compared to, but where they
+    are lost in rounding: there it is the load that is carried. What the search for a separation leaves of no load makes no
+    friction coefficient."""
+    exact = results | {"load": np.where(lost_in_rounding(results["load"], load), results["load"], load)}
+    return exact | with_coefficient(exact["load"], results["friction_force"]) if "friction_force" in results else exact
+
+
+def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
+    """Where a load is so much smaller than the tension and pressure that it is the difference of that another is carried."""
+    return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 
 
 def _states(regimes: list[Regime]) -> list[str]:
@@ -350,8 +367,9 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
     chosen = look_up(with_interface(choice, groups), groups.has_film)
     for record in chosen.records():
         for name in record.needs:
-            if getattr(groups, name) is None:
+            if not groups.knows(name):
                 given = subject.given_as(name) if subject is not None else name
-                raise InputError(given, None, f"{QUANTITIES[given].wanted}: {record.key} needs it")
+                whose = "" if record is chosen.model else f", which {chosen.model.key} takes here,"
+                raise InputError(given, getattr(subject, given, None), f"{_wanted(given)}: {record.key}{whose} needs it")
     kind = Sum if chosen.asperity is not None else ClosedForm
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

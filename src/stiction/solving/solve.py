@@ -9,13 +9,16 @@ from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
+from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import axis
+from stiction.quantities.foreign import as_sequence, is_series
+from stiction.quantities.units import axis, from_series
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import without_old_names
+from stiction.solving.choice import Choice, without_old_names
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
-from stiction.solving.problem import Problem, as_asked, make_problem
+from stiction.solving.method_spread import with_measured
+from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_problem, with_surface_moments
 from stiction.solving.results import as_dataset, as_variables, summary_of, with_shares
 
 if TYPE_CHECKING:
@@ -51,12 +54,36 @@ def solve(
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
     touching_asperities, their parts by state, body and limit, and pull_off_force; what a model does not know is left out. Its
     attributes name model, options, sources, and what is used beyond the claims of its authors: `outside_validity` in words,
-    `doubts` as JSON.
+    `doubts` as JSON. Where the roughness was measured, friction_coefficient is that of the method which stands for the surface,
+    and there are also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
+    friction_coefficient_high; the attributes say the method and what was done to the scans.
     Raises InputError for bad input, for laws that do not go together, and for a load that is nowhere carried.
     """
+    choice = choice_of(model, without_old_names(laws), as_subject(contact))
+    measured = with_surface_moments(as_subject(contact), choice.model).measured
+    try:
+        data = _at_points(contact, separation, load, choice, heights, threads)
+    except InputError as error:
+        doubts = "".join(f"; {doubt}" for doubt in (measured.doubts if measured else ()))
+        raise InputError(error.field, error.value, error.allowed + doubts) from None
+    if measured is None:
+        return data
+
+    def solved(other: Contact, loads: Any) -> "xarray.Dataset":
+        return _at_points(other, None, loads, choice, heights, threads)
+
+    whole = with_surface_moments(contact, choice.model)
+    assert isinstance(whole, Contact)  # groups were not measured
+    return with_measured(data, whole, solved)
+
+
+def _at_points(
+    contact: Subject, separation: Any, load: Any, choice: Choice, heights: Heights | str | None, threads: int
+) -> "xarray.Dataset":
+    """What `solve` gives, without the spread over the methods of finding asperities."""
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
-    problem = make_problem(contact, choice_of(model, without_old_names(laws), as_subject(contact)), heights, threads)
+    problem = make_problem(contact, choice, heights, threads)
     if problem.needs_load and load is None:
         raise InputError("separation", separation, f"a load in its place: {problem.record.key} knows no separation")
     name, given = ("load", load) if separation is None else ("mean_separation", separation)
@@ -70,13 +97,14 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     dims = all_dims(problem, [point, *factors.values()])
     unit = "N" if given == "load" else "m"
     wanted = np.broadcast_to(aligned(point, dims) / aligned(factors[unit], dims), tuple(dims.values()))
-    found = None
+    found = carried = None
     if problem.needs_load:
         tables = _at_load(problem, wanted, aligned(factors["N"], dims))
     elif given == "load":
         found = inverted(problem, wanted, aligned(factors["N"], dims))
         h = found.h.reshape(wanted.shape)
-        tables = {"mean_separation": h} | as_asked(_sum(problem, h, wanted.shape), wanted)
+        results = _sum(problem, h, wanted.shape)
+        tables, carried = {"mean_separation": h} | as_asked(results, wanted), results["load"]
     else:
         if not np.abs(wanted).max(initial=0.0) <= FARTHEST:
             raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
@@ -91,14 +119,40 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     if given in getattr(point, "dims", ()):
         coords[given] = (given, point.values, variables.pop(given)[2])
     data = as_dataset(variables, coords).assign_attrs(summary_of(subject, problem, tables))
-    if found is None:
+    if found is None or carried is None:
         return data
+    kept = as_variables(subject, {"load": carried}, factors, dims)["load"] if given in data.coords else None
+    data = _with_carried(data, carried, wanted, kept)
     return data.assign_attrs(convergence=f"all separations converged in at most {found.evaluations} evaluations")
+
+
+def _with_carried(data: "xarray.Dataset", carried: np.ndarray, asked: np.ndarray, beside: tuple | None) -> "xarray.Dataset":
+    """The dataset with the doubt that loads asked for are lost in rounding, where any are, and with the loads that are carried
+    beside those asked for, where these are a coordinate."""
+    lost = lost_in_rounding(carried, asked)
+    if not lost.any():
+        return data
+    if beside is not None:
+        dims, values, attributes = beside
+        data["load_carried"] = (dims, values, attributes | {"long_name": "net normal load that is carried"})
+    where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
+    off = np.abs(carried[lost] / asked[lost] - 1.0).max()
+    why = (
+        f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the "
+        f"load that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
+    )
+    return with_doubts(data, [Doubt(why)])
 
 
 def _convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:
     meaning = "load found less load asked for, over the latter, or over the pull-off force if it is nothing beside that"
-    return {"load_residual": (tuple(dims), found.residual.reshape(tuple(dims.values())), {"long_name": meaning})}
+    return {
+        "load_residual": (
+            tuple(dims),
+            found.residual.reshape(tuple(dims.values())),
+            {"long_name": "load residual", "comment": meaning},
+        )
+    }
 
 
 def _pull_off(problem: Problem, factors: Mapping[str, Any], found: Inversion | None) -> dict[str, tuple]:
@@ -127,9 +181,13 @@ def points_asked(subject: Subject, name: str, value: Any) -> Any:
     its quantity)."""
     import xarray
 
-    row = isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
-    if row and not hasattr(value, "dims") and isinstance(subject, Contact):
-        return axis(name, value)
+    if isinstance(subject, Contact):
+        if is_series(value):
+            return from_series(value, name)
+        value = as_sequence(value)
+        row = isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
+        if row and not hasattr(value, "dims"):
+            return axis(name, value)
     read = subject.read(value, name)
     return xarray.DataArray(read, dims=(name,), coords={name: read}) if isinstance(read, np.ndarray) else read
 

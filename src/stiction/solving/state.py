@@ -55,9 +55,6 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
     if groups.sharpness is not None and groups.roughness_parameter is not None:
         slope_squared = 2.0 * (9.0 / 64.0) / (6.0 * math.sqrt(3.0)) / groups.roughness_parameter
         found["rms_slope"] = groups.sharpness * np.sqrt(slope_squared)
-    if groups.has_film:
-        # eta = pi H sqrt(R/sigma)/K and K = 4 E*/3
-        found["film_plasticity_index"] = 0.75 * math.pi / groups.film().eta
     if groups.sharpness is not None and groups.has_film and groups.film_aspect is not None:
         found["thickness_over_radius"] = groups.film_aspect * groups.sharpness
     return found
@@ -75,7 +72,8 @@ def _by_asperity(
         if not groups.has_film:
             yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
             found["asperity_area_over_yield"] = area / np.where(share > 0.0, share * yielded, np.nan)
-    pull = _DMT / groups.theta if groups.n_g is None else _DMT * groups.n_g / groups.theta
+    per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
+    pull = per_theta if groups.n_g is None else per_theta * groups.n_g
     found["adhesion_share"] = pull[:, None] * (expected_share(area) if share is None else share) / compressed
     return found
 

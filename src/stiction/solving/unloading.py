@@ -90,7 +90,11 @@ def unload(
         data = data.drop_vars("mean_separation").assign_coords(mean_separation=("mean_separation", point.values, attributes))
     for name, like in _DESCRIBED.items():
         if name in data.coords:
-            data[name].attrs = subject.attributes(like[0]) | {"long_name": like[1], "symbol": ""}
+            data[name].attrs = subject.attributes(like[0]) | {
+                "long_name": name.replace("_", " "),
+                "comment": like[1],
+                "symbol": "",
+            }
     return data.assign_attrs(way.summary(tables))
 
 
@@ -257,7 +261,10 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
     for name, table in own.items():
         quantity, meaning = _DESCRIBED[name]
         like = labelled(subject, {quantity: table}, factors, dims, {})[quantity]
-        data[name] = like.assign_attrs(long_name=meaning, symbol=QUANTITIES[name].symbol if name in QUANTITIES else "")
+        short = name.replace("_", " ")
+        data[name] = like.assign_attrs(
+            long_name=short, comment=meaning, symbol=QUANTITIES[name].symbol if name in QUANTITIES else ""
+        )
     return data
 
 

@@ -33,8 +33,7 @@ class Case:
     subject: the Contact or the Indices; where numbers of it are several, they are arrays with named dimensions. separation,
     load: points, one is an array (n,) and the other None; metres and newtons for a Contact, h = d/sigma and load per
     K R^(1/2) sigma^(3/2) and asperity for Indices. Where sigma is several and separations are over it, they are a labelled
-    array. choice: the model, other laws than its own, and options, as the registry knows them. measured: what scans say of
-    the roughness, where the case names scans in place of numbers.
+    array. choice: the model, other laws than its own, and options, as the registry knows them.
     """
 
     title: str
@@ -42,7 +41,11 @@ class Case:
     separation: Any
     load: np.ndarray | None
     choice: Choice
-    measured: Measured | None = None
+
+    @property
+    def measured(self) -> Measured | None:
+        """What scans say of the roughness, where the case names scans in place of numbers."""
+        return self.subject.measured
 
     @property
     def is_several(self) -> bool:
@@ -72,11 +75,7 @@ class Case:
 
         if not takes_surface_moments(model):
             return self
-        return replace(
-            self,
-            subject=self.subject.with_surface_moments(),
-            measured=self.measured and self.measured.with_surface_moments(),
-        )
+        return replace(self, subject=self.subject.with_surface_moments())
 
 
 class _Solve(Input):
@@ -157,25 +156,29 @@ def read_content(path) -> dict[str, Any]:
 
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans are named."""
-    content, measured, several = opened(content, folder)
-    case = case_of(content, {path: one.array(one.numbers()) for path, one in several.items()}, measured)
+    content, several = opened(content, folder)
+    case = case_of(content, {path: one.array(one.numbers()) for path, one in several.items()})
+    check_scans(case.subject)
     for question in questions(case.subject):
         warnings.warn(question, InputDoubt, stacklevel=2)
     return case
 
 
-def opened(content: Mapping, folder: Path) -> tuple[Mapping, Measured | None, dict[tuple[str, ...], Several]]:
-    """The tables with the roughness that scans show, what was measured, and the numbers that are several. Raises InputError."""
+def check_scans(subject: Subject) -> None:
+    """InputError where numbers of a contact are several whose roughness was measured."""
+    for name, array in subject.arrays():
+        if subject.measured is not None:
+            raise InputError(f"contact.{name}", f"{array.size} numbers", "one number, where scans say the roughness")
+
+
+def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...], Several]]:
+    """The tables with the roughness that scans show, and the numbers that are several. Raises InputError."""
     _refuse_bare_numbers(content, "")
-    content, measured = _measured(content, folder)
-    several = several_numbers(content)
-    if measured is not None and several:
-        first = next(iter(several.values()))
-        raise InputError(first.where, "several", "one number, where scans say the roughness")
-    return content, measured, several
+    content = _measured(content, folder)
+    return content, several_numbers(content)
 
 
-def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any], measured: Measured | None = None) -> Case:
+def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:
     """The case of these tables, with labelled arrays in the places of the numbers that are several. Raises InputError."""
     file = _CaseFile(**with_values(content, arrays))
     subject = file.contact or file.indices
@@ -187,25 +190,22 @@ def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any], measured: M
         separation=points_of(solve.separation, "mean_separation", subject, "solve.separation"),
         load=points_of(solve.load, "load", subject, "solve.load"),
         choice=Choice(options=dict(solve.options), **{name: getattr(solve, name) for name in LAWS}),
-        measured=measured,
     )
 
 
-def _measured(content: Mapping, folder: Path) -> tuple[Mapping, Measured | None]:
-    """The tables with the roughness that scans show in place of the scans, and what was measured; the tables as they are if
-    they name no scan."""
+def _measured(content: Mapping, folder: Path) -> Mapping:
+    """The tables with the roughness that scans show in place of the scans; as they are if they name no scan."""
     contact = content.get("contact")
     surface = contact.get("roughness") if isinstance(contact, Mapping) else None
     if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}):
-        return content, None
+        return content
     try:
         measured = measure(MeasuredRoughness(**surface), folder)
     except InputError as error:
         where = error.field if error.field.startswith("roughness") else f"roughness.{error.field}"
         raise InputError(f"contact.{where}", error.value, error.allowed) from None
     assert isinstance(contact, Mapping)
-    found = measured.by_method[measured.method]
-    return {**content, "contact": {**contact, "roughness": found}}, measured
+    return {**content, "contact": {**contact, "roughness": measured.roughness()}}
 
 
 def json_schema() -> dict:
@@ -233,7 +233,7 @@ def _text(path: Path) -> str:
     try:
         if path.stat().st_size > _LARGEST_FILE:
             raise _not_a_case(path, f"this one is larger than {_LARGEST_FILE} bytes")
-        return path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding
     except OSError as error:
         raise _not_a_case(path, f"this one cannot be read ({error.strerror})") from None
     except UnicodeDecodeError:

@@ -1,16 +1,14 @@
 """A case, solved or compared: also one whose surface was measured, with the spread over the methods of finding asperities."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stiction import __version__
-from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
-from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
@@ -18,7 +16,6 @@ from stiction.solving.choice import LAWS, Choice
 from stiction.solving.solve import solve
 from stiction.studies.case import Case
 from stiction.studies.comparison import compare, working_load
-from stiction.studies.method_spread import with_method_spread, with_range_over_methods
 
 if TYPE_CHECKING:
     import xarray
@@ -40,15 +37,8 @@ def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
     """
     _check_size(case)
     choice = choice_of_case(case, choice or case.choice)
-    case = case.with_surface_moments(choice.model)
-    try:
-        data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
-    except InputError as error:
-        doubts = "".join(f"; {doubt}" for doubt in (case.measured.doubts if case.measured else ()))
-        raise InputError(error.field, error.value, error.allowed + doubts) from None
-    if case.measured is not None:
-        data = with_method_spread(data, case.by_method, case.measured.counts, choice)
-    return with_groups(_said(data, case), case.subject)
+    data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
+    return with_groups(_said(data, case), case.with_surface_moments(choice.model).subject)
 
 
 def _check_size(case: Case) -> None:
@@ -96,33 +86,10 @@ def compare_case(
     data = compare(case.subject, load=load, progress=progress("Asking the models"))
     if case.load is not None:
         data = data.assign_attrs(case_loads=np.asarray(case.load, dtype=float))
-    if case.measured is not None:
-        data = _over_methods(data, case.by_method, load, progress("Asking them for every way to find asperities"))
     return _said(data, case)
 
 
-def _over_methods(
-    data: "xarray.Dataset", contacts: Mapping[str, Contact], load: Any, progress: Callable[[Iterable], Iterable]
-) -> "xarray.Dataset":
-    """The result of `compare` on the first of the contacts, with what its models say of all of them at the working load [N]:
-    friction_coefficient_at_load_by_method (asperity_method, model), and over the methods friction_coefficient_at_load_low and
-    friction_coefficient_at_load_high."""
-    name = "friction_coefficient_at_load"
-    if name not in data or len(contacts) < 2:
-        return data
-    each = [
-        data[name] if at == 0 else compare(contact, load=load, separations=[0.0])[name].reindex(model=data["model"])
-        for at, contact in enumerate(progress(list(contacts.values())))
-    ]
-    return with_range_over_methods(data, list(contacts), np.array([one.values for one in each]), ("model",), name)
-
-
 def _said(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
-    """With the title of the case, the program, and what was measured."""
+    """With the title of the case, and the program."""
     title = {"case": case.title} if case.title else {}
-    measured = {} if case.measured is None else case.measured.attributes()
-    if case.measured is not None:
-        measured["sources"] = " ".join(dict.fromkeys([*data.attrs["sources"].split(), *case.measured.sources()]))
-    if case.measured is not None and case.measured.doubts:
-        data = with_doubts(data, map(Doubt, case.measured.doubts))
-    return data.assign_attrs(title | measured, program=f"stiction {__version__}")
+    return data.assign_attrs(title, program=f"stiction {__version__}")

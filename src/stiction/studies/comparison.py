@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.summation import FARTHEST
 from stiction.laws.registry import Criterion, of_kind
@@ -17,6 +18,7 @@ from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubtful_points, doubts_of_results
 from stiction.solving.inversion import Unreachable, separations_at
+from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
 from stiction.solving.results import labelled
 from stiction.solving.solve import solve
@@ -55,12 +57,21 @@ def compare(
     `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, and `advice`
     where none is recommended; `cost` of each model is over `model`; `doubtful` says of every point whether it is within what
     its model claims, outside of it, or impossible (0, 1, 2); `criteria` (is it sticky?), and `left_out`: model:
-    why. Raises InputError for bad input.
+    why. Where the roughness was measured, there are also friction_coefficient_at_load_by_method (asperity_method, model),
+    friction_coefficient_at_load_low and _high. Raises InputError for bad input.
     """
     _refuse_arrays(as_subject(contact))
+    data = _compared(contact, load, separations, progress)
+    if contact.measured is None:
+        return data
+    return as_measured(_over_methods(data, contact, load, progress), contact.measured)
+
+
+def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[[Iterable], Iterable]) -> "xarray.Dataset":
+    """What `compare` gives, without the spread over the methods of finding asperities."""
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
-    groups = make_problem(contact, Choice()).groups
+    groups, _ = Groups.of(contact.indices())
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
@@ -70,6 +81,21 @@ def compare(
 def _refuse_arrays(subject: Subject) -> None:
     for name, array in subject.arrays():
         raise InputError(name, f"{array.size} numbers", "single numbers, where models are compared")
+
+
+def _over_methods(
+    data: "xarray.Dataset", contact: Subject, load: Any, progress: Callable[[Iterable], Iterable]
+) -> "xarray.Dataset":
+    """The comparison of a contact whose surface was measured, with what its models say at the working load by every method."""
+    contacts = contact.measured.contacts(contact)
+    name = "friction_coefficient_at_load"
+    if name not in data or len(contacts) < 2:
+        return data
+    each = [
+        data[name] if at == 0 else _compared(other, load, [0.0], iter)[name].reindex(model=data["model"])
+        for at, other in enumerate(progress(list(contacts.values())))
+    ]
+    return with_range_over_methods(data, list(contacts), np.array([one.values for one in each]), ("model",), name)
 
 
 def _separations(given: Iterable[float]) -> np.ndarray:
@@ -223,10 +249,10 @@ def _attributes(contact, answers: list[Answer], target: float | None) -> dict[st
 def _criteria(contact: Subject) -> list[str]:
     """What the criteria of the registry say of the surface of a contact, one line each; those that want what is not known
     are left out."""
-    groups = make_problem(contact.with_surface_moments(), Choice()).groups.substrate()
+    groups = Groups.of(contact.with_surface_moments().indices())[0].substrate()
     lines = []
     for one in of_kind(Criterion).values():
-        if all(getattr(groups, name) is not None for name in one.needs):
+        if all(groups.knows(name) for name in one.needs):
             ratio = float(one.ratio(groups)[0])
             lines.append(f"{one.key}: {one.below if ratio < 1.0 else one.above} (ratio {ratio:.3g}, the border is 1)")
     return lines
@@ -247,7 +273,7 @@ def working_load(case: "Case", given: str | None) -> float | None:
         return _pressing(case.subject, given, "--load")
     loads = case.load
     if loads is None:
-        loads = solve(case.subject, separation=case.separation, **case.choice.arguments())["load"].values
+        loads = solve(case.subject.as_numbers(), separation=case.separation, **case.choice.arguments())["load"].values
     pressing = np.flatnonzero(loads > 0.0)
     if not pressing.size:
         return None
@@ -258,6 +284,9 @@ def working_load(case: "Case", given: str | None) -> float | None:
 def _pressing(subject: Subject, given: Any, field: str) -> float:
     """The load given, in N for a Contact and normalised for Indices; InputError where it does not press."""
     unit = subject.attributes("load")["units"]
+    if not isinstance(given, str) and np.ndim(given) > 0:
+        one = f"one load > 0 {unit}".removesuffix(" 1")
+        raise InputError(field, given, f"{one}: models are judged at one; solve takes several, of one model")
     try:
         load = float(subject.read(given, "load"))
     except InputError as error:

@@ -46,6 +46,10 @@ class Scan(Input):
 
 def _body(value):
     """A scan, or the numbers of a body that was not measured."""
+    if value is not None and not isinstance(value, Mapping | Scan | Roughness | str | int | float | list):
+        from stiction.surfaces.held import as_height_map
+
+        return as_height_map(value, "")
     if not isinstance(value, Mapping) or "file" in value or not (value.keys() & Roughness.model_fields.keys()):
         return value if isinstance(value, Scan | Roughness) else Scan(**_table(value))
     numbers = Roughness(**value)
@@ -62,7 +66,11 @@ def _table(value) -> Mapping:
     return value
 
 
-_Body = Annotated[Scan | Roughness, BeforeValidator(_body, json_schema_input_type=Scan | Roughness)]
+_Body = Annotated[Any, BeforeValidator(_body, json_schema_input_type=Scan | Roughness)]
+
+
+def _is_scan(body: Any) -> bool:
+    return body is not None and not isinstance(body, Roughness)
 
 
 def _with_methods(schema: dict[str, Any]) -> None:
@@ -75,7 +83,8 @@ def _with_methods(schema: dict[str, Any]) -> None:
 class MeasuredRoughness(Input):
     """Scans of one body, the other being smooth or known by its numbers, or of both, and how asperities are found in them.
 
-    first, second: a scan, or a Roughness with Gaussian heights, one of them a scan. method: key of a way of finding asperities;
+    first, second: a scan (in Python also a HeightMap, or what `as_height_map` takes), or a Roughness with Gaussian heights, one
+    of them a scan. method: key of a way of finding asperities;
     else the first that finds enough of those whose record says `of_summits`. form: order of the polynomial that is taken off, 1
     for a plane. spikes: robust deviations from the median beyond which points are masked. fill: how missing points are filled,
     if they are. shortest, longest: wavelengths between which the heights are kept. heights: gaussian, weibull or empirical, the
@@ -94,7 +103,7 @@ class MeasuredRoughness(Input):
 
     @model_validator(mode="after")
     def _some_scan(self):
-        if not any(isinstance(body, Scan) for body in (self.first, self.second)):
+        if not any(_is_scan(body) for body in (self.first, self.second)):
             raise InputError("first or second", None, 'a scan, e.g. first = { file = "scan.npy", size = "10 um", unit = "nm" }')
         return self
 
@@ -119,6 +128,13 @@ class Measured:
     mean_heights: Mapping[str, float]
     doubts: tuple[str, ...] = ()
     of_moments: str = ""
+
+    def roughness(self) -> Roughness:
+        """The numbers of the method that stands for the surface, which know that they were measured."""
+        found, reduced = self.by_method[self.method], self.with_surface_moments()
+        if reduced is not self:
+            found = found.replace(surface=self.by_method[self.of_moments].replace().as_measured(reduced))
+        return found.as_measured(self)
 
     def contacts(self, contact: Contact) -> dict[str, Contact]:
         """The contact with the roughness that each method finds, the chosen method first."""
@@ -167,7 +183,16 @@ class Measured:
         }
 
 
-def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
+def roughness_of(scan: Any) -> Roughness:
+    """The roughness in a scan of the first body that the user holds, or in a table of scans like that of a case file; it knows
+    what was measured. Raises InputError."""
+    from stiction.surfaces.held import as_height_map
+
+    table = scan if isinstance(scan, Mapping) else {"first": as_height_map(scan, "roughness")}
+    return measure(MeasuredRoughness(**table)).roughness()
+
+
+def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     """Read the scans, prepare them, and find asperities by every method. Raises InputError for scans that cannot be read or
     where the wanted method finds nothing."""
     from stiction.laws.finding import asperities, combine, method_of_moments, methods
@@ -175,7 +200,7 @@ def measure(wanted: MeasuredRoughness, folder: Path) -> Measured:
     from stiction.surfaces.height_model import MODELS, height_model, roughness
 
     bodies = {"first": wanted.first, "second": wanted.second}
-    maps = {name: _prepared(body, wanted, folder, name) for name, body in bodies.items() if isinstance(body, Scan)}
+    maps = {name: _prepared(body, wanted, folder, name) for name, body in bodies.items() if body is not None and _is_scan(body)}
     known = [of_numbers(body) for body in bodies.values() if isinstance(body, Roughness)]
     alone = len(maps) + len(known) == 1
     if wanted.heights not in (None, *MODELS):
@@ -283,18 +308,23 @@ def _doubts(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -
     )
 
 
-def _prepared(scan: Scan, wanted: MeasuredRoughness, folder: Path, body: str) -> "HeightMap":
+def _prepared(scan: "Scan | HeightMap", wanted: MeasuredRoughness, folder: Path, body: str) -> "HeightMap":
     from stiction.studies.surface_analysis import prepared
+
+    surface = _read(scan, folder, body) if isinstance(scan, Scan) else scan
+    try:
+        return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest)
+    except InputError as error:
+        own = f"{body}.file" if isinstance(scan, Scan) else body
+        raise InputError(f"roughness.{own if error.field == 'scan' else error.field}", error.value, error.allowed) from None
+
+
+def _read(scan: Scan, folder: Path, body: str) -> "HeightMap":
     from stiction.surfaces.read import read_scan
 
     given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}
     try:
-        surface = read_scan(folder / scan.file, **given)
+        return read_scan(folder / scan.file, **given)
     except InputError as error:
         field = "file" if error.field == "scan" else error.field
         raise InputError(f"roughness.{body}.{field}", error.value, error.allowed) from None
-    try:
-        return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest)
-    except InputError as error:
-        field = f"{body}.file" if error.field == "scan" else error.field
-        raise InputError(f"roughness.{field}", error.value, error.allowed) from None

@@ -5,6 +5,7 @@ import math
 import warnings
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from numbers import Real
 from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import numpy as np
@@ -15,11 +16,12 @@ from stiction.laws.registry import RoughSurface, find
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
 from stiction.solving.choice import Choice
+from stiction.solving.method_spread import METHOD
 from stiction.solving.problem import takes_surface_moments
 from stiction.solving.solve import solve
-from stiction.studies.method_spread import METHOD
 from stiction.surfaces.height_model import HeightModel, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap, in_metres
+from stiction.surfaces.held import as_height_map
 from stiction.surfaces.prepare import filter_band
 from stiction.surfaces.spectrum import POINTS_PER_WAVE
 
@@ -30,11 +32,11 @@ __all__ = ["default_cutoffs", "fan", "resolution_study"]
 
 # What is kept of each set of asperities: (name of the field, meaning, unit).
 _KEPT = {
-    "sigma": ("deviation", "standard deviation of the asperity heights", "m"),
-    "R": ("radius", "asperity radius, of the mean curvature", "m"),
-    "N": ("density", "asperities per nominal area", "1/m^2"),
-    "mean_height": ("mean_height", "mean height of the asperities over the mean plane", "m"),
-    "skewness": ("skewness", "skewness of the asperity heights", "1"),
+    "sigma": ("deviation", "asperity deviation", "m"),
+    "R": ("radius", "asperity radius", "m"),
+    "N": ("density", "asperities per area", "1/m^2"),
+    "mean_height": ("mean_height", "mean asperity height", "m"),
+    "skewness": ("skewness", "asperity skewness", "1"),
     "count": ("count", "asperities found", "1"),
 }
 _FRICTION = "mu"
@@ -75,8 +77,11 @@ class _Friction:
     choice: Choice | None = None
 
     def __post_init__(self) -> None:
+        if self.choice is not None and not isinstance(self.choice, Choice):
+            raise InputError("choice", self.choice, "a stiction.solving.choice.Choice, e.g. Choice(model=...)")
         if (self.contact is None) != (self.load is None):
-            raise InputError("contact and load", "one of the two", "both, or none")
+            missing, given = ("load", "contact") if self.load is None else ("contact", "load")
+            raise InputError(missing, None, f"both contact and load, for friction too, or neither ({given} is given)")
         if self.contact is None:
             return
         if not isinstance(self.contact, Contact):
@@ -118,7 +123,8 @@ def resolution_study(
 ) -> "xarray.Dataset":
     """sigma, R, N and, with a contact, mu, for each method and each shortest wavelength that is left in the map.
 
-    surface: a levelled map. cutoffs: wavelengths [m], or text with a unit, at which the Gaussian low-pass of
+    surface: a levelled map, or what `as_height_map` takes for one.
+    cutoffs: wavelengths [m], or text with a unit, at which the Gaussian low-pass of
     prepare.filter_band lets half the amplitude through; 0 leaves the map as it is; by default `default_cutoffs`. methods: keys,
     by default all that the map allows. contact: whose rough surface is replaced by what is found, all its numbers single ones;
     load: of it, one number [N] or text, > 0; choice: model and laws that answer, by default those of `solve`; theories of the
@@ -133,6 +139,11 @@ def resolution_study(
     """
     import xarray
 
+    unknown = [name for name in friction if name not in Asked.__annotations__]
+    if unknown:
+        known = "cutoffs, methods, options, points_per_cutoff, progress, contact, load and choice"
+        raise InputError(unknown[0], friction[unknown[0]], f"no argument of that name; a resolution study takes {known}")  # type: ignore[literal-required]
+    surface = as_height_map(surface, "surface")
     wanted = _cutoffs(default_cutoffs(surface) if cutoffs is None else cutoffs)
     keys = _methods(surface, methods)
     asked = _Friction(**friction)
@@ -167,6 +178,8 @@ def fan(*arguments: Any, **keywords: Any) -> "xarray.Dataset":
 
 
 def _cutoffs(cutoffs: Iterable[float]) -> np.ndarray:
+    if isinstance(cutoffs, str | Real) and not isinstance(cutoffs, bool):
+        cutoffs = [cutoffs]  # type: ignore[list-item]
     try:
         wanted = np.asarray([in_metres(cutoff, "cutoffs") for cutoff in cutoffs], dtype=float)
     except (TypeError, ValueError):
@@ -178,9 +191,11 @@ def _cutoffs(cutoffs: Iterable[float]) -> np.ndarray:
 
 def _methods(surface: HeightMap, methods: Iterable[str] | None) -> tuple[str, ...]:
     allowed = methods_for(surface)
-    keys = allowed if methods is None else tuple(methods)
-    if not keys or set(keys) - set(allowed):
-        raise InputError("methods", keys, f"one or more of {', '.join(allowed)}")
+    if methods is None:
+        return allowed
+    keys = () if not isinstance(methods, Iterable) else (methods,) if isinstance(methods, str) else tuple(methods)
+    if not keys or any(key not in allowed for key in keys):
+        raise InputError("methods", methods, f"one or more of {', '.join(allowed)}")
     return keys
 
 
@@ -209,7 +224,7 @@ def _labelled(xarray, surface, keys, cutoffs, numbers, words) -> "xarray.Dataset
     dims = (METHOD, "cutoff")
     meanings = {name: {"long_name": meaning, "units": unit} for name, (_, meaning, unit) in _KEPT.items()}
     meanings |= {
-        _FRICTION: {"long_name": "static friction coefficient", "units": "1"},
+        _FRICTION: {"long_name": "friction coefficient", "units": "1"},
         "height_distribution": {"long_name": "height distribution taken"},
         "failure": {"long_name": "why there are no numbers"},
     }
@@ -217,7 +232,7 @@ def _labelled(xarray, surface, keys, cutoffs, numbers, words) -> "xarray.Dataset
     data |= {name: (dims, table.astype(str), meanings[name]) for name, table in words.items()}
     coords = {
         METHOD: list(keys),
-        "cutoff": ("cutoff", cutoffs, {"long_name": "cutoff wavelength, half the amplitude left", "units": "m"}),
+        "cutoff": ("cutoff", cutoffs, {"long_name": "cutoff wavelength", "units": "m"}),
     }
     attributes = {"title": "The resolution study", "surface": surface.name, "history": "; ".join(surface.history)}
     return xarray.Dataset(data, coords=coords, attrs=attributes)

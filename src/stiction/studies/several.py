@@ -126,8 +126,13 @@ class Several:
         import xarray
 
         quantity, dimension = QUANTITIES[self.quantity], dimension or self.dimension
-        part = "" if self.name == self.quantity else f"{self.name.rpartition('.')[0]}: "
-        attributes = {"units": quantity.unit or "1", "long_name": part + quantity.meaning, "symbol": quantity.symbol}
+        attributes = dict(quantity.attributes)
+        if self.name != self.quantity:
+            attributes |= {
+                key: f"{self.name.rpartition('.')[0]}: {attributes[key]}"
+                for key in ("long_name", "comment")
+                if key in attributes
+            }
         return xarray.DataArray(values, dims=(dimension,), coords={self.name: ((dimension,), values, attributes)})
 
 

@@ -1,12 +1,17 @@
 """The one form in which a measured surface or profile is handed on."""
 
+import warnings
 from dataclasses import dataclass, replace
 from numbers import Real
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
+
+if TYPE_CHECKING:
+    import xarray
 
 __all__ = ["HeightMap", "in_metres", "metres", "size_in_metres"]
 
@@ -63,6 +68,34 @@ class HeightMap:
     def is_profile(self) -> bool:
         """Whether this is one line of points."""
         return self.heights.shape[0] == 1
+
+    def to_xarray(self) -> "xarray.DataArray":
+        """The map as an xarray.DataArray (y, x) [m], a profile as (x,), with the places of its points [m] as coordinates; its
+        history is an attribute. What takes a map takes that too."""
+        import xarray
+
+        places = {
+            name: (name, pitch * np.arange(count), {"long_name": f"position along {name}", "units": "m"})
+            for name, pitch, count in zip("yx", self.pitch, self.heights.shape, strict=True)
+        }
+        dims, heights = (("x",), self.heights[0]) if self.is_profile else (("y", "x"), self.heights)
+        attributes = {"long_name": "height", "units": "m", "history": "\n".join(self.history)}
+        return xarray.DataArray(heights, dims=dims, coords={one: places[one] for one in dims}, name=self.name, attrs=attributes)
+
+    def to_topography(self) -> Any:
+        """The map as a topography of the library SurfaceTopography, an optional extra: lengths in m, missing points masked.
+        Raises InputError where the library is not installed."""
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # what the library says of its own libraries
+                from SurfaceTopography import Topography, UniformLineScan
+        except ImportError:
+            raise InputError("topography", None, "the library SurfaceTopography: pip install stiction[scans]") from None
+        heights = self.heights if self.complete else np.ma.masked_invalid(self.heights)
+        about = {"name": self.name, "history": list(self.history)}
+        if self.is_profile:
+            return UniformLineScan(heights[0], self.size[1], unit="m", info=about)
+        return Topography(heights.T, self.size[::-1], unit="m", info=about)
 
     def with_heights(self, heights: np.ndarray, step: str, size: tuple[float, float] | None = None) -> "HeightMap":
         """The map after one more step: its new heights [m], the step in words, and its size (y, x) [m] if that changed."""

@@ -20,8 +20,9 @@ from stiction.quantities.units import show
 from stiction.surfaces import readers as formats
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan, Reader
+from stiction.surfaces.readers.shared.packed import check_packed
 
-__all__ = ["FEWEST_POINTS", "read_scan"]
+__all__ = ["FEWEST_POINTS", "check_numbers", "check_scale", "read_scan"]
 
 _FLATTEST, _STEEPEST = 1e-10, 10.0  # peak to valley over size, beyond which a unit or a factor must be wrong
 
@@ -41,12 +42,12 @@ def read_scan(path, *, size=None, unit=None, height_unit=None, height_scale=None
     """
     path = _file(path)
     raw = _read(path, channel)
-    _check_numbers(raw.heights, path.name)
+    check_numbers(raw.heights, path.name)
     factor, height_factor, units = _factors(raw, size, unit, height_unit, height_scale)
     extent, override = _size(raw, size, unit, factor)
     with np.errstate(over="ignore", invalid="ignore"):  # told of as heights that are not finite
         heights = np.asarray(raw.heights, dtype=np.float64) * height_factor
-    _check_scale(heights, extent, path.name)
+    check_scale(heights, extent, path.name)
     surface = HeightMap(heights, extent, name=path.name)
     history = (_said(surface, raw), *raw.notes, *units, *override, *_doubt(heights, extent))
     return HeightMap(heights, extent, history, path.name)
@@ -63,6 +64,7 @@ def readers() -> tuple[Reader, ...]:
 
 def _read(path: Path, channel) -> RawScan:
     """What the first reader says that takes the file; InputError if none does."""
+    check_packed(path)
     ending = path.suffix.lower()
     asked = [one for one in readers() if ending in one.endings or not one.endings]
     for reader in asked:
@@ -102,7 +104,7 @@ def _file(path) -> Path:
     return path
 
 
-def _check_numbers(heights: np.ndarray, name: str) -> None:
+def check_numbers(heights: np.ndarray, name: str) -> None:
     """InputError unless there are enough heights, whatever their unit, that are not all missing or constant."""
     rows, columns = heights.shape
     if columns < FEWEST_POINTS or (rows != 1 and rows < FEWEST_POINTS):
@@ -115,7 +117,7 @@ def _check_numbers(heights: np.ndarray, name: str) -> None:
         raise InputError("scan", f"{name}: constant heights", "heights that differ")
 
 
-def _check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> None:
+def check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> None:
     """InputError unless the heights in metres are finite and not out of all proportion to the size."""
     if np.isinf(heights).any():
         raise InputError("scan", f"{name} with infinite heights", "finite heights, nan where missing")

@@ -64,7 +64,7 @@ RECORD = AsperityLaw(
     traits=frozenset({"no adhesion", "Hertz"}),
     jumps=(Jump(1, 1.5, 1.0, "at the critical interference"),),
     verified="independent integrals at 30 digits",
-    needs=("theta", "lam", "nu"),
+    needs=("hardness_group", "nu"),
     validity=(
         Validity(
             "asperity_area_over_yield",

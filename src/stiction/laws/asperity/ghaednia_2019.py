@@ -194,7 +194,7 @@ RECORD = AsperityLaw(
     ),
     verified="that code (TMDSimPy), two materials at E_t/E = 0.0032, one at none: area and load at 0.5 to 8 omega_c to 1e-12, "
     "with `other_body` rigid; the limits of no hardening and of E_t -> E",
-    needs=("theta", "lam", "nu", "hardness_to_yield", "sharpness", "hardening"),
+    needs=("hardness_group", "nu", "hardness_to_yield", "sharpness", "hardening"),
     limits=(
         Limit("jackson_green_2005", {"hardening": 0.0}, ("contact_area",), 1e-9),
         Limit("jackson_green_2005", {"hardening": 0.0, "sharpness": 1e-8}, ("load", "contact_area"), 1e-9),

@@ -135,7 +135,7 @@ RECORD = AsperityLaw(
     ),
     verified="an independent code of its extension to hardening, at none: area and, with the hardness taken there, load to "
     "1e-11; within 6 % (load) and 10 % (area) of Kogut and Etsion and of Brizmer et al. for 1.5 to 110 omega_c",
-    needs=("theta", "lam", "nu", "hardness_to_yield", "sharpness"),
+    needs=("hardness_group", "nu", "hardness_to_yield", "sharpness"),
     limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
     load_falls=False,
     notes="The yield stress is H/k. There is no fully plastic piece with the hardness H: "

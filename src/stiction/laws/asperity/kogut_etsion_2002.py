@@ -101,7 +101,7 @@ RECORD = AsperityLaw(
     ),
     verified="constants against two independent codes; within 6 % (load) and 10 % (area) of Brizmer et al. and of Jackson "
     "and Green for 1.5 to 110 omega_c",
-    needs=("theta", "lam", "nu"),
+    needs=("hardness_group", "nu"),
     validity=(
         # 0.94 r^1.146 at the last interference ratio that was computed, r = 110
         Validity("asperity_area_over_yield", 0.0, 205.0, "the fit ends at 110 critical interferences", "fit"),

@@ -85,7 +85,7 @@ RECORD = AsperityLaw(
     pieces=pieces,
     traits=frozenset({"no adhesion", "Hertz"}),
     verified="closed forms at both ends, where load, area and the slope of the area are continuous; independent evaluation",
-    needs=("theta", "lam"),
+    needs=("hardness_group",),
     limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
     notes="The authors give 54 as the least that omega_2/omega_1 can be; it is taken as the ratio, as is usual.",
 )

@@ -31,7 +31,7 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Weights
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.registry import Departure, FilmLaw, Validity
 from stiction.laws.sources import Source
 
 
@@ -92,6 +92,27 @@ def regimes(groups: Groups, law) -> list[Regime]:
 
 NO_ADHESION = {"no adhesion": "film and substrate share the contact area as if nothing touched before it is pressed"}
 
+# Where it is not what it has to be: as a film of no thickness, and where all of the film is not plastic.
+FLOWING = (
+    Validity("tau", 0.1, math.inf, "a film of no thickness still makes a rim around the contacts of the substrate"),
+    Validity("film_plasticity_index", 8.0, math.inf, "the film is taken as plastic from first touch"),
+    Validity(
+        "load_share_substrate", 0.75, 1.0, "what the film carries is at its full hardness, whatever the law of asperities"
+    ),
+)
+
+DEPARTURES = (
+    Departure("thin", "load", 0.0, math.inf),
+    Departure("thin", "contact_area", 0.0, 1.0),
+    Departure("thin", "friction_force", 0.0, 1.0),
+    Departure("thick", "load", 0.7, math.inf),
+    Departure("thick", "contact_area", 0.0, 1.0),
+    Departure("thick", "friction_force", 0.0, 1.0),
+    Departure("alike", "load", 0.24, math.inf),
+    Departure("alike", "contact_area", 0.0, 1.0),
+    Departure("alike", "friction_force", 0.0, 1.0),
+)
+
 RECORD = FilmLaw(
     key="chang_1997",
     title="Plastic film, cut through by the asperities that reach the elastic-plastic substrate",
@@ -103,12 +124,10 @@ RECORD = FilmLaw(
     regimes=regimes,
     asperity="chang_etsion_bogy_1987",
     wants=NO_ADHESION,
+    departures=DEPARTURES,
     verified="independent quadrature; load and area at the depth of the film; trends of the abstract",
-    needs=("theta", "lam", "n_H", "tau"),
-    validity=(
-        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
-        Validity("n_H", 0.0, 1.0, "the film is soft"),
-    ),
+    needs=("hardness_group", "n_H", "tau"),
+    validity=(Validity("n_H", 0.0, 1.0, "the film is soft"), *FLOWING),
     notes="With the asperity law chang_etsion_bogy_1987 this is the model named; others may be taken. As in the abstract, "
     "the area is less changed by the film at high plasticity index, and a thin film stiffens a lightly loaded "
     "contact; the load is less sensitive too unless the film is very soft (n_H = 0.6 but not 0.1). The area is that "

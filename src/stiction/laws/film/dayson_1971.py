@@ -91,7 +91,7 @@ RECORD = FilmLaw(
     confined=True,
     own_options={"rim_pressure": RIM_PRESSURE},
     verified="closed forms for Gaussian heights; film and substrate alone in the limits; trends of the abstract",
-    needs=("theta", "lam", "hardness_to_yield", "n_H", "tau"),
+    needs=("hardness_group", "hardness_to_yield", "n_H", "tau"),
     validity=(
         Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),

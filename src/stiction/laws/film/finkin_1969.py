@@ -12,6 +12,9 @@ $M=2G(1-\nu)/(1-2\nu)$ is the layer's confined modulus:
 | `incompressible`, $q=12$ | $qG(a^2-r^2)^2/(32Rt^3)$ | $\pi qGa^6/(96Rt^3)$ | $4\pi R\omega$ | $t\,P^{-2/3}R^{1/3}$ |
 | `incompressible_frictionless`, $q=3$ | the same | the same | the same | the same |
 
+$M$ and $G$ are of the layer itself, and with both bodies coated $t$ is the sum of both layers: they are squeezed by the same
+pressure, and by symmetry no shear stress acts where they meet, so that $q=12$ then, whether they slip there or not.
+
 The layer is bonded to the substrate; with $q=12$ it does not slip on the ball either, with $q=3$ the ball slips. The
 incompressible bounds are the squeezed layer's balance of volume, as in lubrication: what is squeezed out flows as
 
@@ -33,7 +36,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.registry import Departure, FilmLaw, Validity
 from stiction.laws.sources import Source
 
 _PI = math.pi
@@ -59,13 +62,14 @@ def coordinate(w, stiffness, power, widening):
 def stiffness(groups: Groups, bound: str) -> np.ndarray:
     """Load over displacement to its power (n,).
 
-    With E'_f = E_f/(1 - nu^2) = (3/4) n_E K: M = E'_f (1 - nu)^2/(1 - 2 nu), G = E'_f (1 - nu)/2.
+    With E'_f = E_f/(1 - nu^2) of the film itself, over K: M = E'_f (1 - nu)^2/(1 - 2 nu), G = E'_f (1 - nu)/2.
     """
-    k = BOUNDS[bound][0]
-    film = 0.75 * groups.n_E
-    if k == 0.0:
-        return _PI * film * (1.0 - groups.film_nu) ** 2 / (1.0 - 2.0 * groups.film_nu) / groups.film_aspect
-    return _PI * k / 96.0 * film * (1.0 - groups.film_nu) / 2.0 * (BOUNDS[bound][2] / groups.film_aspect) ** 3
+    whole = groups.resolved()
+    nu, film = whole.layer_nu, 0.75 * whole.film_modulus
+    if bound == "compressible":
+        return _PI * film * (1.0 - nu) ** 2 / (1.0 - 2.0 * nu) / whole.film_aspect
+    k = np.where(np.asarray(whole.films) == 2.0, BOUNDS["incompressible"][0], BOUNDS[bound][0])
+    return _PI * k / 96.0 * film * (1.0 - nu) / 2.0 * (BOUNDS[bound][2] / whole.film_aspect) ** 3
 
 
 def regimes(groups: Groups, law, bound: str) -> list[Regime]:
@@ -97,12 +101,26 @@ RECORD = FilmLaw(
     accuracy=2e-10,  # of its loads far out of touch, where the sums over many separations lose digits
     own_asperity=True,
     own_options={"bound": tuple(BOUNDS)},
+    departures=(
+        Departure("thin", "load", 0.0, math.inf),
+        Departure("thin", "contact_area", 1.0, 1.0),
+        Departure("thin", "friction_force", 1.0, 1.0),
+        Departure("thick", "load", -1.0, -1.0),
+        Departure("thick", "contact_area", 1.0, 1.0),
+        Departure("thick", "friction_force", 1.0, 1.0),
+        Departure("alike", "load", 0.0, math.inf),
+        Departure("alike", "contact_area", 1.0, 1.0),
+        Departure("alike", "friction_force", 1.0, 1.0),
+    ),
     verified="the layer's own balance of volume, differentiated independently; the powers of thickness, load and radius",
-    needs=("n_E", "film_aspect", "film_nu"),
+    needs=("n_E", "film_aspect", "films", "layer_nu", "coated_share"),
     validity=(
         Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),
         Validity("n_E", 0.0, 0.1, "a rigid substrate and indenter: the film is much less stiff"),
+        Validity(
+            "film_stiffness", 0.0, 0.1, "a rigid substrate: under a layer as thin as this it gives more than a tenth as much"
+        ),
     ),
     notes="The substrate is rigid and never felt, however deep: for films of much smaller modulus than substrate and indenter. "
-    "Which of the bounds the paper has is not known. At film_nu near 1/2 the compressible bound has no meaning.",
+    "Which of the bounds the paper has is not known. At layer_nu near 1/2 the compressible bound has no meaning.",
 )

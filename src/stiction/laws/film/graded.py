@@ -25,6 +25,7 @@ from stiction.engine.regime import Regime
 from stiction.laws.composite.bhattacharya_nix_1988 import constants
 from stiction.laws.film.shared.graded_kinks import find_kinks, gather
 from stiction.laws.film.shared.graded_law import along, coordinate
+from stiction.laws.film.shared.two_bodies import TwoBodies
 from stiction.laws.joining import Law
 from stiction.laws.registry import FilmLaw
 from stiction.laws.sources import Source
@@ -62,7 +63,8 @@ def graded_regimes(
     """Regimes of a surface with a graded film, loads and resistances in units of the substrate; arrays (n,).
 
     substrate, film: their Poisson's ratio, K beta and hardness over yield stress, and the substrate's adhesion indices; the
-    film's follow from n_E, n_H, n_g. tau = t/sigma, film_aspect = t/sqrt(R sigma), 0 to infinity both. exponents: m of (S5.13)
+    film's follow from n_E, n_H, n_g. One body is coated, the other rigid.
+    tau = t/sigma, film_aspect = t/sqrt(R sigma), 0 to infinity both. exponents: m of (S5.13)
     of a film softer and of one harder than the substrate, each 1 or 2. An asperity counts as film while w < tau, as plastic
     where its elastic mean pressure exceeds the hardness at its depth.
     """
@@ -70,32 +72,48 @@ def graded_regimes(
     n_E, n_H, tau, film_aspect, n_g = (
         np.broadcast_to(np.asarray(value, dtype=float), laws) for value in (n_E, n_H, tau, film_aspect, n_g)
     )
-    n_E = np.where(film_aspect > 0.0, n_E, 1.0)  # no thickness, no film
+    bodies = TwoBodies.against_rigid(n_E, film.nu, substrate.nu)
+    return _film_regimes(substrate, film, bodies, n_H, tau, film_aspect, n_g, exponents)
+
+
+def _film_regimes(
+    substrate: Groups,
+    film: Groups,
+    bodies: TwoBodies,
+    n_H: np.ndarray,
+    tau: np.ndarray,
+    film_aspect: np.ndarray,
+    n_g: np.ndarray,
+    exponents: tuple[int, int],
+) -> list[Regime]:
+    """The same of two bodies as they are."""
+    bodies = bodies.without_film(film_aspect > 0.0)  # no thickness, no film
+    n_E = bodies.film_over_bodies
     n_H = np.where(tau > 0.0, n_H, 1.0)
     n_Y = n_H * substrate.hardness_to_yield / film.hardness_to_yield
     film_k = np.where(tau > 0.0, film.hardness_to_yield, substrate.hardness_to_yield)
     rates = fading_rates(n_E, n_H, n_Y, tau, *exponents)
-    parameters = _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, rates)
+    parameters = _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates)
     return _regimes(parameters, tau, PARTS)
 
 
 def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
     """Regimes of the bare surface that turns plastic by degrees, in place of the load jump of (S2.9)."""
     one, never = np.ones(len(asperity.theta)), np.full(len(asperity.theta), np.inf)
-    parameters = _parameters(asperity, asperity, asperity.hardness_to_yield, one, one, never, one, (0.0, 0.0))
+    bodies = TwoBodies.against_rigid(one, asperity.nu, asperity.nu)
+    parameters = _parameters(asperity, asperity, asperity.hardness_to_yield, bodies, one, never, one, (0.0, 0.0))
     return _regimes(parameters, never, (("elastic", "bare"), ("plastic", "bare")))
 
 
-def _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, rates) -> np.ndarray:
-    """Parameters (n, 14) of the law, in the order that `along` takes them. film_k: the film's hardness over yield stress;
-    rates: at which its hardness fades, as `fading_rates` gives them."""
+def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -> np.ndarray:
+    """Parameters (n, PARAMETERS) of the law, in the order that `along` takes them. film_k: the film's hardness over yield
+    stress; rates: at which its hardness fades, as `fading_rates` gives them. Each body that is coated has its part of the
+    thickness."""
+    first, second, share, films, nu, nu_first, nu_second = bodies.columns()
     columns = (
         math.pi * n_g / substrate.theta,
         substrate.eta,
-        n_E,
         n_H,
-        1.0 / np.maximum(film_aspect, 1e-100),
-        (substrate.nu + film.nu) / 2.0,
         *rates,
         substrate.nu,
         film.nu,
@@ -103,12 +121,20 @@ def _parameters(substrate, film, film_k, n_E, n_H, film_aspect, n_g, rates) -> n
         film.K_beta,
         1.0 / (math.pi * substrate.hardness_to_yield),
         n_H / (math.pi * film_k),
+        *bodies.bounds(),
+        films / np.maximum(film_aspect, 1e-100),
+        first,
+        second,
+        share,
+        films,
+        (nu_first + nu) / 2.0,
+        (nu_second + nu) / 2.0,
     )
     return np.stack(np.broadcast_arrays(*columns), axis=1)
 
 
 def _regimes(parameters, tau, parts) -> list[Regime]:
-    """One regime for each of the parts, of the laws with these parameters (n, 14)."""
+    """One regime for each of the parts, of the laws with these parameters (n, PARAMETERS)."""
     edges, part, levels, branch = find_kinks(parameters, tau)
     columns = (*parameters.T, *levels.T)
     return [
@@ -119,7 +145,10 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Regimes of a coated surface, as film laws give them; the asperity law is the film's own."""
-    return graded_regimes(groups.substrate(), groups.film(), groups.n_E, groups.n_H, groups.tau, groups.film_aspect, groups.n_g)
+    bodies = TwoBodies.of(groups)
+    return _film_regimes(
+        groups.substrate(), groups.film(), bodies, groups.n_H, groups.tau, groups.film_aspect, groups.n_g, (2, 1)
+    )
 
 
 RECORD = FilmLaw(
@@ -134,9 +163,11 @@ RECORD = FilmLaw(
     ),
     regimes=regimes,
     verified="second implementation of six laws; bare at n_E = n_H = 1, substrate for tau -> 0, film for tau -> infinity",
-    needs=("n_E", "n_H", "tau", "film_aspect"),
+    needs=("theta", "lam", "n_E", "n_H", "tau", "film_aspect"),
+    takes=("hardness_to_yield",),
     wants={"2015": "it is that asperity with properties that change with depth"},
     own_asperity=True,
+    one_body=True,
     tangential="soft_coating_2015",
     load_falls=False,
     accuracy=2e-9,  # the worst of 400 000 laws of the whole range; 1 in 10 000 is above 1e-10

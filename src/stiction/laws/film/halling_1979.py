@@ -7,8 +7,16 @@ of [film and substrate as one body](#5-film-and-substrate-as-one-body) ($\kappa$
 plastic area of a truncated sphere of conserved volume:
 
 $$
-P=\kappa(t/a)\,w^{3/2},\ A=w\quad\text{while}\quad\kappa\sqrt w<\eta\,\chi;\qquad
+P=\kappa\,w^{3/2},\ A=w\quad\text{while}\quad\kappa\sqrt w<\eta\,\chi;\qquad
 P=\eta\,\chi(w/\tau)\,A,\ A=2w-w_c\quad\text{beyond}
+$$
+
+The composite's $\kappa$ is of one half-space with its film, and two half-spaces are in series (Hertz's contact has the sum of
+their compliances): with one body coated, of a share $s$ of the bare contact's compliance, the other stays as it is; with both
+each has half of the thickness,
+
+$$
+\frac1\kappa=\frac s{\kappa_1(t/a)}+1-s,\qquad\frac1\kappa=\frac s{\kappa_1(t/2a)}+\frac{1-s}{\kappa_2(t/2a)}
 $$
 
 Load and area are continuous at $w_c$. Under a soft film on a hard substrate friction rises with the film's thickness
@@ -25,6 +33,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import Regime, columns
+from stiction.laws.film.shared.two_bodies import TwoBodies, in_series
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import FilmLaw, Limit, composites_of
 from stiction.laws.sources import Source
@@ -32,7 +41,8 @@ from stiction.laws.sources import Source
 _THINNEST = 1e-100  # film over sigma, of one that is not there
 
 CELLS, HALVINGS = 256, 60
-ELASTIC = 9  # parameters before the displacement at which it flows
+ELASTIC = 15  # parameters before the displacement at which it flows
+BODIES = 8  # of these, the place of the two bodies
 
 
 @formula
@@ -53,14 +63,17 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def stiffened(u, row):
-        """Load over that of the substrate's Hertz contact."""
-        n_E, aspect, nu_film, nu = row[0], row[3], row[5], row[6]
-        return modulus(n_E, aspect / u, nu_film, nu)
+        """Load over that of the Hertz contact of the bodies without film."""
+        xi = row[4] / u
+        first, second, share, films, nu, nu_first, nu_second = row[BODIES:ELASTIC]
+        g = modulus(first, xi, nu, nu_first)
+        other = modulus(second, xi, nu, nu_second) if films == 2.0 else 1.0
+        return in_series(g, other, share)
 
     @formula
     def hardened(w, row):
         """The hardness at the depth w, in the unit of the mean pressure."""
-        n_H, eta, tau, constant, exponent = row[1], row[2], row[4], row[7], row[8]
+        n_H, eta, tau, constant, exponent = row[2], row[3], row[5], row[6], row[7]
         return eta * hardness(n_H, w / tau, constant, exponent)
 
     @formula
@@ -92,9 +105,9 @@ def _onset(flows: Any) -> Any:
         values for the softer of both on the stiffer, and the harder on the less stiff; scanned, then halved."""
         for i in range(out.size):
             row = unpack(table[i], ELASTIC)
-            n_E, n_H, eta = row[:3]
-            low = eta * min(n_H, 1.0) / max(n_E, 1.0)
-            high = eta * max(n_H, 1.0) / min(n_E, 1.0)
+            least, greatest, n_H, eta = row[:4]
+            low = eta * min(n_H, 1.0) / greatest
+            high = eta * max(n_H, 1.0) / least
             step = (high / low) ** (1.0 / CELLS)
             u = low
             for _ in range(CELLS):
@@ -127,14 +140,15 @@ def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str)
     tau = np.broadcast_to(groups.tau, laws)
     there = tau > 0.0
     tau, n_H = np.where(there, tau, _THINNEST), np.where(there, groups.n_H, 1.0)
-    n_E, aspect = np.where(there, groups.n_E, 1.0), np.where(there, groups.film_aspect, 1.0)
+    bodies, aspect = TwoBodies.of(groups).without_film(there), np.where(there, groups.film_aspect, 1.0)
+    aspect = aspect / bodies.films  # each body that is coated has its part of the thickness
     soft = float(soft_film_exponent)
     exponent = np.where(n_H < 1.0, soft, 3.0 - soft)
     film_hardness: Any = composites_of("hardness")[hardness]
-    constant = film_hardness.constants(n_E, n_H, n_H)
+    constant = film_hardness.constants(bodies.film_over_bodies, n_H, n_H)
     eta = groups.eta
     elastic, plastic, flows = _formulas(modulus, hardness)
-    known = n_E, n_H, eta, aspect, tau, groups.film_nu, groups.nu, constant, exponent
+    known = *bodies.bounds(), n_H, eta, aspect, tau, constant, exponent, *bodies.columns()
     u_c = np.empty(laws)
     _onset(flows)(columns(known, laws), u_c)
     parameters = (*known, u_c * u_c)
@@ -176,7 +190,18 @@ RECORD = FilmLaw(
     composites={"modulus": "gao_chiu_lee_1992", "hardness": "bhattacharya_nix_1988"},
     own_options={"soft_film_exponent": ("2", "1")},
     verified="substrate and film alone in the limits; mean pressure at the onset; independent quadrature",
-    needs=("theta", "lam", "nu", "n_E", "n_H", "tau", "film_aspect", "film_nu"),
+    needs=(
+        "hardness_group",
+        "n_E",
+        "n_H",
+        "tau",
+        "film_aspect",
+        "films",
+        "layer_nu",
+        "coated_share",
+        "coated_nu",
+        "counter_nu",
+    ),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-9),),
     load_falls=False,
     notes="A reconstruction. soft_film_exponent is m of Bhattacharya & Nix for a soft film; a hard one has 3 - m. Under a "

@@ -49,7 +49,7 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Law, within
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.registry import Departure, FilmLaw, Validity
 from stiction.laws.sources import Source
 
 _THINNEST = 1e-200  # film over sigma, of one that is not there
@@ -187,9 +187,10 @@ RECORD = FilmLaw(
     regimes=regimes,
     tangential="interface",
     own_asperity=True,
+    departures=(Departure("thick", "load", -0.98, 0.0),),  # of a film harder than its substrate
     confined=True,
     verified="independent quadrature of the pressure; film and substrate alone in the limits; trends of the abstracts",
-    needs=("theta", "lam", "hardness_to_yield", "n_H", "tau", "film_aspect"),
+    needs=("hardness_group", "hardness_to_yield", "n_H", "tau", "film_aspect"),
     validity=(
         Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
         Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),

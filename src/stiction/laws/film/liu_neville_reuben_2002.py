@@ -20,7 +20,7 @@ import math
 
 from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
-from stiction.laws.film.chang_1997 import NO_ADHESION, plastic_film
+from stiction.laws.film.chang_1997 import DEPARTURES, FLOWING, NO_ADHESION, plastic_film
 from stiction.laws.registry import FilmLaw, Validity
 from stiction.laws.sources import Source
 
@@ -43,12 +43,10 @@ RECORD = FilmLaw(
     regimes=regimes,
     asperity="chang_etsion_bogy_1987",
     wants=NO_ADHESION,
+    departures=DEPARTURES,
     verified="independent quadrature; chang_1997 without adhesion; trends of the abstract, see the notes",
-    needs=("theta", "lam", "n_H", "n_g", "tau"),
-    validity=(
-        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
-        Validity("n_H", 0.0, 1.0, "the film is soft"),
-    ),
+    needs=("theta", "hardness_group", "n_H", "n_g", "tau"),
+    validity=(Validity("n_H", 0.0, 1.0, "the film is soft"), *FLOWING),
     notes="With the asperity law chang_etsion_bogy_1987 and a shear strength of the interface it shows what the abstract "
     "says: at a plasticity index above 0.5 friction rises with the film's thickness, at 0.25 and light load it rises "
     "as a very thin film gets thinner. With chang_etsion_bogy_1988, where only the substrate resists, the latter "

@@ -12,9 +12,11 @@ Bowden and Tabor's soft film, $\mu=\tau_0/H_s$ when plastic. *Unknown*: the text
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
+import math
+
 from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
-from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.registry import Departure, FilmLaw, Validity
 from stiction.laws.sources import Source
 
 
@@ -33,6 +35,11 @@ RECORD = FilmLaw(
     ),
     regimes=regimes,
     tangential="interface",
+    departures=(
+        Departure("thick", "load", -0.97, math.inf),
+        Departure("thick", "contact_area", -0.67, 1.7),
+        Departure("thick", "friction_force", -0.67, 1.7),
+    ),
     verified="friction over load of plastic asperities: shear strength over hardness",
     needs=("shear_strength",),
     validity=(Validity("tau", 0.0, 1.0, "the film is thin against the roughness"),),

@@ -29,7 +29,7 @@ from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import flow, onset
 from stiction.laws.film.shared.cut_film import film_regimes
 from stiction.laws.joining import Law, Weights, within
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.registry import Departure, FilmLaw, Validity
 from stiction.laws.sources import Source
 from stiction.laws.tangential.soft_coating_2015 import RECORD as TANGENTIAL
 from stiction.laws.tangential.soft_coating_2015 import grip_printed
@@ -93,9 +93,22 @@ RECORD = FilmLaw(
     grade="C",
     sources=(Source("soft_coating_2015", "eqs. (6)-(9) and (15)", "as printed but D7-D11; C1..C7 reconstructed"),),
     regimes=regimes,
+    departures=(
+        Departure("thin", "load", 0.0, math.inf),
+        Departure("thin", "contact_area", -0.5, 1.0),
+        Departure("thick", "load", -0.67, math.inf),
+        Departure("thick", "friction_force", -0.67, math.inf),
+        Departure("alike", "load", 0.0, 1.0),
+    ),
     verified="independent evaluation at 30 digits. The paper prints no numbers",
-    needs=("n_E", "n_H", "tau"),
-    validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),),
+    needs=("theta", "lam", "n_E", "n_H", "tau"),
+    validity=(
+        Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),
+        Validity(
+            "load_share_substrate", 0.0, 0.1, "the substrate's terms of the print are not those of what lies under a film"
+        ),
+        Validity("n_E", 0.9, 1.1, "loads in units of the film are added to loads in units of the substrate"),
+    ),
     wants={"2015": "it is written for that asperity alone"},
     own_asperity=True,
     tangential="soft_coating_2015",

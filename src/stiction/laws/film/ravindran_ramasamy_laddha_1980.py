@@ -45,7 +45,7 @@ from stiction.engine.regime import Regime
 from stiction.laws.film.shared.plastic import at_pressure
 from stiction.laws.joining import Law
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.registry import Departure, FilmLaw, Validity
 from stiction.laws.sources import Source
 
 _THINNEST = 1e-200  # film over sigma, of one that is not there
@@ -108,8 +108,9 @@ RECORD = FilmLaw(
     regimes=regimes,
     tangential="interface",
     own_asperity=True,
+    departures=(Departure("thick", "load", -0.98, 0.0),),  # of a film harder than its substrate
     verified="the power laws of one asperity; independent quadrature; film and substrate alone in the limits",
-    needs=("theta", "lam", "n_H", "tau", "shear_strength"),
+    needs=("hardness_group", "n_H", "tau", "shear_strength"),
     validity=(
         Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
         Validity("n_H", 0.0, 1.0, "the film is soft"),

@@ -9,7 +9,16 @@ $$
 P=\begin{cases}n_EP_c(w)&w<\tau\\n_EP_c(\tau)+P_s(w-\tau)&w\ge\tau\end{cases},\qquad A=A_c(w)
 $$
 
-and the tangential force alike; a law of the interface counts the whole load and the outer area instead. *Reconstructed*: the
+and the tangential force alike; a law of the interface counts the whole load and the outer area instead. Forces that pass
+through a film and its substrate one after the other do not add: what the paper adds is too much by what the film holds, and the
+record says by how much for a film of no thickness. With `film_shear="in_series"` the weaker governs, of the film at all of the
+displacement, which its area has too, and the substrate at what is left of it,
+
+$$
+T=\min\left[n_ET_c(w),\,T_s(w-\tau)\right]\quad(w\ge\tau)
+$$
+
+which is not the paper's. *Reconstructed*: the
 departures named, in place of what is printed, which [`printed`](#printed) keeps.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
@@ -21,8 +30,9 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.film.shared.cut_film import film_regimes
+from stiction.laws.film.shared.weaker import weaker_regimes
 from stiction.laws.joining import Law, Weights, coordinates, normal_states, states
-from stiction.laws.registry import FilmLaw, Validity
+from stiction.laws.registry import Departure, FilmLaw, Validity
 from stiction.laws.sources import Source
 
 
@@ -37,7 +47,7 @@ def at_rest_coordinate(w, load, slip_limited, yield_limited):
     return w
 
 
-def regimes(groups: Groups, law: Law) -> list[Regime]:
+def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     """Regimes of a coated surface, loads and resistances in units of the substrate.
 
     The area is the film's at the full displacement: the outer contact is always on it. A resistance of the interface goes with
@@ -47,10 +57,14 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
     deforming = film_regimes(law, groups, tau, lambda piece: (before, after))
     load, slip_limited, yield_limited = _kept(law, groups)
+    in_series = film_shear == "in_series" and law.tangential is not None and not law.interfacial
+    if in_series:
+        slip_limited, yield_limited = 0.0 * slip_limited, 0.0 * yield_limited
     edges = np.stack([tau, np.full(len(tau), np.inf)], axis=1)
     rest = Regime(at_rest, at_rest_coordinate, (load, slip_limited, yield_limited), edges, "held", "film", touching=False)
-    below = Weights(shift=tau, area=0.0)
-    return [*deforming, rest, *law.regimes(groups.substrate(), below, body="substrate", touching=False)]
+    below = Weights(shift=tau, area=0.0, friction=0.0 if in_series else 1.0)
+    substrate = law.regimes(groups.substrate(), below, body="substrate", touching=False)
+    return [*deforming, rest, *substrate, *(weaker_regimes(law, groups) if in_series else [])]
 
 
 def _kept(law: Law, groups: Groups) -> np.ndarray:
@@ -75,9 +89,21 @@ RECORD = FilmLaw(
     grade="C",
     sources=(Source("soft_coating_2015", "eqs. (6) and (15)", "corrected: D4, D5, D8, D9, D10"),),
     regimes=regimes,
+    departures=(
+        Departure("thin", "contact_area", -0.63, 2.0),
+        Departure("thin", "friction_force", -0.63, np.inf),
+        Departure("alike", "load", -0.36, 0.0),
+        Departure("alike", "friction_force", 0.0, 0.96),
+    ),
     verified="independent evaluation at 30 digits; the film's own law for a thick film",
     needs=("n_E", "n_H", "tau"),
-    validity=(Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),),
+    validity=(
+        Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),
+        Validity("load_share_substrate", 0.0, 0.1, "a film that is pressed through keeps its area, and its shear adds to all"),
+    ),
     load_falls=False,
-    notes="At zero thickness the adhesion of first touch on the film remains: -4 pi/(3 theta) for each touching JKR asperity.",
+    own_options={"film_shear": ("added", "in_series")},
+    notes="film_shear: added as the paper has it, or the weaker of film and substrate, which shear in series; a law of the "
+    "interface has neither. At zero thickness the adhesion of first touch on the film remains: -4 pi/(3 theta) for each "
+    "touching JKR asperity.",
 )

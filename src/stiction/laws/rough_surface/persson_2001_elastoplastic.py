@@ -85,7 +85,7 @@ RECORD = RoughSurface(
     takes_surface_moments=True,
     up_to_full_contact=True,
     verified="the diffusion equation by finite differences; balance of the load; persson_2001 for great hardness",
-    needs=("theta", "lam", "roughness_parameter"),
+    needs=("hardness_group", "roughness_parameter"),
     limits=(Limit("persson_2001", {"theta": 1.0, "lam": 1e24}, ("contact_area",), 1e-12),),
     notes=(
         "The hardness is the same at all scales, that of the softer body. A nominal pressure above it gives full contact. "

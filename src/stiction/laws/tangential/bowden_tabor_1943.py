@@ -47,7 +47,7 @@ RECORD = TangentialLaw(
     tangential_resistance=tangential_resistance,
     interfacial=True,
     verified="dimensional evaluation at 30 digits; mu = tau_0/H where the mean pressure is the hardness",
-    needs=("theta", "lam", "shear_strength"),
+    needs=("hardness_group", "shear_strength"),
     notes="With a soft film, the area is that of the whole asperity and tau_0 the film's strength. Where all contacts are "
     "plastic mu is tau_0 over their mean pressure: Bowden and Tabor's s/p.",
 )

@@ -127,7 +127,7 @@ RECORD = TangentialLaw(
         "no adhesion": "adhesion of the 1988 papers is left out",
     },
     verified="friction of single asperities tabulated independently; evaluation at 30 digits",
-    needs=("theta", "lam", "nu"),
+    needs=("hardness_group", "nu"),
     validity=(
         Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above", "effect"),
     ),

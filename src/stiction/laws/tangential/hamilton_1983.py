@@ -273,7 +273,7 @@ RECORD = TangentialLaw(
     sources=(Source("hamilton_1983", "stresses under the normal and the tangential load", "with the von Mises criterion"),),
     tangential_resistance=tangential_resistance,
     verified="stresses: equilibrium, tractions, point loads integrated independently; first yield found by search",
-    needs=("theta", "lam", "nu", "hardness_to_yield"),
+    needs=("hardness_group", "nu", "hardness_to_yield"),
     accuracy=1e-9,
     wants={
         "Hertz": "Hamilton's stresses are those of Hertz's pressure and a traction proportional to it",

@@ -68,7 +68,7 @@ RECORD = TangentialLaw(
     tangential_resistance=tangential_resistance,
     wants={"no adhesion": "the sphere is pressed by its load alone"},
     verified="the quoted forms agree with each other and with the two-digit print of 2004; evaluation at 30 digits",
-    needs=("theta", "lam", "nu"),
+    needs=("hardness_group", "nu"),
     validity=(
         Validity("plasticity_index", 0.0, 2.0, "asperities beyond six critical interferences are given no friction", "effect"),
     ),

@@ -95,6 +95,7 @@ RECORD = TangentialLaw(
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
     verified="energy balance; forces and peeled areas of four contacts tabulated independently; evaluation at 30 digits",
     needs=("theta", "K_beta"),
+    takes=("peeling",),
     notes="Slip resistance alone: no yield. The group `peeling` is zeta in G_N + zeta G_T = gamma: T is as zeta^(-1/2), 1 is "
     "Savkoor and Briggs, and 0 (no peeling at all) is refused here. Measured contacts shrink less under shear than zeta = 1 "
     "says. Asperities that are no longer elastic resist nothing.",

@@ -83,5 +83,6 @@ RECORD = TangentialLaw(
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
     verified="independent evaluation at 30 digits",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
+    takes=("peeling",),
     notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic.",
 )

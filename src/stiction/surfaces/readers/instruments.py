@@ -5,13 +5,12 @@ import math
 import warnings
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.surfaces.raw_scan import RawScan, Reader, ends_in_a_line
-from stiction.surfaces.readers.shared.positions import equally_spaced
+from stiction.surfaces.readers.shared.topography import on_grid
 
 # Formats without a mark of their own, which the library sees in any file of a fitting length, and arrays, which it takes with
 # the first index along x: to be told by the ending of the name, or not at all.
@@ -65,23 +64,11 @@ def _library(reader, channel, path: Path) -> RawScan | None:
     topography = chosen.topography(physical_sizes=(1.0,) * chosen.dim) if unknown else chosen.topography()
     names = [each.name for each in reader.channels]
     said = f"format {form}" + (f", channel {chosen.name!r} of {', '.join(names)}" if len(names) > 1 else "")
-    heights, size, notes = _on_grid(topography)
+    heights, size, notes = on_grid(topography)
     if form == "xyz":
         _no_line_lost(path, heights.size)
         notes += ends_in_a_line(path)
     return RawScan(heights, said, None if unknown else size, str(topography.unit) if topography.unit else None, notes)
-
-
-def _on_grid(topography) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Heights (rows, columns), where the library has x first, size (y, x), and what was done."""
-    heights: Any = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan)
-    if topography.dim == 2:
-        width, depth = (float(length) for length in topography.physical_sizes)
-        return np.ascontiguousarray(heights.T), (depth, width), ()
-    if topography.is_uniform:
-        length = float(topography.physical_sizes[0])
-        return heights[None, :], (length / heights.size, length), ()
-    return equally_spaced(np.asarray(topography.positions(), dtype=float), heights.ravel())
 
 
 def _no_line_lost(path: Path, points: int) -> None:

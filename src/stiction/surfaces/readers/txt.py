@@ -1,17 +1,51 @@
-"""Tables in other text files, as in .csv. Those with remarks at their head are an instrument's, which may say more there."""
+"""Tables in other text files, as in .csv. Remarks at their head may say the units of columns x y z; those that say more are an
+instrument's."""
 
+import re
+from dataclasses import replace
 from pathlib import Path
 
+from stiction.quantities.errors import InputError
+from stiction.surfaces.heightmap import metres
 from stiction.surfaces.raw_scan import RawScan, Reader
 from stiction.surfaces.readers.csv import GIVEN, HOLDS
 from stiction.surfaces.readers.shared.text import matrix, read_text
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Rows of heights along x, or columns x z or x y z; None of a file that begins with a remark."""
-    with path.open("rb") as file:
-        remarks = file.read(1) == b"#"
-    return None if remarks else read_text(path, channel, matrix)
+    """Rows of heights along x, or columns x z or x y z; None of a file with remarks that say more than its units."""
+    units = _units(path)
+    if units is None:
+        return None
+    scan = read_text(path, channel, matrix)
+    if scan is None or not units:
+        return scan
+    lateral, vertical = units
+    heights = scan.heights * (metres(f"1 {vertical}", "unit") / metres(f"1 {lateral}", "unit"))
+    return replace(scan, heights=heights, unit=lateral) if scan.size else None
+
+
+# Gwyddion's remarks above columns; what has a colon otherwise is said by somebody whose words are not known here.
+_REMARK = re.compile(r"#\s*(Channel|Lateral units|Value units):\s*(.*?)\s*")
+
+
+def _units(path: Path) -> tuple[str, ...] | None:
+    """Units along the surface and of heights, () where there are no remarks or none with a colon, None where they say more."""
+    said: dict[str, str] = {}
+    with path.open(encoding="utf-8-sig", errors="replace") as file:
+        for line in file:
+            if not line.startswith("#"):
+                break
+            remark = _REMARK.fullmatch(line)
+            if remark is None and ":" in line:
+                return None
+            if remark is not None:
+                said[remark[1]] = remark[2]
+    found = tuple(said[name] for name in ("Lateral units", "Value units") if name in said)
+    try:
+        return found if len(found) in (0, 2) and all(metres(f"1 {unit}", "unit") for unit in found) else None
+    except InputError:
+        return None
 
 
 READER = Reader(endings=(".txt", ".asc", ".dat"), read=read, holds=HOLDS, given=GIVEN)

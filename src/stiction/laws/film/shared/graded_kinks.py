@@ -12,7 +12,7 @@ import numpy as np
 
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.vectorised import exponential
-from stiction.laws.film.shared.graded_law import contact, depth_coordinate
+from stiction.laws.film.shared.graded_law import ALONE, WHOLE, contact, depth_coordinate
 from stiction.laws.film.shared.graded_signals import (
     ABOVE,
     BALANCE,
@@ -28,7 +28,7 @@ from stiction.laws.film.shared.graded_signals import (
     zero,
 )
 
-PARAMETERS = 14  # of the law, before the plateaus
+PARAMETERS = WHOLE  # of the law, before the plateaus
 PLATEAUS = 3
 BRANCHES = 4  # places where the yield resistance ends like a square root
 CAPACITY = 40  # edges
@@ -177,12 +177,12 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
 @formula
 def _fixed_edges(law, tau, out):
     """Start, end of the scan, film pressed through, and what cuts long pieces; the first three, and how many there are."""
-    pull, _, n_E, n_H, per_aspect, nu, linear, square = law[:8]
-    S = math.sqrt(6.0 * pull)
-    start = depth_coordinate(0.0, S, n_E, per_aspect, nu)
+    pull, _, n_H, linear, square = law[:5]
+    S, bodies = math.sqrt(6.0 * pull), law[ALONE:]
+    start = depth_coordinate(0.0, S, bodies)
     top = max(_DEEPEST, 2.5 * start)
     out[0], out[1] = start, top
-    through = depth_coordinate(tau, S, n_E, per_aspect, nu) if tau < top**4 else top
+    through = depth_coordinate(tau, S, bodies) if tau < top**4 else top
     out[2] = max(through, start)
     out[3] = math.sqrt(math.sqrt(start**4 + 2.0))  # where w is about 2: long pieces are hard to integrate
     count = 4
@@ -191,7 +191,7 @@ def _fixed_edges(law, tau, out):
         for exponent in (_FADED, _FADING):
             faded = exponent / linear if linear > 0.0 else math.sqrt(exponent / square)
             if faded < top**4 and (exponent == _FADED or n_H > 1.0):
-                count = _add(out, count, depth_coordinate(faded, S, n_E, per_aspect, nu))
+                count = _add(out, count, depth_coordinate(faded, S, bodies))
     return start, top, through, count
 
 
@@ -199,8 +199,8 @@ def _fixed_edges(law, tau, out):
 def _scan(start, top, law, places, values):
     """Sample the signals from `start` to `top`, and return how many samples there are. A thin film has all its features close
     to the start, where samples are as close as it fades soon."""
-    pull, _, n_E, n_H, per_aspect, nu, linear, square = law[:8]
-    slope = contact(start, math.sqrt(6.0 * pull), n_E, per_aspect, nu)[1]
+    pull, _, n_H, linear, square = law[:5]
+    slope = contact(start, math.sqrt(6.0 * pull), law[ALONE:])[1]
     soon = 1.0 / ((linear + math.sqrt(square)) * slope * start) if n_H != 1.0 and linear + square > 0.0 else _APART
     nearest = max(_NEAREST, min(0.02 * soon, 0.5 * _APART))
     cells = math.ceil(_DENSE * math.log(_APART / nearest))
@@ -311,8 +311,9 @@ def _name_parts(law, through, edges, count, part):
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:
     """Edges (n, CAPACITY) in u, the part (n, CAPACITY - 1) of each piece between them, plateaus (n, 6) and branch (n, 4).
 
-    parameters: array (n, 14). Part: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate, -1 no piece;
-    the film is pressed through at the displacement tau (n,). Plateaus: from start on the load is at least level, thrice.
+    parameters: array (n, PARAMETERS). Part: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate,
+    -1 no piece; the film is pressed through at the displacement tau (n,). Plateaus: from start on the load is at least level,
+    thrice.
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)

@@ -19,19 +19,33 @@ from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
 
 _PI = math.pi
+ALONE, WHOLE = 11, 20  # parameters of adhesion and strength; with them those of the stiffness of both bodies
 
 
 @formula
-def stiffness(u, n_E, per_aspect, nu):
-    """K_eff/K_s (S5.11) of the contact of radius a = sqrt(R sigma) u^2, its derivative by ln u, and the film's share."""
-    share, slope = modulus_share(u * u * per_aspect, nu)
-    return 1.0 + (n_E - 1.0) * share, 2.0 * (n_E - 1.0) * slope, share
+def stiffness(u, bodies):
+    """K_eff/K_s (S5.11) of the contact of radius a = sqrt(R sigma) u^2, its derivative by ln u, and the film's share.
+
+    bodies: least and greatest K_eff/K_s; one over the thickness on a body over sqrt(R sigma); then as of TwoBodies, nu being
+    the mean of film and body.
+    """
+    _, _, per_aspect, first, second, s, films, nu_first, nu_second = bodies
+    share, slope = modulus_share(u * u * per_aspect, nu_first)
+    g, rise = 1.0 + (first - 1.0) * share, 2.0 * (first - 1.0) * slope
+    other, other_rise = 1.0, 0.0
+    if films == 2.0:
+        other_share, slope = modulus_share(u * u * per_aspect, nu_second)
+        other, other_rise = 1.0 + (second - 1.0) * other_share, 2.0 * (second - 1.0) * slope
+        share = 0.5 * (share + other_share)
+    compliance = s * other + (1.0 - s) * g  # of both in series, times g and other
+    rise = (s * rise * other * other + (1.0 - s) * other_rise * g * g) / (compliance * compliance)
+    return g * other / compliance, rise, share
 
 
 @formula
-def contact(u, S, n_E, per_aspect, nu):
+def contact(u, S, bodies):
     """JKR with the modulus of (S5.11): displacement w, dw/du, Q = sqrt(K_eff/K_s) u^3, d ln Q/d ln u, share of the film."""
-    ratio, rise, share = stiffness(u, n_E, per_aspect, nu)
+    ratio, rise, share = stiffness(u, bodies)
     root = math.sqrt(ratio)
     s = 2.0 / 3.0 * S / root
     steepness = 0.5 * rise / ratio
@@ -50,16 +64,16 @@ def fading(w, linear, square):
 def along(u, *row):
     """The asperity at u, as a Regime asks for it.
 
-    row: pull = pi n_g/theta; eta, of the substrate; n_E, n_H; per_aspect = sqrt(R sigma)/t; nu, mean of both bodies; linear,
-    square, as in `fading`; nu_s, nu_c, K_beta_s, K_beta_c, of substrate and film; yield_s, yield_c, their yield stress over
-    pi H_s; and three plateaus: from u = start_i on the load is at least level_i.
+    row: pull = pi n_g/theta; eta, of the substrate; n_H; linear, square, as in `fading`; nu_s, nu_c, K_beta_s, K_beta_c, of
+    substrate and film; yield_s, yield_c, their yield stress over pi H_s; what `stiffness` takes; and three
+    plateaus: from u = start_i on the load is at least level_i.
     """
+    pull, eta, n_H, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c = row[:ALONE]
     (
-        pull, eta, n_E, n_H, per_aspect, nu, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c,
         start_1, level_1, start_2, level_2, start_3, level_3,
-    ) = row  # fmt: skip
+    ) = row[WHOLE:]  # fmt: skip
     S = math.sqrt(6.0 * pull)
-    w, slope, Q, _, share = contact(u, S, n_E, per_aspect, nu)
+    w, slope, Q, _, share = contact(u, S, row[ALONE:WHOLE])
     film = fading(w, linear, square)
     x = u * u * u * u
     elastic_load = Q * (Q - S)
@@ -82,14 +96,15 @@ def along(u, *row):
 
 
 @formula
-def depth_coordinate(w, S, n_E, per_aspect, nu):
+def depth_coordinate(w, S, bodies):
     """The u at which the displacement is w >= 0: Newton, kept between bounds. Displacement grows with u there."""
     s = 2.0 / 3.0 * S
-    low = max(w**0.25, (s / math.sqrt(max(n_E, 1.0))) ** (1.0 / 3.0))
-    high = max((2.0 * w) ** 0.25, (2.0 * s / math.sqrt(min(n_E, 1.0))) ** (1.0 / 3.0))
-    u = low if n_E == 1.0 and w == 0.0 else high
+    least, greatest = bodies[0], bodies[1]
+    low = max(w**0.25, (s / math.sqrt(greatest)) ** (1.0 / 3.0))
+    high = max((2.0 * w) ** 0.25, (2.0 * s / math.sqrt(least)) ** (1.0 / 3.0))
+    u = low if least == greatest and w == 0.0 else high
     for _ in range(100):
-        at, slope, _, _, _ = contact(u, S, n_E, per_aspect, nu)
+        at, slope, _, _, _ = contact(u, S, bodies)
         if at > w:
             high = u
         else:
@@ -108,5 +123,4 @@ def coordinate(w, *row):
     """The inverse of `along`, of the same row; 0 where nothing touches."""
     if not w > 0.0:
         return 0.0
-    pull, _, n_E, _, per_aspect, nu = row[:6]
-    return depth_coordinate(w, math.sqrt(6.0 * pull), n_E, per_aspect, nu) if w < math.inf else math.inf
+    return depth_coordinate(w, math.sqrt(6.0 * row[0]), row[ALONE:WHOLE]) if w < math.inf else math.inf

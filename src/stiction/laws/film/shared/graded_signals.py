@@ -8,7 +8,7 @@ import math
 
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity.shared.transition import FULLY_PLASTIC, plastic_share
-from stiction.laws.film.shared.graded_law import contact, fading
+from stiction.laws.film.shared.graded_law import ALONE, contact, fading
 from stiction.laws.tangential.shared.edge_yield import coefficients
 
 NEARER = 0.3  # a near miss is looked into if a parabola through it comes nearer to zero by this share
@@ -18,9 +18,9 @@ NEARER = 0.3  # a near miss is looked into if a parabola through it comes nearer
 def signals(u, law):
     """Functions of u whose zeros are kinks: first yield, full plasticity, the yield resistance ceases to be real in tension
     (a branch point, S3.9), it reaches zero in compression (S3.10), and slip equals yield (S3.11, over the strength)."""
-    pull, eta, n_E, n_H, per_aspect, nu, linear, square, nu_s, nu_c, Kb_s, Kb_c, yield_s, yield_c = law
+    pull, eta, n_H, linear, square, nu_s, nu_c, Kb_s, Kb_c, yield_s, yield_c = law[:ALONE]
     S = math.sqrt(6.0 * pull)
-    w, _, Q, _, share = contact(u, S, n_E, per_aspect, nu)
+    w, _, Q, _, share = contact(u, S, law[ALONE:])
     film = fading(w, linear, square)
     x = u * u * u * u
     load, flowing = Q * (Q - S), eta * (1.0 + (n_H - 1.0) * film) * x
@@ -40,9 +40,9 @@ def signals(u, law):
 @formula
 def load_before_plateaus(u, law):
     """Load, its derivative by ln u over hardness times x, and elastic mean pressure over hardness."""
-    pull, eta, n_E, n_H, per_aspect, nu, linear, square = law[:8]
+    pull, eta, n_H, linear, square = law[:5]
     S = math.sqrt(6.0 * pull)
-    w, slope, Q, growth, _ = contact(u, S, n_E, per_aspect, nu)
+    w, slope, Q, growth, _ = contact(u, S, law[ALONE:])
     film = fading(w, linear, square)
     x, dx = u * u * u * u, 4.0 * u * u * u
     elastic, d_elastic = Q * (Q - S), (2.0 * Q - S) * Q * growth / u

@@ -1,0 +1,144 @@
+"""Film and substrate in series: of a film that is pressed through, what shears first under the same displacement governs."""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.regime import Regime, columns
+from stiction.laws.joining import Law, Weights, coordinates, states
+from stiction.laws.piece import NormalPiece
+
+SAMPLES, HALVINGS, MOST = 24, 60, 6  # on a piece, of a bracket, crossings that are looked for
+_DEEPEST = 1e3  # over sigma: no asperity that counts is pressed so far
+
+
+@cache
+def _weaker(substrate: Callable, film: Callable, back: Callable, of_substrate: int, of_film: int) -> tuple[Any, Any]:
+    """Formulas of the resistance of both, each a regime with so many parameters; and of film less substrate."""
+    whole = of_substrate + of_film
+
+    @formula
+    def both(u, row):
+        w, stretch, _, _, slip, torn = substrate(u, *row[:of_substrate])
+        _, _, _, _, film_slip, film_torn = film(back(w, *row[of_substrate:whole]), *row[of_substrate:whole])
+        return w, stretch, slip, torn, film_slip, film_torn
+
+    @formula
+    def along(u, *row):
+        w, stretch, slip, torn, film_slip, film_torn = both(u, row)
+        if film_slip + film_torn < slip + torn:
+            slip, torn = film_slip, film_torn
+        return w, stretch, 0.0, 0.0, slip, torn
+
+    @formula
+    def excess(u, row):
+        _, _, slip, torn, film_slip, film_torn = both(u, row)
+        return film_slip + film_torn - slip - torn
+
+    return along, excess
+
+
+@cache
+def _back(coordinate: Callable, of_substrate: int) -> Any:
+    @formula
+    def back(w, *row):
+        return coordinate(w, *row[:of_substrate])
+
+    return back
+
+
+@cache
+def _crossings(excess: Callable, parameters: int) -> Any:
+    @kernel
+    def fill_crossings(table, edges, out):
+        """Where the weaker of both changes between two edges (n, m): at most MOST places (n, MOST), the first edge for none."""
+        for i in range(edges.shape[0]):
+            row, found = unpack(table[i], parameters), 0
+            out[i] = edges[i, 0]
+            for at in range(edges.shape[1] - 1):
+                low, step = edges[i, at], (edges[i, at + 1] - edges[i, at]) / SAMPLES
+                if not step > 0.0:
+                    continue
+                u = low + 1e-9 * step
+                before = excess(u, row)
+                for k in range(1, SAMPLES + 1):
+                    v = low + (k if k < SAMPLES else SAMPLES - 1e-9) * step
+                    value = excess(v, row)
+                    if (value > 0.0) != (before > 0.0) and found < out.shape[1]:
+                        left, right = u, v
+                        for _ in range(HALVINGS):
+                            middle = 0.5 * (left + right)
+                            if (excess(middle, row) > 0.0) == (before > 0.0):
+                                left = middle
+                            else:
+                                right = middle
+                        out[i, found] = right
+                        found += 1
+                    u, before = v, value
+
+    return fill_crossings
+
+
+def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
+    """What resists beyond the displacement tau, without load and area: of the film at all of the displacement and the substrate
+    at what is left of it, the weaker; in units of the substrate. law: with a tangential law that is not of the interface."""
+    film_groups, substrate = groups.film(), groups.substrate()
+    tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), len(groups))
+    film = [law.join(piece, film_groups, Weights(unit=groups.n_E)) for piece in law.pieces(film_groups)]
+    regimes = []
+    for piece in law.pieces(substrate):
+        below = law.join(piece, substrate, Weights(shift=tau))
+        deepest = coordinates(piece, _DEEPEST)
+        for above in film:
+            ends = [states(above, above.edges[:, at])[:, 0] for at in (0, -1)]
+            start, end = (np.where(np.isfinite(above.edges[:, at]), ends[at], np.inf) for at in (0, -1))
+            first, last = coordinates(piece, start - tau), coordinates(piece, end - tau)
+            first = np.where(start <= tau, coordinates(piece, 0.0), first)
+            regimes.append(_shared(below, above, piece, tau, first, np.minimum(last, deepest)))
+    return regimes
+
+
+def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, first: np.ndarray, last: np.ndarray) -> Regime:
+    """One piece of the substrate under one of the film, with the kinks of both and where the weaker changes."""
+    inner = [_mapped(above, at, piece, tau) for at in range(above.edges.shape[1])]
+    edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)
+    edges = np.minimum(np.maximum(edges, first[:, None]), np.maximum(first, last)[:, None])
+    back = _back(above.coordinate, len(above.parameters))
+    along, excess = _weaker(below.along, above.along, back, len(below.parameters), len(above.parameters))
+    parameters = (*below.parameters, *above.parameters)
+    out = np.empty((len(edges), MOST))
+    _crossings(excess, len(parameters))(columns(parameters, len(edges)), np.ascontiguousarray(edges), out)
+    edges = np.sort(np.concatenate([edges, out], axis=1), axis=1)
+    return Regime(
+        along,
+        _back(below.coordinate, len(below.parameters)),
+        parameters,
+        edges,
+        below.state,
+        "substrate",
+        touching=False,
+        branch=_branches(below, above, piece, tau),
+        lowest=below.lowest,
+    )
+
+
+def _branches(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray) -> np.ndarray | None:
+    """Where either resistance starts like a square root, as coordinates of the substrate's piece (n, b)."""
+    found = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
+    for at in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
+        there = np.isfinite(at) & (at >= above.edges[:, 0]) & (at <= above.edges[:, -1])
+        w = states(above, np.where(there, at, above.edges[:, 0]))[:, 0] - tau
+        found.append(np.where(there & (w >= 0.0), coordinates(piece, w), -np.inf)[:, None])
+    return np.concatenate(found, axis=1) if found else None
+
+
+def _mapped(above: Regime, at: int, piece, tau: np.ndarray) -> np.ndarray:
+    """An edge of the film's regime as a coordinate of the substrate's piece."""
+    edge = above.edges[:, at]
+    finite = np.isfinite(edge)
+    w = states(above, np.where(finite, edge, above.edges[:, 0]))[:, 0]
+    return coordinates(piece, np.where(finite, w, np.inf) - tau)

@@ -1,0 +1,26 @@
+"""Values as other packages hold them, told by what they can do: no such package has to be there."""
+
+from collections.abc import Iterator
+from typing import Any
+
+__all__ = ["as_sequence", "has_unit", "is_series"]
+
+
+def has_unit(value: Any) -> bool:
+    """Whether this is a number or an array with a unit of its own, as pint has them."""
+    return hasattr(value, "magnitude") and hasattr(value, "units")
+
+
+def is_series(value: Any) -> bool:
+    """Whether this is a column of a table, as pandas has them."""
+    return hasattr(value, "to_numpy") and hasattr(value, "index") and getattr(value, "ndim", 0) == 1
+
+
+def as_sequence(value: Any) -> Any:
+    """A column of a table, a range or a generator as what it holds; everything else as it is."""
+    if isinstance(value, range | Iterator):
+        return list(value)
+    if is_series(value):
+        numbers = value.to_numpy()
+        return numbers if numbers.dtype.kind in "iuf" else numbers.tolist()
+    return value

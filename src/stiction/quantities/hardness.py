@@ -1,0 +1,34 @@
+"""Numbers of hardness tests as the mean pressure of a plastic contact: "700 HV", "60 HRC".
+
+A Vickers number is the force in kgf over the facets' area in mm^2 (ISO 6507-1); the mean pressure is the force over the
+projected area, which is sin(136 deg / 2) of it: 1 HV is 9.80665 MPa / sin 68 deg = 10.577 MPa (ISO 14577-1: HV = 0.0945 H_IT).
+
+Rockwell C has no such definition: HV = (223 HRC + 14500) / (100 - HRC), a formula in common use whose origin is not known here,
+goes through the printed table for steels that are not austenitic (ASTM E140, table 1) to 1.4 % from 35 to 68 HRC. Grade B.
+"""
+
+import math
+import re
+
+from stiction.quantities.errors import InputError
+
+__all__ = ["from_hardness_test"]
+
+VICKERS = 9.80665e6 / math.sin(math.radians(68.0))  # Pa
+_SOFTEST, _HARDEST = 20.0, 68.0  # HRC, of the table
+_SCALE = re.compile(r"HV(?:\s*/?\s*\d+(?:\.\d+)?)?|HRC|HRB|HRA|HB[WS]?|HK", re.IGNORECASE)
+
+
+def from_hardness_test(number: float, unit: str, text: str) -> float | None:
+    """Pascals of a number of a hardness test, None where the unit is none; the test force of "700 HV0.5" says nothing more.
+    Raises InputError for other scales, and for Rockwell numbers without a Vickers number."""
+    if not _SCALE.fullmatch(unit):
+        return None
+    scale = unit.upper()
+    if scale.startswith("HV"):
+        return number * VICKERS
+    if scale == "HRC":
+        if not _SOFTEST <= number <= _HARDEST:
+            raise InputError("hardness", text, f'{_SOFTEST:g} to {_HARDEST:g} HRC, or another scale: "7 GPa", "700 HV"')
+        return (223.0 * number + 14500.0) / (100.0 - number) * VICKERS
+    raise InputError("hardness", text, 'pressure, Vickers or Rockwell C: "7 GPa", "700 HV", "60 HRC"')

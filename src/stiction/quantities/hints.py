@@ -1,0 +1,44 @@
+"""What may have been meant by a number that is refused: the end of the line that refuses it."""
+
+import re
+
+from stiction.quantities.table import Quantity
+
+__all__ = ["meant", "too_soft", "with_a_point"]
+
+_COMMA = re.compile(r"\s*[+-]?\d*,\d[\d,]*")
+_PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")
+
+
+def with_a_point(text: str) -> str:
+    """Of a number with a decimal comma: how it is to be written."""
+    number = _COMMA.match(text[:100])
+    if number is None:
+        return ""
+    if number[0].count(",") > 1:
+        return "; numbers have no commas"
+    return f'; numbers have a decimal point: "{text[:100].strip().replace(",", ".", 1)}"'
+
+
+def meant(number: str, unit: str, quantity: Quantity) -> str:
+    """Of no unit that is known: the one that it is but for small and capital letters; of none at all, that of the example."""
+    usual = quantity.example.rpartition(" ")[2]
+    if not unit:
+        return _did_you_mean(number, usual) if quantity.unit == "Pa" else ""
+    known = [usual, *(f"{prefix}{quantity.unit}" for prefix in _PREFIXES[::-1])]
+    alike = [one for one in known if one.casefold() == unit.casefold()]
+    return _did_you_mean(number, alike[0]) if alike else ""
+
+
+def too_soft(given: object, pascals: float, quantity: Quantity) -> str:
+    """Of a pressure that is below that of any solid: the prefix that was left out or mistaken."""
+    if quantity.unit != "Pa" or not 0.0 < pascals < quantity.lower:
+        return ""
+    words = str(given).split()
+    if len(words) == 2 and words[1] == "mPa":
+        return _did_you_mean(words[0], "MPa")
+    return _did_you_mean(f"{pascals:g}", quantity.example.rpartition(" ")[2])
+
+
+def _did_you_mean(number: str, unit: str) -> str:
+    return f'; did you mean "{number} {unit}"?'

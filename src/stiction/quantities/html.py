@@ -1,0 +1,17 @@
+"""Records as a notebook shows them: a small table, with units, of what was given."""
+
+from collections.abc import Iterable
+from html import escape
+
+__all__ = ["table"]
+
+
+def table(title: str, rows: Iterable[tuple[str, str]], notes: Iterable[str] = ()) -> str:
+    """HTML of a title, rows of a name and a text, and notes below; all text is escaped."""
+    cells = "".join(
+        f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{escape(text)}</td></tr>'
+        for name, text in rows
+    )
+    said = "".join(f"<li>{escape(note)}</li>" for note in notes)
+    below = f"<ul>{said}</ul>" if said else ""
+    return f"<div><strong>{escape(title)}</strong><table><tbody>{cells}</tbody></table>{below}</div>"

@@ -1,0 +1,16 @@
+"""What a user should know though the work goes on: said once, as a warning in Python and as one line by the command."""
+
+import warnings
+from functools import cache
+
+__all__ = ["Notice", "notice"]
+
+
+class Notice(UserWarning):
+    """Something is not as it should be, and the results are right all the same."""
+
+
+@cache
+def notice(text: str) -> None:
+    """Say it, once in a process."""
+    warnings.warn(text, Notice, stacklevel=3)

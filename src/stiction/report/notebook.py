@@ -1,0 +1,60 @@
+"""A result as a notebook shows it: what it is, how far it goes, and a few of its points.
+
+Results stay datasets of xarray, whose own view folds their attributes away, and with these the doubts.
+"""
+
+from typing import TYPE_CHECKING
+
+from stiction.laws.registry import GRADES
+from stiction.laws.validity import doubts_of
+from stiction.quantities import html
+from stiction.solving.unused import unused_of
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["Summary", "summary"]
+
+_SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient", "touching_asperities")
+
+
+class Summary:
+    """Rows of a name and a text, and notes: what is doubtful, not used, or worth knowing; as HTML in a notebook, as text where
+    it is printed."""
+
+    def __init__(self, title: str, rows: list[tuple[str, str]], notes: list[str]):
+        self.title, self.rows, self.notes = title, rows, notes
+
+    def _repr_html_(self) -> str:
+        return html.table(self.title, self.rows, self.notes)
+
+    def __repr__(self) -> str:
+        width = max((len(name) for name, _ in self.rows), default=0)
+        return "\n".join(
+            [self.title, *(f"  {name:{width}}  {text}" for name, text in self.rows), *(f"- {one}" for one in self.notes)]
+        )
+
+
+def summary(result: "xarray.Dataset") -> Summary:
+    """What a result of `solve` or `compare` says, in short: model and grade, ranges of the main results, and all its doubts.
+
+    result: as these give it. Returns a Summary, which a notebook shows as HTML, and `print` as text.
+    """
+    used = result.attrs
+    named = ("model", "asperity", "tangential", "film", "recommended", "reason", "roughness_method")
+    rows = [(name.replace("_", " "), str(used[name])) for name in named if used.get(name, "none") not in ("", "none")]
+    if "grade" in used:
+        rows.append(("grade", f"{used['grade']}: {GRADES.get(used['grade'], '')}"))
+    rows += [(name, _range(result[name])) for name in _SHOWN if name in result and result[name].size]
+    notes = [f"doubt: {one}" for one in doubts_of(result)]
+    notes += [str(one) for one in unused_of(result)]
+    notes += [used["remarks"]] if used.get("remarks") else []
+    return Summary(used.get("case") or used.get("title") or "Result", rows, notes)
+
+
+def _range(values: "xarray.DataArray") -> str:
+    """The value, or the ends of the values and along what they are."""
+    unit = values.attrs.get("units", "1")
+    ends = [f"{float(end):.4g}" for end in (values.min(), values.max())]
+    along = f", along {', '.join(map(str, values.dims))}" if values.dims else ""
+    return " to ".join(dict.fromkeys(ends)) + ("" if unit == "1" else f" {unit}") + along

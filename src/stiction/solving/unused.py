@@ -1,0 +1,105 @@
+"""What was given and does not count: inputs that none of the laws that answer depends on, with the laws that would."""
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from stiction.contact.indices import Groups
+from stiction.laws.registry import AsperityLaw, Record, TangentialLaw, friction_incompatibility, incompatibility, of_kind
+from stiction.solving.problem import Problem, Sum
+
+if TYPE_CHECKING:
+    import xarray
+
+# What no group stands for by itself: the works of adhesion count where asperities attract, and that of the film also where a
+# law without attraction asks for n_g; it is that of the bodies where none is given.
+_ADHESION, _OF_FILM = "adhesion", "adhesion of the film"
+
+
+@dataclass(frozen=True)
+class Unused:
+    """An input that does not count. laws: keyword of `solve` -> keys of laws that would use it. why: in other words, if there
+    are any."""
+
+    input: str
+    laws: Mapping[str, list[str]] = field(default_factory=dict)
+    why: str = ""
+
+    def say(self, before: str = "", between: str = " ") -> str:
+        """In words; before, between: how a law is chosen, "--tangential KEY" on the command line."""
+        others = "; ".join(f"{before}{kind}{between}{' or '.join(keys)} does" for kind, keys in self.laws.items())
+        return (
+            f"{self.input} is not used"
+            + (f": {self.why}" if self.why else " by this model")
+            + (f"; {others}" if others else "")
+        )
+
+    def __str__(self) -> str:
+        return self.say()
+
+
+def unused_inputs(problem: Problem) -> list[Unused]:
+    """The inputs that were given and change nothing under these laws."""
+    film = problem.chosen.film
+    one_body = film is not None and film.one_body
+    spoken_of = {name for record in problem.records() for name in record.needs}
+    spoken_of |= {name for record in problem.records() if record is film or not one_body for name in record.takes}
+    given = problem.subject.optional_inputs() if problem.subject is not None else {}
+    if problem.adheres or "n_g" in spoken_of:
+        spoken_of.add(_OF_FILM)
+    if (problem.adheres and not one_body) or (_OF_FILM in spoken_of and _OF_FILM not in given.values()):
+        spoken_of.add(_ADHESION)
+    found = [Unused(name, why="this contact has no film") for name in problem.chosen.ignored]
+    for name, group in given.items():
+        if not group:
+            found.append(Unused(name, why="one H/Y and one E_t/E, those of the bodies, are taken for the film too"))
+        elif group not in spoken_of:
+            found.append(Unused(name, _laws_that_use(group, problem)))
+    return found
+
+
+def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
+    """Laws that would use a group and go together with the others: keyword -> keys."""
+    chosen = problem.chosen
+    asperity = chosen.asperity if isinstance(problem, Sum) else None
+    known = problem.groups
+    others = [one for one in (chosen.tangential, chosen.film) if one is not None]
+    asperities: Iterable[AsperityLaw] = of_kind(AsperityLaw).values() if asperity is not None else ()
+    found = {
+        "tangential": [
+            one.key
+            for one in of_kind(TangentialLaw).values()
+            if _uses(one, group, known)
+            and (one.interfacial if asperity is None else not incompatibility(one, asperity))
+            and not (chosen.film is not None and friction_incompatibility(chosen.film, one))
+        ],
+        "asperity": [
+            one.key
+            for one in asperities
+            if _uses(one, group, known) and not any(incompatibility(other, one) for other in others)
+        ],
+    }
+    return {kind: keys for kind, keys in found.items() if keys}
+
+
+def _uses(record: Record, group: str, known: Groups) -> bool:
+    """Whether it would use the group, and all that it needs is known."""
+    if any(getattr(known, name) is None for name in record.needs):
+        return False
+    if group in (_ADHESION, _OF_FILM):
+        return isinstance(record, AsperityLaw) and "no adhesion" not in record.traits
+    return group in record.needs or group in record.takes
+
+
+def as_attributes(found: Iterable[Unused]) -> dict[str, str]:
+    """Attributes of a result that name what was not used, in words and as JSON; a netCDF file keeps them."""
+    found = list(found)
+    data = json.dumps([asdict(one) for one in found], ensure_ascii=False)
+    return {"inputs_not_used": "; ".join(map(str, found)), "unused_inputs": data}
+
+
+def unused_of(data: "xarray.Dataset") -> list[Unused]:
+    """What a result says was not used."""
+    rows: list[dict[str, Any]] = json.loads(data.attrs.get("unused_inputs", "[]"))
+    return [Unused(**row) for row in rows]

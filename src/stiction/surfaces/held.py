@@ -1,0 +1,131 @@
+"""Maps as other packages hold them: a topography of SurfaceTopography, an array of xarray, an array with its size.
+
+What a HeightMap gives back to them stands with it.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.foreign import has_unit
+from stiction.surfaces.heightmap import HeightMap, metres
+from stiction.surfaces.read import check_numbers, check_scale
+
+__all__ = ["as_height_map", "is_held"]
+
+_TAKEN = (
+    "a HeightMap, a topography of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size), "
+    'e.g. (heights, "40 um"), heights in m'
+)
+_ROUNDING = 1e-6  # of the pitch, by which coordinates may be off
+
+
+def is_held(value: Any) -> bool:
+    """Whether this looks like a map that `as_height_map` takes."""
+    return isinstance(value, HeightMap) or _is_topography(value) or _is_labelled(value) or _is_pair(value)
+
+
+def as_height_map(value: Any, field: str = "scan") -> HeightMap:
+    """The map that another package holds, heights in metres.
+
+    value: a HeightMap, which is given back as it is; a topography of SurfaceTopography that knows its unit; an xarray.DataArray
+    (y, x), or (x,) of a profile, whose coordinates are equally spaced lengths, in metres unless their attribute `units` says
+    otherwise, as its own does for the heights; or (array, size), heights (rows, columns) or (columns,) in m and the size along
+    x, with square pixels, or (y, x), in metres or as text with unit. Raises InputError, which names the field.
+    """
+    if isinstance(value, HeightMap):
+        return value
+    try:
+        if _is_topography(value):
+            return _of_topography(value)
+        if _is_labelled(value):
+            return _of_labelled(value)
+        if _is_pair(value):
+            return _made(*_of_pair(value), "an array", ("heights in m as given",))
+    except InputError as error:
+        raise InputError(f"{field}.{error.field}" if error.field != "scan" else field, error.value, error.allowed) from None
+    raise InputError(field, type(value).__name__, _TAKEN)
+
+
+def _is_topography(value: Any) -> bool:
+    return all(hasattr(value, name) for name in ("heights", "physical_sizes", "dim", "is_uniform"))
+
+
+def _is_labelled(value: Any) -> bool:
+    return hasattr(value, "dims") and hasattr(value, "coords") and not hasattr(value, "data_vars")
+
+
+def _is_pair(value: Any) -> bool:
+    return isinstance(value, tuple | list) and len(value) == 2 and hasattr(value[0], "__array__") and np.ndim(value[0]) > 0
+
+
+def _made(heights: np.ndarray, size: tuple[float, float], what: str, history: tuple[str, ...], name: str = "") -> HeightMap:
+    """The map, after the checks that a file goes through."""
+    surface = HeightMap(heights, size, history=(f"taken from {what}", *history), name=name or what)
+    check_numbers(surface.heights, surface.name)
+    check_scale(surface.heights, surface.size, surface.name)
+    return surface
+
+
+def _of_pair(value: Any) -> tuple[np.ndarray, tuple[float, float]]:
+    heights, size = np.atleast_2d(value[0]), value[1]
+    if heights.ndim != 2:
+        raise InputError("heights", f"array of shape {heights.shape}", "heights (rows, columns), or (columns,) of a profile")
+    rows, columns = heights.shape
+    lengths = list(size) if isinstance(size, tuple | list) else [size]
+    if len(lengths) not in (1, 2):
+        raise InputError("size", size, "one length along x, or two (y, x)")
+    x = metres(lengths[-1], "size")
+    return heights, (x / columns * rows if len(lengths) == 1 else metres(lengths[0], "size"), x)
+
+
+def _of_topography(topography: Any) -> HeightMap:
+    from stiction.surfaces.readers.shared.topography import on_grid
+
+    if topography.unit is None or topography.physical_sizes is None:
+        raise InputError("scan", "a topography without unit or size", 'one that knows both, e.g. Topography(..., unit="um")')
+    factor = _factor(str(topography.unit), "unit")
+    heights, size, notes = on_grid(topography)
+    name = str(getattr(topography, "info", {}).get("name", "") or "")
+    history = (f"unit of the topography: {topography.unit}", *notes)
+    return _made(heights * factor, (size[0] * factor, size[1] * factor), "a topography", history, name)
+
+
+def _of_labelled(array: Any) -> HeightMap:
+    if array.ndim not in (1, 2):
+        raise InputError("scan", f"DataArray of shape {array.shape}", "heights (y, x), or (x,) of a profile")
+    if array.dims == ("x", "y"):
+        array = array.transpose("y", "x")
+    pitches = [_pitch(array, str(dim)) for dim in array.dims]
+    data = array.data
+    if has_unit(data):
+        heights, unit = np.asarray(data.magnitude), f"{data.units:C}"
+    else:
+        heights, unit = array.values, str(array.attrs.get("units", "m"))
+    heights = np.atleast_2d(np.asarray(heights, dtype=float)) * _factor(unit, "heights")
+    steps = pitches if array.ndim == 2 else [pitches[0], pitches[0]]
+    size = (steps[0] * heights.shape[0], steps[1] * heights.shape[1])
+    return _made(heights, size, "a DataArray", (f"unit of the heights: {unit}",), str(array.name or ""))
+
+
+def _pitch(array: Any, dim: str) -> float:
+    """Distance of the points along a dimension, in metres, from its coordinate."""
+    if dim not in array.coords:
+        raise InputError(dim, None, "a coordinate with the places of the points, in m, or in its attribute `units`")
+    coordinate = array.coords[dim]
+    places = np.asarray(coordinate.values)
+    if places.dtype.kind not in "iuf" or len(places) < 2:
+        raise InputError(dim, f"{len(places)} places of type {places.dtype}", "two or more lengths")
+    steps = np.diff(places.astype(float))
+    pitch = float(steps.mean())
+    if not (np.isfinite(pitch) and pitch != 0.0 and np.abs(steps - pitch).max() <= _ROUNDING * abs(pitch)):
+        raise InputError(dim, f"steps from {steps.min():.6g} to {steps.max():.6g}", "equally spaced places")
+    return abs(pitch) * _factor(str(coordinate.attrs.get("units", "m")), dim)
+
+
+def _factor(unit: str, field: str) -> float:
+    try:
+        return metres(f"1 {unit}", field)
+    except InputError:
+        raise InputError(field, unit, 'a length unit, e.g. "nm"') from None

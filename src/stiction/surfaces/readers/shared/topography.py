@@ -1,0 +1,21 @@
+"""What the library SurfaceTopography calls a topography, as an array."""
+
+from typing import Any
+
+import numpy as np
+
+from stiction.surfaces.readers.shared.positions import equally_spaced
+
+__all__ = ["on_grid"]
+
+
+def on_grid(topography) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
+    """Heights (rows, columns), where the library has x first, size (y, x), and what was done."""
+    heights: Any = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan)
+    if topography.dim == 2:
+        width, depth = (float(length) for length in topography.physical_sizes)
+        return np.ascontiguousarray(heights.T), (depth, width), ()
+    if topography.is_uniform:
+        length = float(topography.physical_sizes[0])
+        return heights[None, :], (length / heights.size, length), ()
+    return equally_spaced(np.asarray(topography.positions(), dtype=float), heights.ravel())

@@ -1,0 +1,120 @@
+"""What `run` shows and writes says what it leaves out, and what is doubtful: rows, the table for spreadsheets, pictures."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from typer.testing import CliRunner
+
+import stiction as st
+from cases import STEEL_ON_STEEL
+from stiction.cli import app
+from stiction.laws.validity import doubts_of
+from stiction.report.files import comments_of, write_csv
+from stiction.report.pictures import curve_figure, doubts_below
+
+
+def run(case, *words) -> str:
+    result = CliRunner().invoke(app, ["run", str(case), *map(str, words)], terminal_width=400)
+    assert result.exit_code == 0, result.output
+    return result.output
+
+
+@pytest.fixture
+def case(tmp_path):
+    """A file for this number of loads."""
+
+    def write(count: int):
+        loads = [f"{0.1 * (1 + at)} N" for at in range(count)]
+        (tmp_path / "case.toml").write_text(f"title = 'with # in it'\n{STEEL_ON_STEEL}\n[solve]\nload = {loads}\n")
+        return tmp_path / "case.toml"
+
+    return write
+
+
+def rows(text: str) -> int:
+    lines = text.splitlines()
+    head = next(at for at, line in enumerate(lines) if line.startswith("separation"))
+    return next(at for at, line in enumerate(lines[head + 2 :]) if not line.strip())
+
+
+def test_how_many_rows_are_shown_is_said(case):
+    text = run(case(30))
+    assert rows(text) == 12 and "12 of 30 points are shown; --all-rows shows all" in " ".join(text.split())
+    whole = run(case(30), "--all-rows")
+    assert rows(whole) == 30 and "are shown" not in whole
+    few = run(case(3))
+    assert rows(few) == 3 and "are shown" not in few
+
+
+def test_the_table_begins_with_what_it_is_and_pandas_reads_it(case, tmp_path):
+    run(case(3), "--out", tmp_path / "out")
+    path = tmp_path / "out" / "curve.csv"
+    table = pd.read_csv(path, comment="#")
+    read = st.read_case(case(3))
+    solved = st.solve_case(read)
+    np.testing.assert_array_equal(table["friction_coefficient"], solved["friction_coefficient"])
+    assert table["load [N]"].tolist() == solved["load"].values.tolist() and len(table) == 3
+    said = [line[2:] for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("#")]
+    assert "title: with # in it" in said and any(line.startswith("model: soft_coating_2015 (") for line in said)
+    assert any(line.startswith("grade: C: ") for line in said)
+    assert [line.removeprefix("doubt: ") for line in said if line.startswith("doubt: ")] == [
+        str(one) for one in doubts_of(solved)
+    ]
+    inputs = dict(line.removeprefix("input: ").split(" = ") for line in said if line.startswith("input: "))
+    contact = st.Contact(
+        first={name.partition(".")[2]: text for name, text in inputs.items() if name.startswith("first.")},
+        second={name.partition(".")[2]: text for name, text in inputs.items() if name.startswith("second.")},
+        roughness={name.partition(".")[2]: text for name, text in inputs.items() if name.startswith("roughness.")},
+        **{name: text for name, text in inputs.items() if "." not in name},
+    )
+    for name in ("work_of_adhesion", "nominal_area", "interfacial_shear_strength"):
+        assert getattr(contact, name) == getattr(read.subject, name)
+    assert contact.roughness == read.subject.roughness
+    assert {line.split(":")[1].strip() for line in said if line.startswith("column: ")} == set(map(str, solved.variables))
+    assert any(line == "column: load: net normal load, adhesion included [N]" for line in said)
+
+
+def test_a_result_without_doubts_says_so(tmp_path):
+    result = st.solve(st.Indices(theta=40, lam=10), load=[1e-3, 2e-3]).assign_attrs(doubts="[]")
+    assert "doubt: none: within the ranges that are claimed" in comments_of(result)
+    write_csv(result, tmp_path / "plain.csv")
+    assert not (tmp_path / "plain.csv").read_text().startswith("#")
+
+
+def contact(**changes) -> st.Contact:
+    rough = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
+    given = {"first": "iron", "second": "iron", "work_of_adhesion": "0.1 J/m^2", "nominal_area": "1 mm^2", "roughness": rough}
+    return st.Contact(**given | changes)
+
+
+def test_the_picture_carries_the_doubts_below_its_panels():
+    result = st.solve(contact(), load=["1 N", "300 N"])
+    figure = curve_figure(result)
+    text = " ".join(" ".join(one.get_text() for one in figure.texts).split())
+    doubts = [str(one) for one in doubts_of(result)]
+    assert doubts and all(" ".join(one.split()) in text for one in doubts[:5])
+    figure.canvas.draw()
+    below = max(one.get_window_extent().y1 for one in figure.texts if "outside the range" in one.get_text())
+    assert below <= min(axes.get_tightbbox().y0 for axes in figure.axes)  # nothing lies over the labels
+    left = figure.bbox.x1
+    assert all(one.get_window_extent().x1 <= left for one in figure.texts)
+    without = curve_figure(result.assign_attrs(doubts="[]"))
+    assert not any("outside the range" in one.get_text() for one in without.texts)
+
+
+def test_many_doubts_are_counted():
+    from stiction.laws.validity import Doubt, with_doubts
+
+    result = with_doubts(st.solve(contact(), load="1 N").assign_attrs(doubts="[]"), [Doubt(f"doubt {at}") for at in range(8)])
+    lines = doubts_below(result, 100)
+    assert lines[0].startswith("outside the range") and "doubt 4" in lines and "doubt 5" not in lines
+    assert lines[-1].startswith("and 3 more doubts")
+
+
+@pytest.mark.parametrize(("count", "marked"), [(1, True), (3, True), (20, True), (60, False)])
+def test_few_points_are_marked(count, marked):
+    figure = curve_figure(st.solve(contact(), load=np.geomspace(0.1, 1.0, count)))
+    mu = next(axes for axes in figure.axes if "friction coefficient" in axes.get_ylabel()).lines[0]
+    assert (mu.get_marker() == "o") == marked and len(mu.get_xdata()) == count
+    area = next(axes for axes in figure.axes if "contact area" in axes.get_ylabel()).lines
+    assert all(line.get_marker() == "o" for line in area if len(line.get_xdata())) == marked
