@@ -19,6 +19,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
 from stiction.solving.conditions import questions
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
+from stiction.studies.sweep_plan import Sweep
 from stiction.studies.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
 
 __all__ = ["Case", "json_schema", "parse_case", "read_case"]
@@ -118,12 +119,13 @@ class _Solve(Input):
 
 
 class _CaseFile(Input):
-    """The tables of a case file: [contact] or [indices], and [solve]."""
+    """The tables of a case file: [contact] or [indices], [solve], and [sweep] for many contacts."""
 
     title: str = ""
     contact: Contact | None = None
     indices: Indices | None = None
     solve: _Solve = Field(description="a table with separation or load")
+    sweep: Sweep | None = Field(None, description="a table: what `stiction sweep` computes and keeps")
 
     @model_validator(mode="after")
     def _one_subject(self):
