@@ -14,7 +14,7 @@ from stiction.solving.choice import Choice
 from stiction.solving.conditions import rules_left, rules_of
 from stiction.solving.inversion import separations_at
 from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_problem
-from stiction.solving.results import as_variables, with_shares
+from stiction.solving.results import as_variables, summary_of, with_shares
 from stiction.solving.solve import all_dims, convergence, points_asked, pull_off_variables, summed
 
 __all__ = ["NOT_COMPUTED", "Pointwise", "WHY_NOT", "solve_pointwise"]
@@ -35,12 +35,15 @@ class Pointwise:
     """Results of many contacts.
 
     variables: name -> dimensions, values in the units of the contact, attributes. doubts: the dimensions, and bits (uint32): the
-    first are WHY_NOT, then one for each of the rules.
+    first are WHY_NOT, then one for each of the rules. subject: the contacts as the model takes them; attributes: what was used,
+    as `solve` says it, where all results are kept.
     """
 
     variables: dict[str, tuple]
     doubts: tuple[tuple[str, ...], np.ndarray]
     rules: list[Validity]
+    subject: Subject
+    attributes: dict[str, str]
 
 
 def solve_pointwise(
@@ -72,14 +75,16 @@ def solve_pointwise(
     for bit, left in enumerate(rules_left(problem, tables), start=len(WHY_NOT)):
         doubts |= left.astype(np.uint32) << np.uint32(bit)
     doubts = doubts.reshape(wanted.shape)
-    return Pointwise(variables, (tuple(dims), doubts), rules_of(problem))
+    attributes = summary_of(problem.subject, problem, tables) if keep is None else {}
+    return Pointwise(variables, (tuple(dims), doubts), rules_of(problem), problem.subject, attributes)
 
 
 def _tables(problem: Problem, given: str, wanted: np.ndarray, unbroadcast: np.ndarray) -> tuple[dict, np.ndarray, Any]:
     """Normalised results of the full shape, bits of WHY_NOT (contacts, points), and the inversion, if there was one."""
     contacts = len(problem.groups)
     if given == "mean_separation":
-        return {"mean_separation": unbroadcast} | summed(problem, unbroadcast, wanted.shape), np.zeros((contacts, 1), int), None
+        why_not = np.zeros((contacts, wanted.size // contacts), dtype=np.uint32)
+        return {"mean_separation": unbroadcast} | summed(problem, unbroadcast, wanted.shape), why_not, None
     targets = wanted.reshape(contacts, -1)
     if problem.needs_load:
         lost = targets < 0.0

@@ -148,9 +148,7 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     from stiction.studies.case import case_of, check_scans, opened
 
     content, several = opened(content, folder)
-    sweep = Sweep(**content.get("sweep", {})) if isinstance(content.get("sweep", {}), Mapping) else None
-    if sweep is None:
-        raise InputError("sweep", content["sweep"], "a table with sample, keep, statistics, precision")
+    sweep = _sweep(content.get("sweep", {}))
     plain = {key: value for key, value in content.items() if key != "sweep"}
     plan = Plan(plain, several, sweep)
     lengths = _lengths(plan)
@@ -160,6 +158,15 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     points = first.load if first.load is not None else first.separation
     size = int(np.size(points)) if not hasattr(points, "dims") else points.sizes["separation"]
     return _cut(replace(plan, points=size), lengths)
+
+
+def _sweep(table: Any) -> Sweep:
+    if not isinstance(table, Mapping):
+        raise InputError("sweep", table, "a table with sample, keep, statistics, precision, block")
+    try:
+        return Sweep(**table)
+    except InputError as error:
+        raise InputError(f"sweep.{error.field}", error.value, error.allowed) from None
 
 
 def _lengths(plan: Plan) -> dict[str, int]:

@@ -6,9 +6,10 @@ case: what was interrupted is written again as it would have been.
 """
 
 import json
+import os
 import shutil
 from collections.abc import Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import version
@@ -172,8 +173,8 @@ def _of_choice(choice: Choice) -> dict[str, Any]:
 
 
 def _first(plan: Plan) -> tuple[Choice, Any]:
-    """What answers, and the labelled results of one contact that is not refused: of the first that is found."""
-    from stiction.studies.case_results import choice_of_case, solve_case
+    """What answers, and the case and the results of one contact that is not refused: of the first that is found."""
+    from stiction.studies.case_results import choice_of_case
 
     refused: Exception = InputError("contact", None, "contacts that the model takes")
     for block in range(min(plan.blocks, 3)):
@@ -184,36 +185,27 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
             try:
                 case = plan.case(one)
                 choice = choice_of_case(case, case.choice)
-                return choice, (case, solve_region(plan, choice, one), solve_case(_at_some_point(case), choice))
+                return choice, (case, solve_region(plan, choice, one))
             except (InputError, ArithmeticError) as error:
                 refused = error
     raise refused
 
 
-def _at_some_point(case: Any) -> Any:
-    """The case at a point that every contact has: for the attributes of its result."""
-    from dataclasses import replace
-
-    if case.load is not None:
-        return replace(case, load=np.array([float(np.median(case.load[case.load > 0.0]))])) if (case.load > 0.0).any() else case
-    return case
-
-
 def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> None:
     import zarr
 
-    case, solved, labelled = first
+    case, solved = first
     names = list(solved.variables)
     check_kept(plan.sweep.keep, names)
-    names = plan.sweep.keep or names
     dims, bits = solved.doubts
+    names = [name for name in plan.sweep.keep or names if name not in dims]  # what is asked for is a coordinate
     order = tuple(dim for dim in dims if dim in plan.dims)
     points = {dim: size for dim, size in zip(dims, bits.shape, strict=True) if dim not in plan.dims}
     layout = {name: tuple(dim for dim in (*plan.dims, *points) if dim in solved.variables[name][0]) for name in names}
     if len(solved.rules) > _MOST_RULES:
         raise InputError("model", case.choice.model, f"laws with {_MOST_RULES} ranges of validity at most, for a sweep")
     group = zarr.create_group(str(path), zarr_format=3)
-    said = {name: labelled.attrs[name] for name in (*_LAWS, *labelled.attrs["options"].split()) if name in labelled.attrs}
+    said = {name: solved.attributes[name] for name in (*_LAWS, *solved.attributes["options"].split())}
     more = {"results": json.dumps(layout), "points": json.dumps(points), "identity": plan.identity()}
     versions = {name: version(name) for name in _PACKAGES}
     group.attrs.update(said | dict(attributes) | more | _of_sample(plan) | {"program": f"stiction {__version__}", "versions": versions})
@@ -223,7 +215,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
         _statistics(group, plan, layout, points, solved)
     else:
         _arrays(group, plan, layout, sizes, solved)
-    group.attrs["coordinates"] = " ".join(_coordinates(group, plan, case, points, labelled))
+    group.attrs["coordinates"] = " ".join(_coordinates(group, plan, case, points))
     bits_known = len(WHY_NOT) + len(solved.rules)
     done = group.create_array(
         _DONE, shape=(plan.blocks, bits_known), chunks=(1, bits_known), dtype="int64", fill_value=_NOTHING,
@@ -275,7 +267,7 @@ def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Map
     _coordinate(group, "statistic", ("statistic",), np.array(kinds, dtype="U18"), {"long_name": "over all contacts"})
 
 
-def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int], labelled: Any) -> list[str]:
+def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -> list[str]:
     """Write what the points along the dimensions are called; returns the names that are no dimensions."""
     names = []
     listed = plan.sweep.sample.method != "grid"
@@ -293,7 +285,8 @@ def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int], l
             names.append(one.name)
     for dim in points:
         values = case.load if dim == "load" else case.separation if dim == "mean_separation" else case.separation[dim].values
-        _coordinate(group, dim, (dim,), np.asarray(values), dict(labelled[dim].attrs))
+        attributes = case.separation[dim].attrs if dim == "separation" else case.subject.attributes(dim)
+        _coordinate(group, dim, (dim,), np.asarray(values), attributes)
     return names
 
 
@@ -314,22 +307,25 @@ def open_store(path: str | Path) -> "xarray.Dataset":
 
 @contextmanager
 def locked(path: Path):
-    """Alone with the store: InputError where another sweep writes to it. The lock goes with the process that has it."""
+    """Alone with the store: InputError where another sweep writes to it. The lock goes with the process that has it; where the
+    system has none, two sweeps of one store write the same bits."""
     try:
         import fcntl
-        import os
-    except ImportError:  # where there is none, two sweeps of one store write the same bits
+    except ImportError:
         yield
         return
     handle = os.open(path, os.O_RDONLY)
     try:
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise InputError("--out", str(path), "a store that no other sweep is writing to") from None
-        except OSError:
-            with suppress(OSError):  # file systems without locks
-                pass
+        _lock(fcntl, handle, path)
         yield
     finally:
         os.close(handle)
+
+
+def _lock(fcntl: Any, handle: int, path: Path) -> None:
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise InputError("--out", str(path), "a store that no other sweep is writing to") from None
+    except OSError:  # a file system without locks
+        return

@@ -40,7 +40,10 @@ def _in_pool(store: Store, blocks: list[int], workers: int) -> Iterator[tuple[in
     import multiprocessing
     from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
 
-    context = multiprocessing.get_context("spawn")
+    known = multiprocessing.get_all_start_methods()
+    context: Any = multiprocessing.get_context("forkserver" if "forkserver" in known else "spawn")
+    if context.get_start_method() == "forkserver":
+        context.set_forkserver_preload(["stiction.studies.sweep_blocks"])  # imported once for all
     pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(store,))
     try:
         waiting: dict[Any, int] = {}
