@@ -1,4 +1,4 @@
-"""Kill a sweep again and again, at random moments, then let it end: is the store the same, bit for bit, as one never interrupted?
+"""Kill a sweep again and again, at random moments, then let it end: is the store that of one never interrupted, bit for bit?
 
     python benchmarks/kill_sweep.py [KILLS] [WORKERS]
 
@@ -63,11 +63,13 @@ def main(kills: int, workers: int) -> int:
         chance = random.Random(1)
         for number in range(kills):
             process, before = start(case, parts, workers), done(parts)
-            time.sleep(chance.uniform(0.2, 1.0) * length)
+            while number and process.poll() is None and done(parts) == before:
+                time.sleep(0.05)  # starting takes longer than the work between two kills
+            time.sleep(chance.uniform(0.0, 1.5) * length / kills)
             if process.poll() is None:
                 kill_one(process, workers > 1 and number % 2 == 1)
             if workers > 1 and process.poll() is None and number % 2 == 1:
-                time.sleep(length / 4)
+                time.sleep(length / kills)
                 process.kill()
             process.wait()
             print(f"kill {number + 1}: {done(parts) - before} blocks done, {done(parts)} in all", flush=True)
@@ -75,7 +77,9 @@ def main(kills: int, workers: int) -> int:
         names = [sorted(str(file.relative_to(one)) for file in one.rglob("*") if file.is_file()) for one in (whole, parts)]
         _, other, missing = filecmp.cmpfiles(whole, parts, names[0], shallow=False)
         good = names[0] == names[1] and not other and not missing
-        print(f"{len(names[0])} files, {done(whole)} blocks: {'the same, bit for bit' if good else f'{other + missing} differ'}")
+        print(
+            f"{len(names[0])} files, {done(whole)} blocks: {'the same, bit for bit' if good else f'{other + missing} differ'}"
+        )
         return 0 if good else 1
 
 

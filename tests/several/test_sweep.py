@@ -42,7 +42,9 @@ def changed(case, **tables):
 
 def same(one, other):
     """Whether two stores are the same, file by file and bit by bit."""
-    names = [sorted(str(file.relative_to(store)) for file in Path(store).rglob("*") if file.is_file()) for store in (one, other)]
+    names = [
+        sorted(str(file.relative_to(store)) for file in Path(store).rglob("*") if file.is_file()) for store in (one, other)
+    ]
     assert names[0] == names[1]
     return filecmp.cmpfiles(one, other, names[0], shallow=False)[0] == names[0]
 
@@ -124,7 +126,11 @@ def meanings(data):
 
 
 def test_doubts_are_kept_for_every_point(tmp_path):
-    case = {**GRID, "indices": {"theta": [0.5, 40], "lam": 10, "tabor_parameter": [1.0, 100.0]}, "solve": {"separation": [2, -5]}}
+    case = {
+        **GRID,
+        "indices": {"theta": [0.5, 40], "lam": 10, "tabor_parameter": [1.0, 100.0]},
+        "solve": {"separation": [2, -5]},
+    }
     data = sweep(case, tmp_path / "store")
     bit = next(mask for text, mask in meanings(data).items() if text.startswith("tabor_parameter is not 5 or more"))
     left = (data["doubts"].transpose("theta", "tabor_parameter", "mean_separation").values & bit) > 0
@@ -142,7 +148,9 @@ def test_what_is_refused_or_not_carried_is_said_and_the_rest_is_there(tmp_path):
                "work_of_adhesion": "1 J/m^2", "nominal_area": "1 mm^2"}  # fmt: skip
     data = sweep({"contact": contact, "solve": {"load": ["1 N", "1 TN"]}, "sweep": {"block": 6}}, tmp_path / "store")
     assert np.isfinite(data["friction_coefficient"].values).tolist() == [[at > 0, False] for at in range(9)]
-    refused, not_carried = (mask for text, mask in meanings(data).items() if text.startswith(("the contact is ref", "the load is now")))
+    refused, not_carried = (
+        mask for text, mask in meanings(data).items() if text.startswith(("the contact is ref", "the load is now"))
+    )
     assert ((data["doubts"] & refused) > 0).values.tolist() == [[at == 0] * 2 for at in range(9)]  # H below Y
     assert ((data["doubts"] & not_carried) > 0).values.tolist() == [[False, at > 0] for at in range(9)]
 

@@ -19,14 +19,16 @@ def sweep(
     workers: Annotated[int, typer.Option(metavar="N", help="How many processes of this machine share the work.")] = 1,
     scheduler: Annotated[
         str | None,
-        typer.Option(metavar="ADDRESS", help="Scheduler of a dask.distributed cluster that does the work, e.g. tcp://host:8786."),
+        typer.Option(
+            metavar="ADDRESS", help="Scheduler of a dask.distributed cluster that does the work, e.g. tcp://host:8786."
+        ),
     ] = None,
     json: Json = False,
 ) -> None:
     """Solve many contacts, into a labelled store on disk (zarr 3).
 
     Which contacts, the table [sweep] of the case says: every combination, points of a list, or points that are drawn. It may be
-    interrupted at any time; calling it again goes on where it was, and the store is the same, bit for bit, whoever does the work.
+    interrupted at any time; calling it again goes on where it was. The store is the same, bit for bit, whoever does the work.
     """
     from time import perf_counter
 
@@ -77,7 +79,15 @@ class _Shown:
         from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
         texts = TextColumn("{task.description}"), TextColumn("{task.fields[rate]}")
-        columns = texts[0], BarColumn(), TaskProgressColumn(), texts[1], TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn()
+        columns = (
+            texts[0],
+            BarColumn(),
+            TaskProgressColumn(),
+            texts[1],
+            TimeElapsedColumn(),
+            TextColumn("left"),
+            TimeRemainingColumn(),
+        )
         with Progress(*columns, console=terminal, transient=True) as progress:
             task = progress.add_task("Sweeping", total=self.size, completed=self.done, rate="")
             for points in self._counted(steps):

@@ -17,7 +17,7 @@ from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_p
 from stiction.solving.results import as_variables, summary_of, with_shares
 from stiction.solving.solve import all_dims, convergence, points_asked, pull_off_variables, summed
 
-__all__ = ["NOT_COMPUTED", "Pointwise", "WHY_NOT", "solve_pointwise"]
+__all__ = ["NOT_COMPUTED", "WHY_NOT", "Pointwise", "solve_pointwise"]
 
 # The first doubts of every point: bit 0 to 2. What is refused or not carried has no results.
 WHY_NOT = (
@@ -34,9 +34,9 @@ NOT_COMPUTED = np.uint32(1 << 31)
 class Pointwise:
     """Results of many contacts.
 
-    variables: name -> dimensions, values in the units of the contact, attributes. doubts: the dimensions, and bits (uint32): the
-    first are WHY_NOT, then one for each of the rules. subject: the contacts as the model takes them; attributes: what was used,
-    as `solve` says it, where all results are kept.
+    variables: name -> dimensions, values in the units of the contact, attributes. doubts: the dimensions, and bits (uint32):
+    the first are WHY_NOT, then one for each of the rules. subject: the contacts as the model takes them; attributes:
+    what was used, as `solve` says it, where all results are kept.
     """
 
     variables: dict[str, tuple]
@@ -103,4 +103,6 @@ def _without(tables: Mapping[str, np.ndarray], lost: np.ndarray) -> dict[str, np
     """The tables with not a number at the points (contacts, points) that are lost; the load asked for stays."""
     if not lost.any():
         return dict(tables)
-    return {name: np.where(lost.reshape(table.shape), np.nan, table) if name != "load" else table for name, table in tables.items()}
+    return {
+        name: np.where(lost.reshape(table.shape), np.nan, table) if name != "load" else table for name, table in tables.items()
+    }

@@ -19,8 +19,8 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
 from stiction.solving.conditions import questions
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
-from stiction.studies.sweep_plan import Sweep
 from stiction.studies.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
+from stiction.studies.sweep_plan import Sweep
 
 __all__ = ["Case", "json_schema", "parse_case", "read_case"]
 

@@ -25,10 +25,10 @@ def sweep(
 ) -> "xarray.Dataset":
     """Solve all contacts of a case whose numbers are several, into a store on disk; what was done before is not done again.
 
-    case: path of a case file, or its tables as a dict. out: path of the store, new, or of this case. workers: how many processes of
-    this machine share the work; or scheduler: address of a dask.distributed scheduler, whose workers see the store under the
-    same path. The store is the same, bit for bit, whoever does the work, and however often it is interrupted. progress: shown
-    what is done.
+    case: path of a case file, or its tables as a dict. out: path of the store, new, or of this case. workers: how many
+    processes of this machine share the work; or scheduler: address of a dask.distributed scheduler, whose workers see the store
+    under the same path. The store is the same, bit for bit, whoever does the work, and however often it is interrupted.
+    progress: shown what is done.
 
     Returns the store as a labelled dataset, read from disk as it is used: the results, over the dimensions of what varies (or
     `sample`, of points that are listed or drawn) and the loads or separations, and `doubts`, whose bits say of every point

@@ -86,8 +86,8 @@ def _halves(region: dict[str, slice]) -> list[dict[str, slice]]:
 
 
 def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
-    """Of values whose first so many dimensions are contacts: number, mean, sum of squared deviations, least and most of those that
-    are numbers, (5, points)."""
+    """Of values whose first so many dimensions are contacts: number, mean, sum of squared deviations, least and most of those
+    that are numbers, (5, points)."""
     rows = values.reshape(math.prod(values.shape[:contacts]), -1)
     there = np.isfinite(rows)
     count = there.sum(axis=0)
@@ -114,7 +114,12 @@ def merged(parts: Sequence[np.ndarray]) -> dict[str, np.ndarray]:
         count, least, most = both, np.minimum(least, part[3]), np.maximum(most, part[4])
     none, few = count == 0.0, count < 2.0
     spread = np.sqrt(squares / np.where(few, 1.0, count - 1.0))
-    rows = (count, np.where(none, np.nan, mean), np.where(few, np.nan, spread), *(np.where(none, np.nan, end) for end in (least, most)))
+    rows = (
+        count,
+        np.where(none, np.nan, mean),
+        np.where(few, np.nan, spread),
+        *(np.where(none, np.nan, end) for end in (least, most)),
+    )
     return dict(zip(STATISTICS, rows, strict=True))
 
 

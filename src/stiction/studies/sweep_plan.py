@@ -39,7 +39,7 @@ class Sample(Input):
             raise InputError("count", None, "a whole number, 1 or more: how many points are drawn")
         if not drawn and self.count is not None:
             raise InputError("count", self.count, f"nothing: a {self.method} has as many points as there are values")
-        if self.method == "latin_hypercube" and self.count > _MOST_HYPERCUBE:
+        if self.method == "latin_hypercube" and (self.count or 0) > _MOST_HYPERCUBE:
             raise InputError("count", self.count, f"{_MOST_HYPERCUBE} at most, or sobol, which may have more")
         return self
 
@@ -47,11 +47,11 @@ class Sample(Input):
 class Sweep(Input):
     """What is computed and kept.
 
-    sample: which contacts. keep: names of results, all if left out. statistics: in place of the points, of what is kept over all
-    contacts at each load. precision: of what is stored. block: points that are computed and stored at once.
+    sample: which contacts. keep: names of results, all if left out. statistics: in place of the points, of what is kept over
+    all contacts at each load. precision: of what is stored. block: points that are computed and stored at once.
     """
 
-    sample: Sample = Field(default_factory=Sample, description="a table with method, count and seed")
+    sample: Sample = Field(default=Sample(method="grid", count=None, seed=0), description="a table with method, count and seed")
     keep: list[str] = Field(default_factory=list, description="a list of names of results")
     statistics: list[Literal["count", "mean", "standard_deviation", "least", "most"]] = Field(
         default_factory=list, description=", ".join(STATISTICS)
@@ -172,7 +172,9 @@ def _sweep(table: Any) -> Sweep:
 def _lengths(plan: Plan) -> dict[str, int]:
     """The length of every dimension of the contacts. Raises InputError."""
     if not plan.several:
-        raise InputError("contact", "single numbers only", "numbers that are several, a list or {start, stop, count}, for a sweep")
+        raise InputError(
+            "contact", "single numbers only", "numbers that are several, a list or {start, stop, count}, for a sweep"
+        )
     sample = plan.sweep.sample
     if sample.method in ("sobol", "latin_hypercube"):
         assert sample.count is not None  # the validator has seen to it
@@ -189,8 +191,8 @@ def _lengths(plan: Plan) -> dict[str, int]:
 def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
     """The plan with blocks of as many contacts as have the points asked for, whole along the last dimensions."""
     room = max(1, plan.sweep.block // plan.points)
-    tile = {}
-    for dim in reversed(lengths):
+    tile: dict[str, int] = {}
+    for dim in reversed(list(lengths)):
         tile[dim] = max(1, min(lengths[dim], room))
         room //= tile[dim]
     return replace(plan, dims=dict(lengths), tile={dim: tile[dim] for dim in lengths})

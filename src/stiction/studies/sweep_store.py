@@ -181,7 +181,10 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
         region = plan.region(block)
         for at in range(min(plan.contacts(block), 5)):
             places = np.unravel_index(at, [some.stop - some.start for some in region.values()])
-            one = {dim: slice(some.start + int(i), some.start + int(i) + 1) for (dim, some), i in zip(region.items(), places, strict=True)}
+            one = {
+                dim: slice(some.start + int(i), some.start + int(i) + 1)
+                for (dim, some), i in zip(region.items(), places, strict=True)
+            }
             try:
                 case = plan.case(one)
                 choice = choice_of_case(case, case.choice)
@@ -208,7 +211,9 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     said = {name: solved.attributes[name] for name in (*_LAWS, *solved.attributes["options"].split())}
     more = {"results": json.dumps(layout), "points": json.dumps(points), "identity": plan.identity()}
     versions = {name: version(name) for name in _PACKAGES}
-    group.attrs.update(said | dict(attributes) | more | _of_sample(plan) | {"program": f"stiction {__version__}", "versions": versions})
+    group.attrs.update(
+        said | dict(attributes) | more | _of_sample(plan) | {"program": f"stiction {__version__}", "versions": versions}
+    )
     assert set(order) == set(plan.dims)
     sizes = dict(plan.dims) | points
     if plan.sweep.statistics:
@@ -221,7 +226,9 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
         _DONE, shape=(plan.blocks, bits_known), chunks=(1, bits_known), dtype="int64", fill_value=_NOTHING,
         dimension_names=("block", "rule"),
     )  # fmt: skip
-    done.attrs.update({"long_name": "points of a block at which a rule is left", "rules": json.dumps(rules_as_data(solved.rules))})
+    done.attrs.update(
+        {"long_name": "points of a block at which a rule is left", "rules": json.dumps(rules_as_data(solved.rules))}
+    )
 
 
 def _of_sample(plan: Plan) -> dict[str, Any]:
@@ -247,7 +254,12 @@ def _arrays(group: Any, plan: Plan, layout: Mapping[str, tuple], sizes: Mapping[
 def _doubts_attributes(rules: list) -> dict[str, Any]:
     meanings = [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules), "not computed yet"]
     masks = [1 << bit for bit in range(len(meanings) - 1)] + [int(NOT_COMPUTED)]
-    return {"long_name": "doubts", "comment": "bits, by flag_masks and flag_meanings", "flag_masks": masks, "flag_meanings": meanings}
+    return {
+        "long_name": "doubts",
+        "comment": "bits, by flag_masks and flag_meanings",
+        "flag_masks": masks,
+        "flag_meanings": meanings,
+    }
 
 
 def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Mapping[str, int], solved: Any) -> None:
@@ -291,7 +303,9 @@ def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -
 
 
 def _coordinate(group: Any, name: str, dims: tuple[str, ...], values: np.ndarray, attributes: Mapping[str, Any]) -> None:
-    array = group.create_array(name, data=values, chunks=values.shape, dimension_names=dims) if values.dtype.kind != "U" else None
+    array = (
+        group.create_array(name, data=values, chunks=values.shape, dimension_names=dims) if values.dtype.kind != "U" else None
+    )
     if array is None:
         array = group.create_array(name, shape=values.shape, chunks=values.shape, dtype=str, dimension_names=dims)
         array[:] = values.astype(object)

@@ -100,7 +100,9 @@ def done_on_cluster(store: Store, blocks: list[int], address: str) -> Iterator[i
                 if block is not None:
                     running.add(client.submit(_do_there, shared, block, pure=False))
         except KilledWorker:
-            raise InputError("--scheduler", address, "workers that live: they die again and again, for want of memory?") from None
+            raise InputError(
+                "--scheduler", address, "workers that live: they die again and again, for want of memory?"
+            ) from None
 
 
 def _do_there(store: Store, block: int) -> int:
