@@ -23,7 +23,7 @@ from stiction.laws.claims import KINDS_OF_DOUBT
 from stiction.laws.finding import methods
 from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, records, text_of
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
+from stiction.report.material_tables import LISTED, with_range
 from stiction.solving.conditions import RULES
 from stiction.studies.recommendation import COST_OF_A_DOUBLING, COST_OF_GRADE, COST_UNIT
 from stiction.surfaces.read import readers
@@ -193,16 +193,10 @@ def more(record: Record) -> list[str]:
 
 
 def materials() -> str:
-    """Every preset with its numbers."""
-    names = ("youngs_modulus", "poissons_ratio", "hardness", "surface_energy")
-    head = ("preset", *(f"{QUANTITIES[name].meaning.split(',')[0]} {QUANTITIES[name].symbol}" for name in names))
-    rows = []
-    for key in material_names():
-        preset = st.material(key)
-        values = [getattr(preset, name) for name in names]
-        shown = ["" if value is None else show(value, name) for name, value in zip(names, values, strict=True)]
-        rows.append((f"`{key}`", *shown))
-    return table(head, rows)
+    """Every preset with its numbers and their ranges."""
+    head = ("preset", *(f"{QUANTITIES[name].meaning.split(',')[0]} {QUANTITIES[name].symbol} (range)" for name in LISTED))
+    presets = [st.material(key) for key in material_names()]
+    return table(head, [(f"`{preset.name}`", *(with_range(preset, name) for name in LISTED)) for preset in presets])
 
 
 def material_sources() -> str:

@@ -202,14 +202,14 @@ def test_a_path_that_is_no_file(tmp_path):
 def test_json_schema_states_units_and_bounds():
     schema = json_schema()
     json.dumps(schema)
-    assert set(schema["properties"]) == {"title", "contact", "indices", "solve", "sweep"}
+    assert set(schema["properties"]) == {"title", "materials", "contact", "indices", "solve", "sweep"}
     definitions = schema["$defs"]
     thickness = definitions["Coating"]["properties"]["thickness"]
     assert thickness["anyOf"][0]["type"] == "string" and "[m]; > 0 m" in thickness["description"]
     nu = definitions["Indices"]["properties"]["nu"]
     one = nu["anyOf"][0]
     assert (one["minimum"], one["exclusiveMaximum"], nu["default"]) == (0, 0.5, 0.3)
-    assert "silver" in definitions["Material"]["properties"]["preset"]["enum"]
+    assert "silver" in definitions["Material"]["properties"]["preset"]["anyOf"][0]["enum"]
     assert "additionalProperties" in definitions["Indices"]
 
 

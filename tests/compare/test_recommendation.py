@@ -181,7 +181,9 @@ def test_what_knows_more_but_not_the_stated_strength_comes_after():
     assert compare(contact("200 nm"), load="1 N").attrs["recommended"] == "graded"
 
 
-@pytest.mark.parametrize(("load", "recommended", "share"), (("1 N", "halling_1979", 0), ("1 kN", "none", 1)))
+@pytest.mark.parametrize(
+    ("load", "recommended", "share"), (("1 N", ("halling_1979", "dayson_1971"), 0), ("1 kN", ("none",), 1))
+)
 def test_validity_is_that_at_the_working_load(load, recommended, share):
     """The film law of the paper is for contact spots that are smaller than the film is thick: so they are under a light load
     and not under a heavy one, and the curves, pressed to a mean separation of -2 sigma, go through both. Silver is pressed flat
@@ -190,7 +192,7 @@ def test_validity_is_that_at_the_working_load(load, recommended, share):
     name = "maugis_1992 + sequential"
     told, data = said(subject, load)
     assert any("half-space: contact radius" in line for line in told[name][3]) == bool(share)
-    assert data.attrs["recommended"] == recommended
+    assert data.attrs["recommended"] in recommended
     single = st.solve(
         subject, load=load, model="greenwood_williamson_1966", asperity="maugis_1992", tangential="bowden_tabor_1943",
         film="sequential",

@@ -251,7 +251,7 @@ def test_work_of_adhesion_from_surface_energies():
         ),
         (
             {"coating": {"material": {"preset": "silver", "hardnes": 1}, "thickness": 1e-7}},
-            "coating.material.hardnes: 1; allowed: hardness (all: ",
+            "coating.material.hardnes: 1; allowed: hardness or range (all: ",
         ),
         ({"hardness_to_yield": 0.9}, "hardness_to_yield: 0.9; allowed: >= 1"),
     ],

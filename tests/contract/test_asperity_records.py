@@ -283,6 +283,7 @@ def outside(monkeypatch):
     registry._outside.cache_clear()
 
 
+@pytest.mark.filterwarnings("ignore::stiction.InputDoubt")  # every point is no asperity, and is said not to be
 def test_a_method_from_outside_is_like_the_others(outside, tmp_path):
     from stiction.report.picture_style import look_of, plain
 

@@ -110,7 +110,7 @@ def test_groups_alone():
     np.testing.assert_allclose(found["friction_coefficient"], expected["friction_coefficient"], rtol=1e-12)
     swept = st.solve(st.Indices(hardness_group=st.axis("hardness_group", [1.0, 2.0])), **plain)
     np.testing.assert_allclose(swept["friction_coefficient"][1], found["friction_coefficient"], rtol=1e-12)
-    with pytest.raises(InputError, match=r"^theta: not given; allowed: > 0: roy_chowdhury"):
+    with pytest.raises(InputError, match=r"^theta: not given; allowed: .*: roy_chowdhury"):
         st.solve(st.Indices(hardness_group=2.0), load=0.1)
 
 
@@ -144,7 +144,7 @@ def test_adhesion_that_is_almost_none_is_no_nan(gamma):
     try:
         found = st.solve(contact(work_of_adhesion=gamma), load="1 mN", model="chang_etsion_bogy_1988")
     except InputError as error:
-        assert gamma < 1e-100 and "\n" not in str(error)
+        assert gamma < 1e-30 and "\n" not in str(error)
     else:
         assert np.isfinite(float(found["friction_coefficient"]))
 

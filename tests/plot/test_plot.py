@@ -78,7 +78,7 @@ def test_a_model_without_separation_is_drawn_against_load_only(friction):
     rough = Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
     contact = Contact(first=steel, second=steel, work_of_adhesion="0.1 J/m^2", nominal_area="1 mm^2", roughness=rough,
                       interfacial_shear_strength="200 MPa")  # fmt: skip
-    law = "bowden_tabor_1943" if friction else None
+    law = "bowden_tabor_1943" if friction else "none"
     data = solve(contact, load=["1 N", "2 N"], model="persson_2001", tangential=law)
     axes = plot.curve_figure(data).axes
     assert len(axes) == (3 if friction else 1)

@@ -73,6 +73,16 @@ def test_numbers_inside_materials_and_films_may_be_several():
     np.testing.assert_allclose(at["friction_coefficient"], single, rtol=1e-9)
 
 
+def test_numbers_of_a_material_of_the_cases_own_may_be_several():
+    contact = {**BARE, "first": {"preset": "mine", "hardness": ["1 GPa", "2 GPa"]}}
+    mine = {"youngs_modulus": "83 GPa", "poissons_ratio": 0.37, "hardness": "1 GPa"}
+    content = {"contact": contact, "materials": {"mine": mine}, "solve": {"load": "1 N"}}
+    both = solve_case(parse_case(content))["friction_coefficient"].values
+    for at, text in enumerate(("1 GPa", "2 GPa")):
+        alone = {**content, "contact": {**contact, "first": {**mine, "hardness": text}}}
+        np.testing.assert_allclose(both[at], solve_case(parse_case(alone))["friction_coefficient"].values, rtol=1e-9)
+
+
 def test_quantities_along_one_dimension_go_together():
     changes = {
         "roughness.asperity_height_deviation": {"values": ["40 nm", "80 nm"], "along": "finish"},

@@ -1,20 +1,20 @@
 """From two materials, a film and a rough surface to the dimensionless groups (docs/theory.md)."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
 from math import pi
-from typing import Annotated, Any, Literal
+from typing import Any
 
 import numpy as np
-from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
+from pydantic import Field, model_validator
 
-from stiction.contact import measuring
-from stiction.contact.indices import HARDNESS_TO_YIELD, Indices, plain_number
+from stiction.contact.coating import Body, Coating
+from stiction.contact.indices import Indices, plain_number
 from stiction.contact.materials import Material, as_material
+from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
+from stiction.contact.roughness import Rough, Roughness
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, named_by
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input, Number, OptionalNumber
+from stiction.quantities.inputs import Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
@@ -23,85 +23,6 @@ __all__ = ["Body", "Coating", "Contact", "Indices", "Roughness", "work_of_adhesi
 # Equilibrium distance of two surfaces for the Tabor parameter. Of the order of an atomic spacing; 0.3 nm is
 # a customary round value, written down from memory and not taken from one source.
 EQUILIBRIUM_DISTANCE = 0.3e-9
-
-Body = Annotated[Material, BeforeValidator(as_material, json_schema_input_type=str | Material)]
-
-
-def _parameter(value):
-    numbers = np.asarray(value)
-    if numbers.dtype.kind not in "iuf" or not np.isfinite(numbers).all():
-        raise InputError("", value, "a finite number or a list of them")
-    return numbers.astype(float).tolist()
-
-
-_Parameter = Annotated[Any, BeforeValidator(_parameter, json_schema_input_type=float | list[float])]
-
-
-class Coating(Input):
-    """A film on one body or on both.
-
-    material: Material, name of a preset, or dict of its numbers. bodies: which body carries it; with
-    "both", the default and the paper's case, film meets film and `thickness` is the sum of the two.
-    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact. friction_constant: C
-    of mu = (C t/W)^(1/3), which one film law takes (Ravindran et al. 1980); left out, it follows from strength and hardness.
-    The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
-    yield_stress or tangent_modulus of the film is not used, but to say whether it or a body as hard yields first. Raises
-    InputError.
-    """
-
-    material: Body = Field(description="a material: the name of a preset, or its numbers")
-    thickness: Number
-    bodies: Literal["both", "first", "second"] = "both"
-    work_of_adhesion: OptionalNumber = None
-    friction_constant: OptionalNumber = None
-
-
-class Roughness(Input):
-    """The equivalent rough surface: asperities of one radius, with distributed heights (GW 1966).
-
-    height_distribution: name of a height distribution; height_parameters: its parameters, e.g. {"shape":
-    3.4}. surface: asperities with the spectral moments of the surface (McCool 1986), with Gaussian heights, which theories of
-    the whole surface take in place of these; left out, they take these. Raises InputError.
-    """
-
-    asperity_height_deviation: Number
-    asperity_radius: Number
-    asperity_density: Number
-    height_distribution: str = "gaussian"
-    height_parameters: dict[str, _Parameter] = Field(default_factory=dict)
-    surface: "Roughness | None" = Field(default=None, description="a table with sigma, R and N of a Gaussian surface")
-    _measured: Any = PrivateAttr(None)
-
-    @property
-    def measured(self) -> Any:
-        """What scans say by all ways of finding asperities (studies.measured.Measured), where these numbers are from scans."""
-        return self._measured
-
-    def as_measured(self, measured: Any) -> "Roughness":
-        """The same numbers, found in scans that say this."""
-        found = self.model_copy()
-        found._measured = measured
-        return found
-
-    @model_validator(mode="after")
-    def _surface_is_gaussian(self):
-        if self.surface is not None and self.surface.height_distribution != "gaussian":
-            raise InputError("surface.height_distribution", self.surface.height_distribution, "gaussian")
-        if self.surface is not None and self.surface.surface is not None:
-            raise InputError("surface.surface", "a table", "nothing: this is the surface already")
-        return self
-
-
-def _rough(value):
-    """Numbers as they are, scans as the roughness that is found in them."""
-    if isinstance(value, Roughness | str | int | float | None) or (
-        isinstance(value, Mapping) and not value.keys() & {"first", "second"}
-    ):
-        return value
-    return measuring.measure(value)
-
-
-_Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]
 
 
 class Contact(Subject):
@@ -124,7 +45,7 @@ class Contact(Subject):
 
     first: Body = Field(description="a material: the name of a preset, or its numbers")
     second: Body = Field(description="a material: the name of a preset, or its numbers")
-    roughness: _Rough = Field(description="a table with sigma, R and N of the asperities")
+    roughness: Rough = Field(description="a table with sigma, R and N of the asperities")
     work_of_adhesion: OptionalNumber = None
     nominal_area: Number
     coating: Coating | None = None
@@ -170,7 +91,7 @@ class Contact(Subject):
         return Indices(**{name: named_by(value, names) for name, value in groups.items()})
 
     def _groups(self) -> dict[str, Any]:
-        bare = _pair(self.first, self.second)
+        bare = pair_of(self.first, self.second)
         sigma, radius = self._sigma, self._radius
         groups = self._adhesion(bare) | {
             "nu": bare.nu,
@@ -187,7 +108,7 @@ class Contact(Subject):
             groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
-    def _adhesion(self, bare: "_Pair") -> dict[str, Any]:
+    def _adhesion(self, bare: "Pair") -> dict[str, Any]:
         """theta and lambda (theory 1 and paper, section 2) and the Tabor parameter; without adhesion the hardness group."""
         sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
         if not self.adheres:
@@ -198,13 +119,13 @@ class Contact(Subject):
             "tabor_parameter": self.tabor_parameter(),
         }
 
-    def _film_groups(self, coating: Coating, bare: "_Pair") -> dict[str, Any]:
-        film = _pair(coating.material, self._against_film(coating))
+    def _film_groups(self, coating: Coating, bare: "Pair") -> dict[str, Any]:
+        film = pair_of(coating.material, self._against_film(coating))
         film_gamma, constant = coating.work_of_adhesion if self.adheres else None, coating.friction_constant
         # With both coated either may be called the coated one: the more compliant, so that their order does not matter.
         coated, counter = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
-        first = True if coating.bodies != "both" else _more_compliant(coated, counter)
-        share = _choose(first, _compliance(coated), _compliance(counter)) * (0.75 * bare.K)  # rounded, it may exceed 1
+        first = True if coating.bodies != "both" else more_compliant(coated, counter)
+        share = choose(first, compliance_of(coated), compliance_of(counter)) * (0.75 * bare.K)  # rounded, it may exceed 1
         return {
             # theory 4; the ratio of K is the paper's n_E = E_c/E_s where film and bodies share one nu
             "n_E": film.K / bare.K,
@@ -218,8 +139,8 @@ class Contact(Subject):
             "films": 2.0 if coating.bodies == "both" else 1.0,
             "layer_nu": coating.material.poissons_ratio,
             "coated_share": np.minimum(share, 1.0),
-            "coated_nu": _choose(first, coated.poissons_ratio, counter.poissons_ratio),
-            "counter_nu": _choose(first, counter.poissons_ratio, coated.poissons_ratio),
+            "coated_nu": choose(first, coated.poissons_ratio, counter.poissons_ratio),
+            "counter_nu": choose(first, counter.poissons_ratio, coated.poissons_ratio),
         }
 
     @property
@@ -254,7 +175,7 @@ class Contact(Subject):
         below = np.asarray(other.hardness) < np.asarray(film.hardness)  # of sweeps, anywhere, as far as they can be lined up
         if not (below.any() if below.shape else bool(below)):
             return []
-        ratio = other.hardness / _pair(self.first, self.second).hardness
+        ratio = other.hardness / pair_of(self.first, self.second).hardness
         n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
         return [
             f"the counterbody {other.name} is softer than the film {film.name} and yields first: where they meet its hardness "
@@ -307,7 +228,7 @@ class Contact(Subject):
 
     def scales(self) -> Scales:
         """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""
-        K = _pair(self.first, self.second).K
+        K = pair_of(self.first, self.second).K
         return Scales(
             load=K * self._radius**0.5 * self._sigma**1.5,
             contact_area=pi * self._radius * self._sigma,
@@ -319,12 +240,12 @@ class Contact(Subject):
     @property
     def contact_modulus(self):
         """E* of the two bodies without film [Pa] (theory 1)."""
-        return 0.75 * _pair(self.first, self.second).K
+        return 0.75 * pair_of(self.first, self.second).K
 
     @property
     def plasticity_index(self):
         """psi = (E*/H) (sigma/R)^(1/2) of the bodies without film, H of the softer (GW 1966)."""
-        hardness = _pair(self.first, self.second).hardness
+        hardness = pair_of(self.first, self.second).hardness
         return self.contact_modulus / hardness * (self._sigma / self._radius) ** 0.5
 
     def tabor_parameter(self, equilibrium_distance=EQUILIBRIUM_DISTANCE):
@@ -366,89 +287,3 @@ def work_of_adhesion(first, second, *, interfacial) -> Any:
             raise InputError(f"{field}.surface_energy", None, "a material with a surface_energy, e.g. 1.25 J/m^2")
         energies.append(body.surface_energy)
     return to_si(energies[0] + energies[1] - to_si(interfacial, "interfacial_energy"), "work_of_adhesion")
-
-
-@dataclass(frozen=True)
-class _Pair:
-    """Two half-spaces in contact (theory 1): stiffnesses of both, strength of the softer."""
-
-    K: Any
-    beta: Any
-    hardness: Any
-    nu: Any
-    k: Any
-    hardening: Any
-
-
-def _pair(first: Material, second: Material) -> _Pair:
-    bodies = (first, second)
-    compliance = sum(map(_compliance, bodies))  # 1/E*, departure D1
-    softer = _first_is_softer(first, second)
-    return _Pair(
-        K=4 / (3 * compliance),
-        beta=sum((2 - body.poissons_ratio) / body.shear_modulus for body in bodies),  # paper, below eq (10)
-        hardness=_choose(softer, first.hardness, second.hardness),
-        nu=_choose(softer, first.poissons_ratio, second.poissons_ratio),
-        k=_choose(softer, _hardness_to_yield(first), _hardness_to_yield(second)),
-        hardening=_choose(softer, _hardening(first), _hardening(second)),
-    )
-
-
-def _compliance(body: Material):
-    """1/E' = (1 - nu^2)/E."""
-    return (1 - body.poissons_ratio**2) / body.youngs_modulus
-
-
-def _first_is_softer(first: Material, second: Material) -> Any:
-    """Whether the strength of the contact is that of the first body, elementwise.
-
-    It is that of the softer. Of two as hard it is that of the body which yields first, whatever their order: the lower yield
-    stress, then the lower Poisson's ratio, where the pressure at first yield is less (Chang, Etsion & Bogy 1987); and if these
-    are equal too, the lower tangent modulus over Young's, one that is not known before one that is.
-    """
-    keys = (
-        (first.hardness, second.hardness),
-        (-_hardness_to_yield(first), -_hardness_to_yield(second)),
-        (first.poissons_ratio, second.poissons_ratio),
-        (_or_lowest(_hardening(first)), _or_lowest(_hardening(second))),
-    )
-    return _before(keys)
-
-
-def _more_compliant(first: Material, second: Material) -> Any:
-    """Whether the first body is the more compliant, or of two alike the one of the lower Poisson's ratio; elementwise."""
-    return _before(((-_compliance(first), -_compliance(second)), (first.poissons_ratio, second.poissons_ratio)))
-
-
-def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
-    """Whether the first comes before the second by the first pair in which they differ, or if they differ in none."""
-    (one, other), *rest = keys
-    equal = one == other
-    if not rest or not np.any(equal):
-        return one <= other
-    return (one < other) | (equal & _before(tuple(rest)))
-
-
-def _or_lowest(value: Any) -> Any:
-    return -1.0 if value is None else value
-
-
-def _hardness_to_yield(body: Material):
-    return HARDNESS_TO_YIELD if body.yield_stress is None else body.hardness / body.yield_stress
-
-
-def _hardening(body: Material):
-    return None if body.tangent_modulus is None else body.tangent_modulus / body.youngs_modulus
-
-
-def _choose(condition, one, other):
-    """`one` where the condition holds, else `other`: elementwise if the condition is a labelled array. What is not known (None)
-    somewhere along a sweep is not known."""
-    if hasattr(condition, "dims"):
-        if one is None or other is None:
-            known, chosen = (one, condition) if other is None else (other, ~condition)
-            return known if chosen.all() else None
-        import xarray
-
-        return xarray.where(condition, one, other)
-    return one if condition else other

@@ -1,13 +1,15 @@
 """Materials, given by numbers or taken from the presets in material_data/ (one file per source of data)."""
 
 import tomllib
+from collections.abc import Mapping
 from functools import cache
 from importlib import resources
-from typing import Any
+from typing import Any, NamedTuple, Self
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, model_validator
 
+from stiction.contact.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber, nearest
 from stiction.quantities.units import to_si
@@ -18,7 +20,9 @@ __all__ = ["Material", "material", "material_names"]
 class Material(Input):
     """A homogeneous isotropic material.
 
-    name: what to call it; source: where the numbers come from, one text or one for each field.
+    name: what to call it; source: where the numbers come from, one text or one for each field; range: between which ends a
+    number lies, {"hardness": ("0.3 GPa", "0.5 GPa")}, kept in SI units: of a preset, what tables, grades and makes give; no
+    result uses it.
     Numbers are SI floats, text with a unit ("210 GPa"), or arrays with a named dimension (`stiction.axis`).
     Raises InputError naming the field, its value and the allowed range.
     """
@@ -31,6 +35,17 @@ class Material(Input):
     tangent_modulus: OptionalNumber = None
     surface_energy: OptionalNumber = None
     source: str | dict[str, str] | None = Field(None, union_mode="left_to_right")
+    range: Ranges = Field(default_factory=dict, description="low and high end of its numbers")
+
+    @model_validator(mode="after")
+    def _ranges_hold_the_numbers(self):
+        check_ranges(self)
+        return self
+
+    def replace(self, **changes: Any) -> Self:
+        """Another material, with these fields in place of its own; what is replaced loses its source and its range. Raises
+        InputError."""
+        return super().replace(**changes | _notes_left(self.source, self.range, changes))
 
     @property
     def shear_modulus(self):
@@ -38,17 +53,19 @@ class Material(Input):
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
     def notes(self) -> list[str]:
-        """Where the numbers come from."""
+        """Where the numbers come from, and between which ends they lie."""
+        ends = [f"range of {field}: {range_in_words(*pair, field)}" for field, pair in self.range.items()]
         if not self.source:
-            return []
+            return ends
         if isinstance(self.source, str):
-            return [f"source: {self.source}"]
-        return [f"{field}: {text}" for field, text in self.source.items() if text]
+            return [f"source: {self.source}", *ends]
+        return [*(f"{field}: {text}" for field, text in self.source.items() if text), *ends]
 
     def is_own(self, field: str) -> bool:
         """Whether this field was given, and is not just that of the preset of this name."""
         value = getattr(self, field)
-        preset = _presets().get(self.name, ({}, {}))[0].get(field)
+        of_this_name = _presets().get(self.name)
+        preset = None if of_this_name is None else of_this_name.numbers.get(field)
         return value is not None and not (preset is not None and np.all(to_si(preset, field) == value))
 
     @classmethod
@@ -56,8 +73,8 @@ class Material(Input):
         """In a file a material may also start from a preset: {preset = "silver", hardness = "0.5 GPa"}."""
         schema = super().__get_pydantic_json_schema__(core_schema, handler)
         schema["properties"]["preset"] = {
-            "description": "preset whose numbers hold wherever none is given here",
-            "enum": material_names(),
+            "description": "preset, or material of the case, whose numbers hold wherever none is given here",
+            "anyOf": [{"enum": material_names()}, {"type": "string"}],
         }
         schema["anyOf"] = [{"required": ["preset"]}, {"required": schema.pop("required")}]
         return schema
@@ -75,9 +92,17 @@ def material(name: str, /, **changes) -> Material:
     """
     if not isinstance(name, str) or name not in _presets():
         raise InputError("material", name, "a preset: " + nearest(name, material_names()))
-    data, source = _presets()[name]
-    kept = {field: text for field, text in source.items() if field not in changes}
-    return Material(**{"name": name, **data, "source": kept, **changes})
+    preset = _presets()[name]
+    return Material(**{"name": name, **preset.numbers} | changes | _notes_left(preset.source, preset.range, changes))
+
+
+def _notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Source and range of a changed material: its own wherever nothing is changed, and what the changes say."""
+    if isinstance(source, Mapping):
+        source = {field: text for field, text in source.items() if field not in changes}
+    given = changes.get("range", {})
+    kept = {field: pair for field, pair in ends.items() if field not in changes}
+    return {"source": changes.get("source", source), "range": {**kept, **given} if isinstance(given, Mapping) else given}
 
 
 def as_material(value):
@@ -93,18 +118,26 @@ def as_material(value):
     return value
 
 
+class _Preset(NamedTuple):
+    """A preset as its file has it: numbers, and for each of them where it comes from and its low and high end."""
+
+    numbers: dict[str, Any]
+    source: dict[str, str]
+    range: dict[str, list]
+
+
 @cache
-def _presets() -> dict[str, tuple[dict, dict[str, str]]]:
-    """Fields and sources of every preset, read from all files of material_data/."""
-    presets: dict[str, tuple[dict, dict[str, str]]] = {}
+def _presets() -> dict[str, _Preset]:
+    """Every preset, read from all files of material_data/."""
+    presets: dict[str, _Preset] = {}
     for file in sorted(resources.files("stiction.contact").joinpath("material_data").iterdir(), key=lambda file: file.name):
         if not file.name.endswith(".toml"):
             continue
         content = tomllib.loads(file.read_text(encoding="utf-8"))
         for name, data in content["materials"].items():
-            notes = data.pop("source", {})
+            notes, ends = data.pop("source", {}), data.pop("range", {})
             source = {field: notes.get(field, content["source"].get(field, "")) for field in data}
             if name in presets:
                 raise ValueError(f"material {name} stands in two files")
-            presets[name] = (data, source)
+            presets[name] = _Preset(data, source, ends)
     return presets

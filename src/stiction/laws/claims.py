@@ -17,6 +17,7 @@ TRAITS = {
     "JKR": "while elastic, adhesion acts inside the contact as Johnson, Kendall and Roberts have it",
     "no adhesion": "the load is compressive, and nothing at first touch",
     "Hertz": "while elastic, the contact is Hertz's",
+    "Hertz's shape": "while elastic, the contact is Hertz's, alone, with JKR's adhesion or with DMT's",
     "2015": "the asperity of the 2015 paper",
 }
 

@@ -76,7 +76,7 @@ _SHARE_BELOW_ONE = (0.0, 1.0, True, False)
 # Softer than any solid: a number meant in GPa, or mPa for MPa.
 _SOLID = (1e3, inf, True, False)
 # Dimensionless groups: beyond these no contact is, and sums and their limits lose their digits or all of their size.
-_GROUP = (1e-9, 1e9, True, True)
+_GROUP = (1e-12, 1e12, True, True)
 _THETA = (1e-12, 1e40, True, True)
 _LAMBDA = (1e-60, 1e120, True, True)
 _LENGTH_RATIO = (0.0, 1e15, True, True)
@@ -237,6 +237,14 @@ _RESULT_EXAMPLES = {"mean_separation": "48 nm", "load": "1 N"}  # results that a
 
 # Names for axes, where the meaning with its unit is longer than the 30 characters to which xarray's plots break their labels.
 _SHORT = {
+    "hardness_group": "hardness group",
+    "films": "coated bodies",
+    "layer_nu": "Poisson's ratio, layer",
+    "coated_share": "compliance share",
+    "coated_nu": "Poisson's ratio, coated",
+    "counter_nu": "Poisson's ratio, counter",
+    "film_stiffness": "film stiffness group",
+    "load_share_substrate": "substrate's load share",
     "film_plasticity_index": "film plasticity index",
     "friction_constant": "film friction constant",
     "film_friction_constant": "film constant over K",

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from stiction.contact.subject import Subject
 from stiction.laws.claims import Validity
+from stiction.laws.proportion import OUT_OF_PROPORTION
 from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.quantities.dimensions import aligned
 from stiction.solving.problem import Problem
@@ -34,13 +34,6 @@ def _of_asperities(problem: Problem) -> bool:
 def _does_not_adhere(problem: Problem) -> bool:
     return not problem.adheres
 
-
-# Beyond these what is given is no rough surface; said where it is read.
-OUT_OF_PROPORTION = (
-    Validity("sharpness", 0.0, 1.0, "asperities are higher than their tips are wide: are sigma and R swapped?", "impossible"),
-    Validity("roughness_parameter", 1e-5, 10.0, "asperities of this density and radius overlap, or are lost", "impossible"),
-    Validity("nominal_width", 10.0, inf, "the surface is rougher than it is wide", "impossible"),
-)
 
 _FEW = "so few make no average: from one contact to the next their number alone scatters by 1/sqrt(n)"
 
@@ -130,8 +123,3 @@ def without_repeats(doubts: Iterable[Doubt]) -> list[Doubt]:
     doubts = list(doubts)
     worst = {one.quantity for one in doubts if one.kind == "impossible"}
     return [one for one in doubts if one.kind == "impossible" or one.quantity not in worst]
-
-
-def questions(subject: Subject) -> list[str]:
-    """What is out of all proportion in what was given, in words; before any model is asked."""
-    return [str(doubt) for doubt in doubts_about(subject, OUT_OF_PROPORTION, {})]

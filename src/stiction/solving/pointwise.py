@@ -84,7 +84,7 @@ def _tables(problem: Problem, given: str, wanted: np.ndarray, unbroadcast: np.nd
     contacts = len(problem.groups)
     if given == "mean_separation":
         why_not = np.zeros((contacts, wanted.size // contacts), dtype=np.uint32)
-        return {"mean_separation": unbroadcast} | summed(problem, unbroadcast, wanted.shape), why_not, None
+        return {"mean_separation": wanted} | summed(problem, unbroadcast, wanted.shape), why_not, None
     targets = wanted.reshape(contacts, -1)
     if problem.needs_load:
         lost = targets < 0.0

@@ -15,9 +15,9 @@ n = share N A_n asperities touch; A_c = pi R omega_c is the area of one at first
 
 import math
 from collections.abc import Mapping
+from functools import cache
 
 import numpy as np
-from scipy.special import ndtr
 
 from stiction.contact.indices import Groups
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
@@ -112,8 +112,11 @@ def expected_share(area: np.ndarray) -> np.ndarray:
     return np.where(area > 0.0, np.exp(np.interp(small, log_area, log_share)), 0.0)
 
 
+@cache
 def _tables() -> tuple[np.ndarray, np.ndarray]:
     """Logarithms of F_1, ascending, and of F_0 at the same separations."""
+    from scipy.special import ndtr  # slow to import, and wanted by theories without asperities only
+
     h = _SEPARATIONS[::-1]
     share = ndtr(-h)
     density = np.exp(-0.5 * h * h) / math.sqrt(2.0 * math.pi)

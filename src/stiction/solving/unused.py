@@ -85,7 +85,7 @@ def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
 
 def _uses(record: Record, group: str, known: Groups) -> bool:
     """Whether it would use the group, and all that it needs is known."""
-    if any(getattr(known, name) is None for name in record.needs):
+    if not all(known.knows(name) for name in record.needs):
         return False
     if group in (_ADHESION, _OF_FILM):
         return isinstance(record, AsperityLaw) and "no adhesion" not in record.traits

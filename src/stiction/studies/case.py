@@ -10,15 +10,16 @@ from typing import Any
 import numpy as np
 from pydantic import Field, model_validator
 
-from stiction.contact.contact import Contact, Indices
+from stiction.contact.contact import Body, Contact, Indices
 from stiction.contact.subject import Subject
+from stiction.laws.proportion import questions
 from stiction.laws.registry import all_options
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
-from stiction.solving.conditions import questions
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
+from stiction.studies.own_materials import with_own_materials
 from stiction.studies.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
 from stiction.studies.sweep_plan import Sweep
 
@@ -119,9 +120,12 @@ class _Solve(Input):
 
 
 class _CaseFile(Input):
-    """The tables of a case file: [contact] or [indices], [solve], and [sweep] for many contacts."""
+    """The tables of a case file: [contact] or [indices], [solve], [sweep] for many contacts, and materials of its own."""
 
     title: str = ""
+    materials: dict[str, Body] | str = Field(
+        default_factory=dict, description="tables of numbers by name, or the name of a file beside the case that has them"
+    )
     contact: Contact | None = None
     indices: Indices | None = None
     solve: _Solve = Field(description="a table with separation or load")
@@ -156,8 +160,16 @@ def read_content(path) -> dict[str, Any]:
         raise _not_a_case(path, "this one is out of all proportion") from None
 
 
+def _tables(path) -> Mapping:
+    """The tables of a TOML file, every number that needs a unit with its unit."""
+    content = read_content(path)
+    _refuse_bare_numbers(content, "")
+    return content
+
+
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
-    """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans are named."""
+    """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
+    materials are named."""
     content, several = opened(content, folder)
     case = case_of(content, {path: one.array(one.numbers()) for path, one in several.items()})
     check_scans(case.subject)
@@ -174,10 +186,12 @@ def check_scans(subject: Subject) -> None:
 
 
 def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...], Several]]:
-    """The tables with the roughness that scans show, and the numbers that are several. Raises InputError."""
+    """The tables with materials of their own and the roughness that scans show, the first value of what is several in its
+    place; and the numbers that are several. Raises InputError."""
     _refuse_bare_numbers(content, "")
-    content = _measured(content, folder)
-    return content, several_numbers(content)
+    several = several_numbers(content)
+    content = with_values(content, {path: float(one.values[0]) for path, one in several.items()})
+    return _measured(with_own_materials(content, folder, _tables), folder), several
 
 
 def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:
@@ -252,8 +266,15 @@ def _refuse_bare_numbers(table: Mapping, path: str) -> None:
         where = f"{path}.{key}" if path else key
         if isinstance(value, Mapping):
             _refuse_bare_numbers(value, where)
-        elif where != "solve.load" and not isinstance(value, str | list) and key in QUANTITIES and QUANTITIES[key].unit:
+        elif where != "solve.load" and not _is_text(value, path) and key in QUANTITIES and QUANTITIES[key].unit:
             raise InputError(where, value, _as_text(key))
+
+
+def _is_text(value: Any, path: str) -> bool:
+    """Text, or the two ends of a range as text; of a number that is several each is asked where it is read."""
+    if isinstance(value, list):
+        return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)
+    return isinstance(value, str)
 
 
 def _as_text(key: str) -> str:

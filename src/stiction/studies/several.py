@@ -114,6 +114,13 @@ class Several:
             raise InputError(f"{self.where}.count", None, f"a whole number, 2 to {_MOST_POINTS}")
         return _spaced(self.values, self.count, self.spacing)
 
+    def as_table(self) -> dict[str, Any]:
+        """What was given, in SI units, as a table of a case file."""
+        if not self.is_range:
+            return {"values": self.values.tolist(), "along": self.dimension}
+        start, stop = self.values.tolist()
+        return {"start": start, "stop": stop, "count": self.count, "spacing": self.spacing, "along": self.dimension}
+
     def at(self, share: np.ndarray) -> np.ndarray:
         """The values at these shares (n,) of the way, from 0 to below 1, from start to stop, or through the list."""
         start, stop = self.values[0], self.values[-1]
@@ -150,7 +157,7 @@ def _in_table(table: Mapping, path: tuple[str, ...]) -> Iterator[tuple[tuple[str
     for key, value in table.items():
         if key in QUANTITIES and isinstance(value, list | Mapping):
             yield (*path, key), value
-        elif isinstance(value, Mapping):
+        elif isinstance(value, Mapping) and key != "range":  # the ranges of a material are no numbers that it has
             yield from _in_table(value, (*path, key))
 
 
@@ -185,8 +192,10 @@ def _numbers(entries: list[Any], path: tuple[str, ...], ends: tuple[str, ...]) -
     return np.array(numbers)
 
 
-def with_values(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> dict:
-    """The tables with these arrays in the places of their paths."""
+def with_values(content: Any, arrays: Mapping[tuple[str, ...], Any]) -> Any:
+    """The tables with these arrays in the places of their paths; a table may be a record already."""
+    if isinstance(content, Input):
+        return content.replace(**{path[0]: array for path, array in arrays.items()})
     changed = dict(content)
     for key in {path[0] for path in arrays}:
         inner = {path[1:]: array for path, array in arrays.items() if path[0] == key}

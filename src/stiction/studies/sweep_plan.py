@@ -12,7 +12,7 @@ from pydantic import Field, model_validator
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, nearest
-from stiction.studies.several import Several
+from stiction.studies.several import Several, with_values
 
 __all__ = ["Plan", "Sweep", "make_plan"]
 
@@ -124,7 +124,13 @@ class Plan:
     def identity(self) -> str:
         """What decides the results, as text: the same for the same case."""
         content = {key: value for key, value in self.content.items() if key != "title"}
-        return json.dumps(content | {"sweep": self.sweep.model_dump()}, sort_keys=True, default=str)
+        plain = json.loads(json.dumps(content, default=_plain))
+        plain = with_values(plain, {path: one.as_table() for path, one in self.several.items()})
+        return json.dumps(plain | {"sweep": self.sweep.model_dump()}, sort_keys=True)
+
+
+def _plain(value: Any) -> Any:
+    return value.model_dump() if isinstance(value, Input) else str(value)
 
 
 def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:

@@ -49,6 +49,7 @@ RECORD = AsperityLaw(
     grade="B",
     sources=(Source("derjaguin_muller_toporov_1975", "", "load less 2 pi gamma R, in the form of Maugis 1992"),),
     pieces=pieces,
+    traits=frozenset({"Hertz's shape"}),
     verified="independent integrals at 30 digits; Hertz without adhesion",
     needs=("theta",),
     validity=(

@@ -181,7 +181,7 @@ RECORD = AsperityLaw(
         Source("hertz_1882", "the elastic asperity"),
     ),
     pieces=pieces,
-    traits=frozenset({"no adhesion", "Hertz"}),
+    traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     own_options={"other_body": tuple(_BODIES)},
     jumps=(
         Jump(

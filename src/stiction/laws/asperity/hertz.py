@@ -92,7 +92,7 @@ RECORD = AsperityLaw(
     grade="B",
     sources=(Source("hertz_1882", "load and contact area of two elastic spheres"),),
     pieces=pieces,
-    traits=frozenset({"no adhesion", "Hertz"}),
+    traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     verified="closed forms; sums F_n(h) at 30 digits",
     validity=(Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),),
 )

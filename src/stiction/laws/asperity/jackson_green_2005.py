@@ -123,7 +123,7 @@ RECORD = AsperityLaw(
         Source("hertz_1882", "the elastic asperity"),
     ),
     pieces=pieces,
-    traits=frozenset({"no adhesion", "Hertz"}),
+    traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     jumps=(
         Jump(
             1,

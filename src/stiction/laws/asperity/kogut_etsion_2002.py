@@ -93,7 +93,7 @@ RECORD = AsperityLaw(
         Source("hertz_1882", "the elastic asperity"),
     ),
     pieces=pieces,
-    traits=frozenset({"no adhesion", "Hertz"}),
+    traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     jumps=(
         Jump(1, 1.03, 0.93, "at the critical interference omega_c"),
         Jump(2, 1.01679, 1.02903, "at 6 omega_c"),

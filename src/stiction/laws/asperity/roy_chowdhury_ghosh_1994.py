@@ -101,7 +101,7 @@ RECORD = AsperityLaw(
         Source("johnson_kendall_roberts_1971", "load and displacement"),
     ),
     pieces=pieces,
-    traits=frozenset({"JKR", "2015"}),
+    traits=frozenset({"JKR", "2015", "Hertz's shape"}),
     jumps=(
         Jump(1, 1.276, 1.399, "where the mean pressure is the hardness; 2 and 2 without adhesion", {"theta": 10.0, "lam": 1.0}),
     ),

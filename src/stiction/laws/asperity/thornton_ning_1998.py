@@ -243,7 +243,7 @@ RECORD = AsperityLaw(
     ),
     pieces=pieces,
     released=released,
-    traits=frozenset({"JKR"}),
+    traits=frozenset({"JKR", "Hertz's shape"}),
     verified="the source's stiffness and the pressure over the contact, both integrated anew at 30 digits",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     validity=(

@@ -83,7 +83,7 @@ RECORD = AsperityLaw(
         Source("hertz_1882", "the elastic asperity"),
     ),
     pieces=pieces,
-    traits=frozenset({"no adhesion", "Hertz"}),
+    traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     verified="closed forms at both ends, where load, area and the slope of the area are continuous; independent evaluation",
     needs=("hardness_group",),
     limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),

@@ -1,0 +1,31 @@
+"""A film on one body or on both."""
+
+from typing import Annotated, Literal
+
+from pydantic import BeforeValidator, Field
+
+from stiction.contact.materials import Material, as_material
+from stiction.quantities.inputs import Input, Number, OptionalNumber
+
+__all__ = ["Body", "Coating"]
+
+Body = Annotated[Material, BeforeValidator(as_material, json_schema_input_type=str | Material)]
+
+
+class Coating(Input):
+    """A film on one body or on both.
+
+    material: Material, name of a preset, or dict of its numbers. bodies: which body carries it; with
+    "both", the default and the paper's case, film meets film and `thickness` is the sum of the two.
+    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact. friction_constant: C
+    of mu = (C t/W)^(1/3), which one film law takes (Ravindran et al. 1980); left out, it follows from strength and hardness.
+    The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
+    yield_stress or tangent_modulus of the film is not used, but to say whether it or a body as hard yields first. Raises
+    InputError.
+    """
+
+    material: Body = Field(description="a material: the name of a preset, or its numbers")
+    thickness: Number
+    bodies: Literal["both", "first", "second"] = "both"
+    work_of_adhesion: OptionalNumber = None
+    friction_constant: OptionalNumber = None

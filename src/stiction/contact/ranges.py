@@ -1,0 +1,62 @@
+"""Low and high ends of a material's numbers, kept as data: what studies of uncertainty draw from."""
+
+from collections.abc import Mapping
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import BeforeValidator
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show, to_si
+
+__all__ = ["Ranges", "check_ranges", "range_in_words"]
+
+_FORM = 'a table of low and high ends, e.g. hardness = ["0.3 GPa", "0.5 GPa"]'
+
+
+def _read(value: Any) -> dict[str, tuple[float, float]]:
+    if not isinstance(value, Mapping):
+        raise InputError("", value, _FORM)
+    return {str(name): _ends(name, ends) for name, ends in value.items()}
+
+
+def _ends(name: Any, ends: Any) -> tuple[float, float]:
+    """Low and high end of the named quantity in SI units."""
+    if name not in QUANTITIES:
+        raise InputError(str(name), ends, "nothing: a range is of a number of the material")
+    if not isinstance(ends, list | tuple) or len(ends) != 2:
+        raise InputError(name, ends, f"its low and its high end, two values: {QUANTITIES[name].wanted}")
+    try:
+        low, high = (float(to_si(end, name)) for end in ends)
+    except InputError as error:
+        raise InputError(name, error.value, error.allowed) from None
+    except (TypeError, ValueError):
+        raise InputError(name, ends, "its low and its high end, two single values") from None
+    if low > high:
+        raise InputError(name, list(ends), "the low end first")
+    return low, high
+
+
+# Name of a number -> its low and high end, SI; given with units as the number itself is.
+Ranges = Annotated[
+    dict[str, tuple[float, float]], BeforeValidator(_read, json_schema_input_type=dict[str, tuple[str | float, str | float]])
+]
+
+
+def range_in_words(low: float, high: float, name: str) -> str:
+    """The ends of the named quantity: "82 to 83 GPa", and "0.5 MPa to 2 GPa" where they differ in their prefix."""
+    first, last = show(low, name), show(high, name)
+    number, _, unit = first.partition(" ")
+    return f"{number if unit == last.partition(' ')[2] else first} to {last}"
+
+
+def check_ranges(record: Any) -> None:
+    """InputError where a range is of a number that the record does not have, or does not hold that number."""
+    for name, (low, high) in record.range.items():
+        value = getattr(record, name, None)
+        if value is None:
+            raise InputError(f"range.{name}", [show(low, name), show(high, name)], f"nothing where there is no {name}")
+        if not np.all((np.asarray(value) >= low) & (np.asarray(value) <= high)):
+            shown = show(float(np.asarray(value).flat[0]), name)
+            raise InputError(f"range.{name}", range_in_words(low, high, name), f"ends around {name} = {shown}")

@@ -1,0 +1,131 @@
+r"""A sphere on a bonded film: the exact elastic solution, with adhesion by energy and yield by mean pressure.
+
+*Assumes*: film bonded to its body, smooth sphere, $a\ll R$, no friction while it is pressed. *Source*:
+[perriot_barthel_2004] for the elastic solution, as an integral equation, derived and solved anew in `contact/layered`;
+[johnson_kendall_roberts_1971] for the energy of an adhesive edge, taken to layered bodies as [barthel_perriot_2007] do.
+With $a=\sqrt{xR\sigma}$ and the moduli $E_P$, $E_S$, $B$ (over that of the bodies without a film) and the approach $D$,
+functions of $a/t$ and the elastic constants of film and bodies,
+
+$$
+\begin{aligned}
+w_H&=D\,x,&P_H&=E_P\,x^{3/2},&\frac{dP_H}{dw_H}&=\tfrac32E_S\,x^{1/2},&A&=x\\
+w&=w_H-\tfrac23S\sqrt{n_g/B}\;x^{1/4},&P&=P_H-S\,E_S\sqrt{n_g/B}\;x^{3/4}&&&&\text{(JKR)}
+\end{aligned}
+$$
+
+$S=\sqrt{6\pi/\theta}$; DMT's adhesion is $P=P_H-2\pi n_g/\theta$. In SI $\delta=\delta_H-\sqrt{4\pi a\gamma/S'}$ and
+$P=P_H-S\sqrt{4\pi a\gamma/S'}$ with the stiffness $S=2aE_S$ and $S'=dS/da=2B$.
+
+*Bodies*: both feel one pressure, so that their compliances add: exact for a film on one body against any other, for films on
+two like bodies (each half against a rigid plane between) and on two unlike ones, half of the thickness on each. Of `Indices`,
+a film is on one body against a rigid one, unless `films` and the groups after it say otherwise.
+
+*Yield*: where the mean pressure reaches that at which the chosen asperity law yields on a half-space of modulus $E_P$ and
+hardness $\chi H$, $\chi$ by [`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or the composite chosen. From there the law's
+own plastic pieces follow with the modulus and Poisson's ratio felt there, on displacement, load and area of the layered
+contact; their load (but not the pull of adhesion) is as the hardness at their depth. *Reconstructed*: this continuation; it is
+the asperity law itself for thin and for thick films, and where film and body are alike. Where the substrate lets a hard film
+down, the load may fall with depth.
+
+*Limit*: the asperity law on the substrate for $t\to0$ (with the film's work of adhesion) and without mismatch, on the film for
+$t\to\infty$; no jump but those of the asperity law. *Check*, $\nu=0.3$, $E_f/E_s=0.1$, rigid sphere, $a=t$: $E_P=0.1219$,
+$D=0.693$, $E_S=0.2135$ over the substrate's modulus.
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+"""
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import kernel, unpack
+from stiction.engine.regime import Regime, columns
+from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
+from stiction.laws.film.shared.layered_sphere import (
+    EDGED,
+    PLAIN,
+    edged,
+    edged_coordinate,
+    plain,
+    plain_coordinate,
+    pulled_off,
+    touch,
+)
+from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
+from stiction.laws.joining import Law, normal_states
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import FilmLaw, Limit, Validity, composites_of
+from stiction.laws.sources import Source
+
+# Between film and substrate the elastic asperity is smooth, but over decades of a/t: it is cut at these u, over that at a = t.
+_CUTS = np.array([20.0, 400.0, 8000.0])
+
+
+@cache
+def _first(unloading: bool) -> Any:
+    @kernel
+    def fill_first(table, out):
+        for i in range(out.size):
+            row = unpack(table[i], EDGED)
+            out[i] = pulled_off(row) if unloading else touch(row)
+
+    return fill_first
+
+
+def elastic(groups: Groups, law: Law) -> NormalPiece:
+    """The elastic asperity at every displacement, with the adhesion of the asperity law; groups: complete."""
+    laws, traits = len(groups), law.asperity.traits
+    lowest = 0.0
+    if "JKR" in traits:
+        normal, coordinate, parameters = edged, edged_coordinate, rows(groups, edge_pull(groups))
+        unloading, first = law.options.get("branch") == "unloading", np.empty(laws)
+        _first(unloading)(columns(parameters, laws), first)
+    else:
+        pull = np.zeros(laws) if "no adhesion" in traits else outer_pull(groups)
+        normal, coordinate, parameters = plain, plain_coordinate, rows(groups, pull)[:PLAIN]
+        unloading, first = False, np.zeros(laws)
+    cuts = np.maximum(_CUTS / parameters[1][:, None], first[:, None])
+    edges = np.column_stack([first, np.minimum(cuts, 1e100), np.full(laws, np.inf)])
+    piece = NormalPiece(normal, coordinate, parameters, edges, "elastic", lowest)
+    if unloading:
+        lowest = float(np.min(normal_states(piece, first)[:, 0], initial=0.0))
+        piece = NormalPiece(normal, coordinate, parameters, edges, "elastic", lowest)
+    return piece
+
+
+def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
+    """Regimes of a coated surface; film and substrate answer as one, and what they carry is counted as the film's."""
+    whole = groups.resolved()
+    record: Any = composites_of("hardness")[hardness]
+    pull = np.zeros(len(whole)) if "no adhesion" in law.asperity.traits else outer_pull(whole)
+    first, following = cut_at_yield(elastic(whole, law), law, whole, Hardness(record, whole, float(soft_film_exponent)), pull)
+    return [law.join(piece, groups, body="film") for piece in (first, *following)]
+
+
+RECORD = FilmLaw(
+    key="layered",
+    title="Sphere on a bonded film: exact elastic solution, adhesion by energy, yield by mean pressure",
+    grade="C",
+    sources=(
+        Source("perriot_barthel_2004", "", "the integral equation; derived and solved anew here"),
+        Source("barthel_perriot_2007", "", "adhesion on a film by the energy of the edge; derived anew here"),
+        Source("johnson_kendall_roberts_1971", "adhesion of a half-space, the limit of thick and thin films"),
+        Source("bhattacharya_nix_1988", "", "hardness against depth, unless another composite is chosen"),
+    ),
+    regimes=regimes,
+    wants={"Hertz's shape": "its elastic asperity is Hertz's, JKR's or DMT's, on layered bodies"},
+    tangential="interface",
+    composites={"hardness": "bhattacharya_nix_1988"},
+    own_options={"soft_film_exponent": ("2", "1")},
+    verified="integral equation solved another way, at 90 cases; closed limits; energy of an adhesive contact; asperity laws "
+    "in the limits of no film and of nothing but film",
+    needs=("nu", "n_E", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu"),
+    validity=(Validity("n_E", 0.01, 100.0, "moduli for which the elastic solution was compared"),),
+    limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-6),),
+    load_falls=False,
+    accuracy=1e-7,
+    notes="The load passes through film and substrate alike, and is counted as the film's. After yield it is a reconstruction: "
+    "modulus and Poisson's ratio stay as they were felt there, and hardness goes with depth as indentations of a film do.",
+)

@@ -1,0 +1,207 @@
+"""Where an asperity on a film yields, and how it goes on: an asperity law with the modulus and hardness felt there.
+
+It yields where its mean pressure reaches that at which the asperity law yields on a half-space of the modulus E_P and the
+hardness chi that are felt at this radius and depth; depth is that of the same contact without the stretch of adhesion. From
+there on the law's own plastic pieces follow, on that half-space, moved to the displacement, load and area of the layered
+contact; their load, but for the pull of adhesion, is as the hardness at its depth.
+"""
+
+from dataclasses import replace
+from functools import cache
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.regime import columns
+from stiction.laws.film.shared.layered_sphere import _hertzian, edged, touch
+from stiction.laws.joining import Law, normal_states
+from stiction.laws.piece import NormalPiece
+from stiction.laws.registry import Composite
+
+_STEP, _FARTHEST, _MOST_STEPS = 1.5, 1e30, 80
+# Rounds in which the pressure at yield, which depends on the modulus under adhesion, is found.
+_ROUNDS = 6
+
+
+class Hardness:
+    """The hardness chi at the depth w, over the substrate's: of a composite, with its parameters (n,)."""
+
+    def __init__(self, record: Composite, groups: Groups, soft_film_exponent: float):
+        laws = len(groups)
+        tau = np.broadcast_to(groups.tau, laws)
+        self.value = record.value
+        self.n_H = np.where(tau > 0.0, groups.n_H, 1.0)
+        self.tau = np.maximum(tau, 1e-100)
+        self.exponent = np.where(self.n_H < 1.0, soft_film_exponent, 3.0 - soft_film_exponent)
+        self.constant = (
+            record.constants(np.where(tau > 0.0, groups.n_E, 1.0), self.n_H, self.n_H) if record.constants else self.n_H
+        )
+        places = record.landmarks(self.constant, self.exponent) if record.landmarks else np.empty((laws, 0))
+        self.depths = self.tau[:, None] * places[:, ::2]  # every other one is enough for the accuracy of the law
+
+    @property
+    def row(self) -> tuple[np.ndarray, ...]:
+        return self.n_H, self.tau, self.constant, self.exponent
+
+
+@cache
+def _onset(along: Any, hardness: Any, parameters: int) -> Any:
+    """The kernel that finds where the mean pressure first reaches a multiple of the hardness there."""
+    edge = along is edged
+
+    @formula
+    def excess(u, row, pressure, of_hardness):
+        """Load less that of yield on the same area."""
+        _, _, load, area = along(u, *row)
+        n_H, tau, constant, exponent = of_hardness
+        chi = hardness(n_H, _hertzian(u, row)[3] * area / tau, constant, exponent)
+        return load - area * pressure * chi
+
+    @kernel
+    def find(table, pressure, of_hardness, out):
+        """out[i]: u, the modulus E_P, the hardness, z, the place between film and substrate, and the depth, there."""
+        for i in range(pressure.size):
+            row, hard = unpack(table[i], parameters), unpack(of_hardness[i], 4)
+            low = touch(row) if edge else 1e-8
+            least = min(hard[0], 1.0) * max(pressure[i], 0.0) * min(np.exp(-row[0]), 1.0)
+            low = max(low, 0.5 * np.sqrt(least))
+            high, value = low, excess(low, row, pressure[i], hard)
+            below = value
+            while value < 0.0 and high < _FARTHEST:
+                low, below = high, value
+                high *= _STEP
+                value = excess(high, row, pressure[i], hard)
+            above, u = value, high
+            for _ in range(_MOST_STEPS if below < 0.0 else 0):  # regula falsi after Illinois
+                before = u
+                u = high - above * (high - low) / (above - below)
+                if abs(u - before) <= 1e-14 * u:
+                    break
+                value = excess(u, row, pressure[i], hard)
+                if value < 0.0:
+                    low, below, above = u, value, 0.5 * above
+                else:
+                    high, above, below = u, value, 0.5 * below
+            z, _, modulus, approach, _, _ = _hertzian(u, row)
+            depth = approach * u**4
+            chi = hardness(hard[0], depth / hard[1], hard[2], hard[3])
+            out[i, 0], out[i, 1], out[i, 2], out[i, 3], out[i, 4] = u, modulus, chi, z, depth
+
+    return find
+
+
+def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
+    """The groups of a half-space of these (n,), over the bodies' without a film, with the film's work of adhesion. Poisson's
+    ratio, which some laws ask for where they yield, passes from the film's to the substrate's with the place z."""
+    theta, lam, tabor, eta = groups.theta, groups.lam, groups.tabor_parameter, groups.hardness_group
+    return groups.substrate().with_changes(
+        theta=None if theta is None else theta * modulus / groups.n_g,
+        lam=None if lam is None else lam * (hardness * hardness / (modulus * groups.n_g)) ** 2,
+        hardness_group=None if eta is None else eta * hardness / modulus,
+        nu=0.5 * ((1.0 - place) * groups.film_nu + (1.0 + place) * groups.nu),
+        tabor_parameter=None if tabor is None else tabor * (groups.n_g / modulus) ** (2.0 / 3.0),
+    )
+
+
+def cut_at_yield(
+    elastic: NormalPiece, law: Law, groups: Groups, hardness: Hardness, pull: np.ndarray
+) -> tuple[NormalPiece, list[NormalPiece]]:
+    """The elastic piece up to where it yields, and the pieces that follow. pull (n,): of the adhesion of a plastic asperity."""
+    ones = np.ones(len(groups))
+    pieces = law.pieces(felt(groups, groups.n_E, hardness.n_H, -ones))
+    if all(piece.state == "elastic" for piece in pieces):
+        return elastic, []
+    table, of_hardness = columns(elastic.parameters, len(groups)), columns(hardness.row, len(groups))
+    find, found = _onset(elastic.normal, hardness.value, len(elastic.parameters)), np.empty((len(groups), 5))
+    own, of_yield = felt(groups, groups.n_E, hardness.n_H, -ones), ones
+    for _ in range(_ROUNDS):
+        before, of_yield = of_yield, _pressure_at_yield(pieces, own)
+        find(table, groups.eta * of_yield, of_hardness, found)
+        own = felt(groups, *found[:, 1:4].T)
+        pieces = law.pieces(own)
+        if np.allclose(of_yield, before, rtol=1e-9, atol=0.0):
+            break
+    last = np.maximum(found[:, 0], elastic.edges[:, 0])
+    until = replace(elastic, edges=np.minimum(elastic.edges, last[:, None]))
+    return until, _following(until, pieces, found, hardness, pull)
+
+
+def _pressure_at_yield(pieces: list[NormalPiece], own: Groups) -> np.ndarray:
+    """Mean pressure over hardness (n,) at the end of the elastic pieces, which come first."""
+    last = _last_elastic(pieces)
+    _, _, load, area = normal_states(last, last.edges[:, -1]).T
+    return load / (area * own.eta)
+
+
+def _last_elastic(pieces: list[NormalPiece]) -> NormalPiece:
+    return next(before for before, after in pairwise(pieces) if after.state != "elastic")
+
+
+def _following(elastic, pieces, found, hardness: Hardness, pull) -> list[NormalPiece]:
+    """The pieces after the elastic ones, moved to where the layered contact yields."""
+    first, last = _last_elastic(pieces), elastic.edges[:, -1]
+    w, _, load, area = normal_states(elastic, last).T
+    own_w, _, own_load, own_area = normal_states(first, first.edges[:, -1]).T
+    modulus, felt_hardness = found[:, 1], found[:, 2]
+    shallower = found[:, 4] - w
+    move = w - own_w, load - modulus * own_load, modulus, area - own_area, pull, 1.0 / felt_hardness, shallower, *hardness.row
+    moved = []
+    for piece in pieces:
+        if piece.state == "elastic":
+            continue
+        normal, coordinate = _moved(piece.normal, piece.coordinate, hardness.value, len(piece.parameters))
+        one = NormalPiece(normal, coordinate, (*piece.parameters, *move), piece.edges, piece.state)
+        kinks = _places(one, hardness.depths - shallower[:, None])
+        moved.append(replace(one, edges=np.sort(np.concatenate([piece.edges, kinks], axis=1), axis=1)))
+    return moved
+
+
+def _places(piece: NormalPiece, w: np.ndarray) -> np.ndarray:
+    """Coordinates (n, m) where the displacement is w (n, m); the nearer end where the piece does not have it."""
+    out, edges = np.empty(w.shape), np.ascontiguousarray(piece.edges)
+    fill = _filling(piece.normal, piece.coordinate, len(piece.parameters))
+    fill(np.ascontiguousarray(w), columns(piece.parameters, len(w)), edges, out)
+    return out
+
+
+@cache
+def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
+    @kernel
+    def fill_places(w, table, edges, out):
+        for i in range(w.shape[0]):
+            row = unpack(table[i], parameters)
+            first, last = edges[i, 0], edges[i, edges.shape[1] - 1]
+            w_first, w_last = normal(first, *row)[0], normal(last, *row)[0]
+            for at in range(w.shape[1]):
+                inside = w_first < w[i, at] < w_last
+                out[i, at] = (
+                    min(max(coordinate(w[i, at], *row), first), last) if inside else first if w[i, at] <= w_first else last
+                )
+
+    return fill_places
+
+
+@cache
+def _moved(normal: Any, coordinate: Any, hardness: Any, parameters: int) -> tuple[Any, Any]:
+    """The formulas of a piece of so many parameters, moved.
+
+    After them: what is added to displacement and load, the modulus, what is added to the area, the pull, 1 over the hardness at
+    yield, what depth is more than displacement, and the parameters of the hardness.
+    """
+
+    @formula
+    def along(u, *row):
+        w, stretch, load, area = normal(u, *row[:parameters])
+        more_w, more_load, modulus, more_area, pull, per_hardness, more_depth, n_H, tau, constant, exponent = row[parameters:]
+        w += more_w
+        share = per_hardness * hardness(n_H, max(w + more_depth, 0.0) / tau, constant, exponent)
+        return w, stretch, (modulus * load + more_load + pull) * share - pull, area + more_area
+
+    @formula
+    def back(w, *row):
+        return coordinate(w - row[parameters], *row[:parameters])
+
+    return along, back

@@ -1,0 +1,21 @@
+"""Numbers that are no rough surface, whichever law takes them."""
+
+from math import inf
+
+from stiction.contact.subject import Subject
+from stiction.laws.claims import Validity
+from stiction.laws.validity import doubts_about
+
+__all__ = ["OUT_OF_PROPORTION", "questions"]
+
+# Beyond these what is given is no rough surface; said where it is read.
+OUT_OF_PROPORTION = (
+    Validity("sharpness", 0.0, 1.0, "asperities are higher than their tips are wide: are sigma and R swapped?", "impossible"),
+    Validity("roughness_parameter", 1e-5, 10.0, "asperities of this density and radius overlap, or are lost", "impossible"),
+    Validity("nominal_width", 10.0, inf, "the surface is rougher than it is wide", "impossible"),
+)
+
+
+def questions(subject: Subject) -> list[str]:
+    """What is out of all proportion in what was given, in words; before any model is asked."""
+    return [str(doubt) for doubt in doubts_about(subject, OUT_OF_PROPORTION, {})]

@@ -1,0 +1,150 @@
+"""How far elastic bodies give way under a wave of pressure: normal displacement over pressure, by wavevector k.
+
+Half-space (Johnson 1985, Contact Mechanics, section 13.2; plane-strain modulus E* = E/(1 - nu^2), of a pair 1/E* = sum):
+
+    C(k) = 2 / (E* k)                                                                                                     (1)
+
+A film of thickness t (1) bonded to a half-space (2), without shear on its face, x = k t, G = mu1/mu2 the ratio of the shear
+moduli; one wave of the layered half-space of O'Sullivan & King (1988, J. Tribology 110, 235), in the notation of Nogi & Kato
+(1997, J. Tribology 119, 493):
+
+    C(k) = 2/(E1* k) [1 + 4 x K e^(-2x) - L K e^(-4x)] / [1 - (L + K + 4 K x^2) e^(-2x) + L K e^(-4x)]                    (2)
+    L = 1 - 4 (1 - nu1) / (1 + G (3 - 4 nu2)),          K = (G - 1) / (G + 3 - 4 nu1)
+
+Grade B: (2) was not compared with print but with the six boundary conditions of one wave, solved directly (tests). t -> 0 and
+G -> 1 give (1) of the substrate, t -> infinity that of the film; G = 0 is a film on a rigid base, nu1 = 1/2 an incompressible
+one.
+
+With y = 2x, and both lines times e^y, (2) is free of differences of nearly equal numbers as x -> 0, where a film on a rigid
+base gives way in proportion to t, an incompressible one to k^2 t^3:
+
+    numerator   = (1 - LK) cosh y + (1 + LK) (sinh y - y) + (1 + LK + 2K) y                                               (3)
+    denominator = (1 + LK) (cosh y - 1) + (1 - LK) sinh y + (1 - L)(1 - K) - K y^2
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+
+__all__ = ["Compliance", "Film"]
+
+_LARGE = 1.0  # of y, above which e^-y is small enough beside 1
+_SERIES = 1.0 / np.cumprod([6.0, *((2 * n) * (2 * n + 1) for n in range(2, 10))])  # of sinh y - y: y^3/3! + y^5/5! + ...
+
+
+@dataclass(frozen=True)
+class Film:
+    """An elastic film bonded to an elastic half-space.
+
+    thickness: [m], > 0; modulus, poisson: Young's modulus [Pa], > 0, and Poisson's ratio (-1 to 1/2, 1/2: incompressible) of
+    the film; substrate_modulus, substrate_poisson: of the half-space, modulus infinite: rigid. Raises InputError otherwise.
+    """
+
+    thickness: float
+    modulus: float
+    poisson: float
+    substrate_modulus: float
+    substrate_poisson: float
+
+    def __post_init__(self) -> None:
+        for name in ("thickness", "modulus"):
+            if not (0.0 < getattr(self, name) < math.inf):
+                raise InputError(f"film.{name}", getattr(self, name), "> 0, finite")
+        if not self.substrate_modulus > 0.0:
+            raise InputError("film.substrate_modulus", self.substrate_modulus, "> 0 Pa, or infinite: rigid")
+        for name in ("poisson", "substrate_poisson"):
+            if not (-1.0 < getattr(self, name) <= 0.5):
+                raise InputError(f"film.{name}", getattr(self, name), "> -1, <= 0.5")
+
+    @property
+    def plane_strain(self) -> float:
+        """E1* of the film [Pa]."""
+        return self.modulus / (1.0 - self.poisson**2)
+
+    @property
+    def far(self) -> float:
+        """Compliance of long waves times k/2 [1/Pa]: 1/E2* of the substrate, 0 if that is rigid."""
+        return (1.0 - self.substrate_poisson**2) / self.substrate_modulus
+
+    @property
+    def at_zero(self) -> float:
+        """(2) at k = 0 for a film on a rigid base: thickness over its oedometric modulus (1 - nu) E/((1 + nu)(1 - 2 nu))."""
+        nu = self.poisson
+        return self.thickness / self.modulus * (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu)
+
+    def over_half_space(self, k: np.ndarray) -> np.ndarray:
+        """(2) over the compliance 2/(E1* k) of a half-space of the film; k: wavevectors > 0 [1/m], any shape."""
+        parts = self._parts()
+        y = 2.0 * self.thickness * np.asarray(k, dtype=float)
+        ratio = np.empty_like(y)
+        small = y < _LARGE
+        ratio[small] = _near(y[small], *parts)
+        ratio[~small] = _away(y[~small], *parts)
+        return ratio
+
+    def _parts(self) -> tuple[float, float, float, float, float]:
+        """L, K, 1 - LK, 1 + LK + 2K, (1 - L)(1 - K): the last three without differences of nearly equal numbers."""
+        nu1, nu2 = self.poisson, self.substrate_poisson
+        shear = self.modulus / self.substrate_modulus * (1.0 + nu2) / (1.0 + nu1)
+        below, film = 1.0 + shear * (3.0 - 4.0 * nu2), shear + 3.0 - 4.0 * nu1
+        one_less_l, one_less_k = 4.0 * (1.0 - nu1) / below, 4.0 * (1.0 - nu1) / film
+        one_less_lk = one_less_k * shear * 4.0 * (1.0 - nu2) / below
+        linear = 4.0 * (shear + 1.0 - 2.0 * nu1) / film - one_less_lk
+        return 1.0 - one_less_l, (shear - 1.0) / film, one_less_lk, linear, one_less_l * one_less_k
+
+
+def _near(y, _, k, one_less_lk, linear, constant):
+    """(3), for y < 1."""
+    sine = y**3 * np.polynomial.polynomial.polyval(y * y, _SERIES)
+    rest = 2.0 - one_less_lk
+    above = one_less_lk * np.cosh(y) + rest * sine + linear * y
+    below = rest * 2.0 * np.sinh(0.5 * y) ** 2 + one_less_lk * np.sinh(y) + constant - k * y * y
+    return above / below
+
+
+def _away(y, el, k, *_):
+    """(2) as printed, for y >= 1."""
+    once = np.exp(-y)
+    return (1.0 + 2.0 * y * k * once - el * k * once**2) / (1.0 - (el + k + k * y * y) * once + el * k * once**2)
+
+
+@dataclass(frozen=True)
+class Compliance:
+    """Of both bodies together: half-spaces of effective modulus E* [Pa] (infinite: rigid), and a film on its own half-space.
+
+    InputError unless the modulus is > 0, and finite where no film gives way.
+    """
+
+    modulus: float
+    film: Film | None = None
+
+    def __post_init__(self) -> None:
+        if not self.modulus > 0.0 or (self.film is None and math.isinf(self.modulus)):
+            raise InputError("modulus", self.modulus, "> 0 Pa, finite unless there is a film")
+
+    @property
+    def near(self) -> float:
+        """Compliance of short waves times k/2 [1/Pa]: one over the effective modulus at the face."""
+        return 1.0 / self.modulus + (0.0 if self.film is None else 1.0 / self.film.plane_strain)
+
+    @property
+    def far(self) -> float:
+        """Compliance of long waves times k/2 [1/Pa]: one over the effective modulus seen from far away, 0 if nothing gives."""
+        return 1.0 / self.modulus + (0.0 if self.film is None else self.film.far)
+
+    def times_half_k(self, k: np.ndarray) -> np.ndarray:
+        """C(k) k/2 [1/Pa]; k: wavevectors > 0 [1/m], any shape."""
+        half_space = np.full(np.shape(k), 1.0 / self.modulus)
+        return half_space if self.film is None else half_space + self.film.over_half_space(k) / self.film.plane_strain
+
+    def at(self, k: np.ndarray) -> np.ndarray:
+        """C(k) [m/Pa]; k: wavevectors >= 0 [1/m]. At k = 0 its limit if finite, else 0: the mean is not known."""
+        k = np.asarray(k, dtype=float)
+        positive = k > 0.0
+        safe = np.where(positive, k, 1.0)
+        return np.where(
+            positive, 2.0 * self.times_half_k(safe) / safe, 0.0 if self.far > 0.0 or self.film is None else self.film.at_zero
+        )

@@ -1,0 +1,41 @@
+"""How much memory a map asks for, before it is taken."""
+
+import os
+from pathlib import Path
+
+from stiction.quantities.errors import InputError
+
+__all__ = ["available_memory", "needed_memory", "require_memory"]
+
+_NUMBER = 8  # bytes
+_PERIODIC = 20  # arrays as large as the map that are alive at once; measured: 17
+_FREE = 30  # the same, with the doubled grid; measured: 25
+_GIGA = 1e9
+
+
+def needed_memory(shape: tuple[int, int], *, periodic: bool = True, kept: int = 1) -> int:
+    """Bytes that `solve_map` takes beside the heights; kept: pressure maps that are kept."""
+    rows, columns = shape
+    return rows * columns * _NUMBER * ((_PERIODIC if periodic else _FREE) + kept)
+
+
+def available_memory() -> int | None:
+    """Bytes that can be had without swapping; None where the system does not say."""
+    try:
+        for line in Path("/proc/meminfo").read_text(encoding="ascii").splitlines():
+            if line.startswith("MemAvailable:"):
+                return int(line.split()[1]) * 1024
+    except OSError:
+        pass
+    try:
+        return os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, ValueError, OSError):
+        return None
+
+
+def require_memory(shape: tuple[int, int], *, periodic: bool = True, kept: int = 1) -> None:
+    """Raise InputError if a map of this shape cannot be solved in the memory there is: before it is made, or read."""
+    needed, there = needed_memory(shape, periodic=periodic, kept=kept), available_memory()
+    if there is not None and needed > there:
+        allowed = f"a map for which the {there / _GIGA:.2g} GB of free memory are enough; it needs {needed / _GIGA:.2g} GB"
+        raise InputError("heights", f"{shape[0]} x {shape[1]} points", allowed)
