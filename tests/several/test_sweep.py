@@ -17,7 +17,7 @@ from typer.testing import CliRunner
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
-from stiction.studies import sweep_store
+from stiction.studies import sweep_store, sweep_workers
 from stiction.studies.sweep import sweep
 from stiction.studies.sweep_blocks import merged, statistics_of
 from stiction.studies.sweep_plan import make_plan
@@ -192,6 +192,17 @@ def test_the_store_is_the_same_whoever_does_the_work(tmp_path):
     sweep(DRAWN, tmp_path / "one")
     sweep(DRAWN, tmp_path / "two", workers=2)
     assert same(tmp_path / "one", tmp_path / "two")
+
+
+def test_processes_are_started_once_while_none_dies(monkeypatch):
+    started = []
+
+    def pool(store, blocks, workers):
+        started.append(workers)
+        yield from ((block, 1) for block in blocks)
+
+    monkeypatch.setattr(sweep_workers, "_in_pool", pool)
+    assert sum(sweep_workers.done_in_processes(None, list(range(9)), 2)) == 9 and started == [2]
 
 
 SCRIPT = """

@@ -26,7 +26,7 @@ def done_in_processes(store: Store, blocks: list[int], workers: int) -> Iterator
     left, deaths = list(blocks), 0
     while left:
         try:
-            for block, points in _in_pool(store, left, workers):
+            for block, points in _in_pool(store, list(left), workers):
                 left.remove(block)
                 deaths = 0
                 yield points
