@@ -223,5 +223,5 @@ def test_the_jump_at_yield_is_that_of_the_record():
 
 
 def test_record():
-    assert RECORD.key == "ghaednia_2019" and RECORD.traits == {"no adhesion", "Hertz"}
+    assert RECORD.key == "ghaednia_2019" and RECORD.traits == {"no adhesion", "Hertz", "Hertz's shape"}
     assert [piece.state for piece in law.pieces(contact())] == ["elastic", "elastic-plastic"]

@@ -121,6 +121,15 @@ def test_the_reason_says_what_decided():
     assert "A/A_n = 4, not 0 to 1" in recommend([answer("a", 0.2, EFFECT)]).reason
 
 
+def test_what_is_set_aside_is_said_with_what_weighs_most():
+    light = doubt("assumption", 1.1, "touching_share")
+    found = recommend(
+        [answer("a", 0.2), answer("b", 0.1, EFFECT, light), answer("c", 0.4, IMPOSSIBLE), answer("d", 0.3, EFFECT)]
+    )
+    assert found.set_aside.splitlines() == ["A/A_n is not 0 to 1: why: b 0.1, d 0.3, c 0.4"]
+    assert recommend([answer("a", 0.2), answer("b", 0.3)]).set_aside == ""
+
+
 def test_nothing_is_recommended_where_nothing_holds():
     found = recommend([answer("a", 0.2, IMPOSSIBLE), answer("b", 0.3, IMPOSSIBLE), answer("c", None)])
     assert found.best is None and found.reason == "no model holds: A/A_n is not 0 to 1: why (2 of 2 models)"

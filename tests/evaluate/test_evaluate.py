@@ -160,8 +160,8 @@ BAD = [  # what is given, the field that is named, the value, a piece of what is
     ({"n_E": 1.5}, "n_H", "not given", "together"),
     ({"tau": 1.5}, "n_E", "not given", "together"),
     (FILM | {"tau": -1.0}, "tau", "-1", ">= 0"),
-    (FILM | {"n_E": 0.0}, "n_E", "0", ">= 1e-09"),
-    (FILM | {"n_H": -2.0}, "n_H", "-2", ">= 1e-09"),
+    (FILM | {"n_E": 0.0}, "n_E", "0", ">= 1e-12"),
+    (FILM | {"n_H": -2.0}, "n_H", "-2", ">= 1e-12"),
     ({"reading": "literal"}, "reading", "literal", "corrected, published"),
     ({"h": [1.0, 2.0], "theta": [1.0, 2.0, 3.0]}, "h and groups", "(2,)", "broadcast"),
 ]

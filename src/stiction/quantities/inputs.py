@@ -60,6 +60,10 @@ Number = Annotated[Any, BeforeValidator(_number)]
 OptionalNumber = Annotated[Any, BeforeValidator(_optional_number)]
 
 
+# Fields that tell of the numbers, and change no result.
+_SAID_BY_NOTES = ("source", "range")
+
+
 class Input(BaseModel):
     """A frozen record that refuses unknown keys and raises InputError, one line, for any bad field."""
 
@@ -133,9 +137,9 @@ class Input(BaseModel):
                 rows += [(f"{name}.{inner}", text) for inner, text in value.listed()]
             elif name in QUANTITIES and value is not None:
                 rows.append((name, _as_text(value, name)))
-            elif isinstance(value, str) and name != "source":
+            elif isinstance(value, str) and name not in _SAID_BY_NOTES:
                 rows.append((name, value))
-            elif isinstance(value, dict) and name != "source":
+            elif isinstance(value, dict) and name not in _SAID_BY_NOTES:
                 rows += [
                     (f"{name}.{key}", str(one) if np.ndim(one) == 0 else f"{np.size(one)} values") for key, one in value.items()
                 ]

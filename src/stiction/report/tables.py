@@ -265,6 +265,7 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
             low, high = used["recommended_range"]
             lines.append(Text(f"two thirds of the weight of the models: mu {low:.3g} to {high:.3g}", style="bold"))
             lines.append(Text(f"to run it: {run_command(data, used['recommended'])}"))
+        lines += [Text(f"set aside: {line}", style="dim") for line in used["set_aside"].splitlines()]
         if used["advice"]:
             lines.append(Text(f"what would have to change: {used['advice']}", style="bold yellow"))
         if "friction_coefficient_at_load_low" in data and used["recommended"] in data["model"]:

@@ -97,7 +97,15 @@ def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.n
 
 def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any]:
     # touching_asperities is per asperity among the results, and a number of them where that can be known
-    return dict(results) | {"touching_asperities": None} | state_of(problem, results)
+    return _of_groups(problem) | dict(results) | {"touching_asperities": None} | state_of(problem, results)
+
+
+def _of_groups(problem: Problem) -> dict[str, Any]:
+    """The groups of the contacts (n, 1), and what follows from them; None for what is not known. They are there already: to ask
+    the contact for each would compute them all again each time."""
+    groups = problem.groups
+    names = [*type(groups).model_fields, "film_plasticity_index", "film_stiffness"]
+    return {name: None if (value := getattr(groups, name)) is None else np.reshape(value, (-1, 1)) for name in names}
 
 
 def _rules_for(problem: Problem) -> list[Validity]:

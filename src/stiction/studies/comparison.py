@@ -54,10 +54,11 @@ def compare(
     working load, with grade, `outside_validity` in words and `doubts` as JSON. A theory that knows no separation has none (not
     a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at the
     working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
-    `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, and `advice`
-    where none is recommended; `cost` of each model is over `model`; `doubtful` says of every point whether it is within what
-    its model claims, outside of it, or impossible (0, 1, 2); `criteria` (is it sticky?), and `left_out`: model:
-    why. Where the roughness was measured, there are also friction_coefficient_at_load_by_method (asperity_method, model),
+    `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
+    which of the family count for nothing and why, and `advice` where none is recommended; `cost` of each model is over `model`;
+    `doubtful` says of every point whether it is within what its model claims, outside of it, or impossible (0, 1, 2);
+    `criteria` (is it sticky?), and `left_out`: model: why. Where the roughness was measured, there are also
+    friction_coefficient_at_load_by_method (asperity_method, model),
     friction_coefficient_at_load_low and _high. Raises InputError for bad input.
     """
     _refuse_arrays(as_subject(contact))
@@ -242,6 +243,7 @@ def _attributes(contact, answers: list[Answer], target: float | None) -> dict[st
         "reason": found.reason,
         "family": found.family,
         "advice": found.advice,
+        "set_aside": found.set_aside,
     }
     return attributes
 

@@ -20,6 +20,9 @@ from stiction.solving.candidates import Candidate
 COST_OF_A_DOUBLING = {"effect": 3.0, "assumption": 1.0, "fit": 0.5, "statistics": 0.0}
 COST_OF_GRADE = {"A": 0.0, "B": 0.1, "C": 0.5}
 COST_UNIT = 0.5
+_COSTS = COST_OF_A_DOUBLING | {"impossible": math.inf}
+# A model with less of the weight than this is set aside.
+_LITTLE = 0.05
 _MOST_DOUBLINGS = 10.0
 # Of models that differ by less than this from the weighted median the best founded one stands for it.
 _AS_GOOD_AS = 0.02
@@ -67,11 +70,12 @@ class Answer:
             return math.inf
         worst: dict[str, float] = {}
         for doubt in self.outside:
-            worst[doubt.quantity] = max(worst.get(doubt.quantity, 0.0), self._cost_of(doubt))
+            worst[doubt.quantity] = max(worst.get(doubt.quantity, 0.0), self.cost_of(doubt))
         return COST_OF_GRADE[self.grade] + sum(worst.values())
 
-    def _cost_of(self, doubt: Doubt) -> float:
-        cost = COST_OF_A_DOUBLING[doubt.kind] * min(doubt.doublings, _MOST_DOUBLINGS)
+    def cost_of(self, doubt: Doubt) -> float:
+        """What one doubt costs."""
+        cost = _COSTS[doubt.kind] * min(doubt.doublings, _MOST_DOUBLINGS)
         return cost * min(1.0, self.adhesion / _ADHESION_MATTERS) if doubt.quantity == "tabor_parameter" else cost
 
 
@@ -79,7 +83,8 @@ class Answer:
 class Recommendation:
     """best: the answer to trust, None if there is none; reason: why, in words; low, high: where the middle two thirds of the
     weight of its family are. family: what its friction rests on, in words. advice: what would have to change where there is
-    none."""
+    none. set_aside: which models of the family count for next to nothing, and what weighs on them most, a line for each
+    reason."""
 
     best: Answer | None
     reason: str
@@ -87,6 +92,7 @@ class Recommendation:
     high: float = math.nan
     family: str = ""
     advice: str = ""
+    set_aside: str = ""
 
 
 FAMILIES = {
@@ -111,7 +117,8 @@ def recommend(answers: list[Answer]) -> Recommendation:
     best = min((one for one in family if abs(one.mu - middle) <= _AS_GOOD_AS * abs(middle)), key=lambda one: one.cost)
     low, high = (family[int(np.searchsorted(below, share - 1e-12))].mu for share in (1.0 / 6.0, 5.0 / 6.0))
     others = [one for one in possible if one.of_interface != stated]
-    return Recommendation(best, _reason(best, family, weights, others), low, high, FAMILIES[stated])
+    aside = _set_aside([one for one, weight in zip(family, weights, strict=True) if weight <= _LITTLE], able)
+    return Recommendation(best, _reason(best, family, weights, others), low, high, FAMILIES[stated], set_aside=aside)
 
 
 def _weights(family: list[Answer]) -> np.ndarray:
@@ -122,9 +129,9 @@ def _weights(family: list[Answer]) -> np.ndarray:
 
 def _reason(best: Answer, family: list[Answer], weights: np.ndarray, others: list[Answer]) -> str:
     """Why this one: what it leaves, what it rests on, who is beside it, and what another family says."""
-    beside = [(one, weight) for one, weight in zip(family, weights, strict=True) if one is not best and weight > 0.05]
+    beside = [(one, weight) for one, weight in zip(family, weights, strict=True) if one is not best and weight > _LITTLE]
     beside.sort(key=lambda pair: -pair[1])
-    shares = ", ".join(f"{one.candidate.name} {one.mu:.3g} ({weight:.0%})" for one, weight in beside[:4])
+    shares = ", ".join(f"{one.candidate.name} {one.mu:.3g} ({weight:.0%})" for one, weight in beside)
     own = weights[[one is best for one in family]].item()
     within = [one for one in family if not one.outside]
     lines = [
@@ -139,6 +146,16 @@ def _reason(best: Answer, family: list[Answer], weights: np.ndarray, others: lis
         _other_family(best, others),
     ]
     return "; ".join(filter(None, lines))
+
+
+def _set_aside(little: list[Answer], able: list[Answer]) -> str:
+    """Models that count for little or cannot be so, by the doubt that weighs most on each."""
+    by_reason: dict[str, list[str]] = {}
+    for one in [*little, *(one for one in able if one.impossible)]:
+        worst = max(one.impossible or one.outside, key=one.cost_of, default=None)
+        said = worst.rule if worst else f"grade {one.grade}"
+        by_reason.setdefault(said, []).append(f"{one.candidate.name} {one.mu:.3g}")
+    return "\n".join(f"{said}: {', '.join(names)}" for said, names in by_reason.items())
 
 
 def _left(best: Answer, within: list[Answer]) -> str:
