@@ -68,7 +68,9 @@ def run(
     The table shows about twelve of the points, --all-rows every one.
     With --out: curve.csv (with comments after #), curve.nc (netCDF4) and curve.png. What is given here overrides the case file;
     the options of a model or a law may be given too, such as --reading published: stiction models KEY names them.
-    Where the case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
+    Any number of the contact may be several, a list or {start, stop, count, spacing}: then the picture and the table show mu
+    against it. Where the case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in
+    band.png.
     """
     from stiction.report.files import check_folder
 
@@ -103,13 +105,12 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and pictures; returns their names."""
     with busy("Writing the results"):
         from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
-        from stiction.report.pictures import curve_figure
         from stiction.solving.method_spread import as_columns
 
         files = {
             "curve.csv": lambda path: write_csv(as_columns(data), path, comments_of(data)),
             "curve.nc": lambda path: write_netcdf(data, path),
-            "curve.png": lambda path: write_picture(curve_figure(data, case.title), path),
+            "curve.png": lambda path: write_picture(_figure(case, data), path),
         }
         if "friction_coefficient_by_method" in data:
             from stiction.report.surface_pictures import method_spread_figure
@@ -117,6 +118,26 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
             files["band.png"] = lambda path: write_picture(method_spread_figure(data, case.title), path)
         write_folder(out, files)
     return list(files)
+
+
+def _figure(case: "Case", data: "xarray.Dataset"):
+    if case.is_several:
+        from stiction.report.several_pictures import several_figure
+
+        return several_figure(data, case.title)
+    from stiction.report.pictures import curve_figure
+
+    return curve_figure(data, case.title)
+
+
+def _table(case: "Case", data: "xarray.Dataset", all_rows: bool):
+    if case.is_several:
+        from stiction.report.several_tables import several_table
+
+        return several_table(data, all_rows)
+    from stiction.report.tables import curve_table
+
+    return curve_table(data, all_rows)
 
 
 def _print_json(case: "Case", data: "xarray.Dataset") -> None:
@@ -129,11 +150,11 @@ def _print_json(case: "Case", data: "xarray.Dataset") -> None:
 def _print_run(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:
     from rich.text import Text
 
-    from stiction.report.tables import curve_table, outside_validity, rows_shown, run_notes, run_summary
+    from stiction.report.tables import outside_validity, rows_shown, run_notes, run_summary
 
     terminal = console()
-    terminal.print(run_summary(case, data), "", curve_table(data, all_rows), "")
-    if not all_rows and (text := rows_shown(data)):
+    terminal.print(run_summary(case, data), "", _table(case, data, all_rows), "")
+    if not all_rows and not case.is_several and (text := rows_shown(data)):
         terminal.print(Text(text, style="dim"), "", sep="\n")
     if case.measured is not None:
         from stiction.report.surface_tables import roughness_notes, roughness_table

@@ -197,9 +197,9 @@ class Contact(Subject):
         surface = self.roughness.surface
         return self if surface is None else self.model_copy(update={"roughness": surface})
 
-    def groups(self) -> dict[str, float]:
+    def all_groups(self) -> dict[str, Any]:
         """Also the plasticity index, which needs the materials."""
-        return super().groups() | {"plasticity_index": float(self.plasticity_index)}
+        return super().all_groups() | {"plasticity_index": self.plasticity_index}
 
     def given_as(self, group: str) -> str:
         names = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}

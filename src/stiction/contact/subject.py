@@ -83,10 +83,14 @@ class Subject(Input):
         return self
 
     def groups(self) -> dict[str, float]:
-        """Name -> value of every dimensionless group that is known; of a contact of single numbers."""
+        """Name -> value of every dimensionless group that is known, and is one number."""
+        return {name: float(value) for name, value in self.all_groups().items() if not hasattr(value, "dims")}
+
+    def all_groups(self) -> dict[str, Any]:
+        """Name -> number or labelled array of every dimensionless group that is known."""
         indices = self.indices().resolved()
         names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
-        return {name: float(value) for name in names if (value := getattr(indices, name)) is not None}
+        return {name: value for name in names if (value := getattr(indices, name)) is not None}
 
     def known(self, name: str) -> Any:
         """A property or group of this name, where the contact decides it; else None."""

@@ -112,7 +112,7 @@ def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
         [
             ("case", case.title),
             *_contact(case.subject),
-            ("groups", _groups(case.subject.groups())),
+            ("groups", _groups(case.subject.all_groups())),
             ("model", ", ".join([used["model"], *laws, *options, f"{used['heights']} heights"])),
             ("grade", f"{used['grade']}: {GRADES[used['grade']]}"),
             ("pull-off force", _pull_off(data)),
@@ -138,22 +138,44 @@ def _material(material: Any) -> str:
 def _numbers(part: Any) -> str:
     """The numbers of a part of a contact with their symbols and units: "E = 210 GPa, nu = 0.3"."""
     given = ((QUANTITIES[name], getattr(part, name)) for name in type(part).model_fields if name in QUANTITIES)
-    return ", ".join(f"{row.symbol} = {_squared(show(value, row.name))}" for row, value in given if value is not None)
+    return ", ".join(f"{row.symbol} = {_number(value, row.name)}" for row, value in given if value is not None)
 
 
-def _groups(groups: Mapping[str, float]) -> str:
-    return ", ".join(f"{QUANTITIES[name].symbol} = {value:.4g}" for name, value in groups.items())
+def _number(value: Any, name: str) -> str:
+    """One number, or where it is several their ends: "100 nm to 2 um (5 values)"."""
+    if not hasattr(value, "dims"):
+        return _squared(show(value, name))
+    low, high = (_squared(show(float(end), name)) for end in (value.min(), value.max()))
+    return f"{low} to {high} ({value.size} values)"
+
+
+def _groups(groups: Mapping[str, Any]) -> str:
+    return ", ".join(f"{QUANTITIES[name].symbol} = {_group(value)}" for name, value in groups.items())
+
+
+def _group(value: Any) -> str:
+    ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
+    return " to ".join(dict.fromkeys(f"{float(end):.4g}" for end in ends))
 
 
 def _pull_off(data: "xarray.Dataset") -> str:
     if "pull_off_force" not in data:
         return ""
     force = data["pull_off_force"]
+    if force.size > 1:
+        return f"{_of_force(force.min())} to {_of_force(force.max())}" if bool((force > 0.0).any()) else _NO_TENSION
     if not float(force) > 0.0:
-        return "none: there is no tension at any separation"
+        return _NO_TENSION
     if force.attrs.get("units", "1") == "1":
         return f"{float(force):.4g} at h = {float(data['pull_off_separation']):.4g}"
-    return shown(float(force), "pull_off_force")
+    return _of_force(force)
+
+
+_NO_TENSION = "none: there is no tension at any separation"
+
+
+def _of_force(force: "xarray.DataArray") -> str:
+    return shown(float(force), "pull_off_force") if force.attrs.get("units", "1") != "1" else f"{float(force):.4g}"
 
 
 def run_notes(data: "xarray.Dataset") -> list[str]:

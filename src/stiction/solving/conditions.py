@@ -14,6 +14,7 @@ import numpy as np
 from stiction.laws.claims import Validity
 from stiction.laws.proportion import OUT_OF_PROPORTION
 from stiction.laws.validity import Doubt, doubts_about, ranges_left
+from stiction.quantities.dimensions import aligned
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
 
@@ -68,6 +69,30 @@ def doubtful_points(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.nda
     for rule, _, outside in ranges_left(problem.subject, _rules_for(problem), _known(problem, curve)):
         found = np.maximum(found, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else DOUBTFUL, WITHIN))
     return found[0]
+
+
+def rules_of(problem: Problem) -> list[Validity]:
+    """Every range that the results of a problem may leave, each once; of the same kind whatever its contacts are."""
+    rules = [*(rule for rule, applies in RULES if applies(problem))]
+    return list(dict.fromkeys([*rules, *(rule for record in problem.records() for rule in record.validity)]))
+
+
+def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
+    """For each of `rules_of` a problem of n contacts, at which of m points it is left: arrays (n, m), or (n, 1) where that is
+    the same at all points of a contact. results: normalised, the contacts' dimensions first."""
+    known, contacts = _known(problem, results), len(problem.groups)
+    found = []
+    for rule in rules_of(problem):
+        value = known[rule.quantity] if rule.quantity in known else problem.subject.known(rule.quantity)
+        if value is None:
+            found.append(np.zeros((contacts, 1), dtype=bool))
+            continue
+        if hasattr(value, "dims"):
+            value = np.broadcast_to(aligned(value, problem.dims), problem.shape)
+        values = np.asarray(value, dtype=float)
+        values = values.reshape(contacts, -1) if values.size > 1 else np.full((contacts, 1), values.item())
+        found.append((values < rule.low) | (values > rule.high))
+    return found
 
 
 def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any]:

@@ -58,18 +58,18 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
     return found.tension, found.where
 
 
-def separations_at(problem: Problem, targets: np.ndarray) -> Inversion:
+def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """The separations at which each law carries each load (n, m), per asperity and normalised.
 
     Of several, the first that is met when the surfaces approach from their largest tension (from afar, if there is none):
     that is the stable branch under a given load. Where the way of approach is plain, a root is begun from its nodes and ended
     with the sums of the engine; else it is bracketed on a grid and found by Chandrupatla's method.
-    Raises Unreachable for a load that is nowhere carried.
+    Raises Unreachable for a load that is nowhere carried; with refuse=False its separation is not a number.
     """
     parts = []
     for rows in _blocks(problem):
         try:
-            parts.append(_of_block(problem.with_groups(rows), targets[rows]))
+            parts.append(_of_block(problem.with_groups(rows), targets[rows], refuse))
         except Unreachable as error:
             raise Unreachable(rows.start + error.law, error.at, error.low, error.high) from None
     h, residual, tension, where = (
@@ -78,21 +78,21 @@ def separations_at(problem: Problem, targets: np.ndarray) -> Inversion:
     return Inversion(h, residual, max(part.evaluations for part in parts), tension, where)
 
 
-def _of_block(problem: Problem, targets: np.ndarray) -> Inversion:
+def _of_block(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """As `separations_at`: the quick way for all laws that it suits, and the robust one for the others."""
     if isinstance(problem, ClosedForm):
         if problem.record.separation_near is None:
-            return _robustly(problem, targets)
+            return _robustly(problem, targets, refuse)
         quick, good = _from_tables(problem, targets)
     elif isinstance(problem, Sum) and problem.heights.density is gaussian_density:
         quick, good = _quickly(problem, targets)
     else:
-        return _robustly(problem, targets)
+        return _robustly(problem, targets, refuse)
     rest = np.flatnonzero(~good)
     if not rest.size:
         return quick
     try:
-        slow = _robustly(problem.with_groups(rest), targets[rest])
+        slow = _robustly(problem.with_groups(rest), targets[rest], refuse)
     except Unreachable as error:
         raise Unreachable(rest[error.law], error.at, error.low, error.high) from None
     for name in ("h", "residual", "tension", "where"):
@@ -193,11 +193,11 @@ class _Approach:
     where: np.ndarray
 
 
-def _robustly(problem: Problem, targets: np.ndarray) -> Inversion:
+def _robustly(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """As `separations_at`, whatever the way of approach."""
     way = _approach(problem, targets)
     if targets.size:
-        return _inverted(way, targets)
+        return _inverted(way, targets, refuse)
     return Inversion(targets.copy(), targets.copy(), 0, way.tension, way.where)
 
 
@@ -284,27 +284,41 @@ def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.nd
     return (np.abs(farthest) > NOTHING * size) | tension | (farthest >= smallest)
 
 
-def _inverted(way: _Approach, targets: np.ndarray) -> Inversion:
+def _inverted(way: _Approach, targets: np.ndarray, refuse: bool) -> Inversion:
     """Separations of the loads (n, m) on a way past them; as `separations_at`."""
-    from scipy.optimize.elementwise import find_root
-
     h, loads, adheres = way.h, way.loads, way.tension > 0.0
     start = np.where(adheres, np.searchsorted(-h, -way.where, side="right"), 1)  # the first grid point nearer
     nearer = np.arange(h.size) >= start[:, None]
     reached = nearer[:, None, :] & (loads[:, None, :] >= targets[:, :, None])
     first = np.argmax(reached, axis=2)
     carried = reached.any(axis=2) & np.where(adheres[:, None], targets >= -way.tension[:, None], targets > 0.0)
-    if not carried.all():
+    if refuse and not carried.all():
         law, at = np.argwhere(~carried)[0]
         raise Unreachable(law, at, -way.tension[law], np.where(nearer, loads, -np.inf).max(axis=1)[law])
     left = np.where(adheres[:, None] & (first == start[:, None]), way.where[:, None], h[first - 1])
     law = np.broadcast_to(np.arange(len(loads))[:, None], targets.shape)
-    load = _load_of(way.problem)
+    if carried.all():
+        x, excess, evaluations = _roots(way.problem, law, targets, (h[first], left))
+        return Inversion(x, _relative(excess, targets, way.tension), evaluations, way.tension, way.where)
+    separation, residual = np.full((2, *targets.shape), np.nan)
+    found = _roots(way.problem, law[carried], targets[carried], (h[first][carried], left[carried]))
+    separation[carried], residual[carried], evaluations = found
+    return Inversion(separation, _relative(residual, targets, way.tension), evaluations, way.tension, way.where)
+
+
+def _roots(problem: Problem, law: np.ndarray, targets: np.ndarray, bracket: tuple) -> tuple[np.ndarray, np.ndarray, int]:
+    """Separations in the brackets where the laws of these numbers carry the targets, what is left of the loads, and the number
+    of evaluations."""
+    from scipy.optimize.elementwise import find_root
+
+    if not targets.size:
+        return targets.copy(), targets.copy(), 0
+    load = _load_of(problem)
 
     def excess(x, law, target):
         return load(x, law) - target
 
-    found = find_root(excess, (h[first], left), args=(law.astype(float), targets))
+    found = find_root(excess, bracket, args=(law.astype(float), targets))
     if not found.success.all():
         raise ArithmeticError(f"{np.sum(~found.success)} of {targets.size} separations did not converge")
-    return Inversion(found.x, _relative(found.f_x, targets, way.tension), int(np.max(found.nfev)), way.tension, way.where)
+    return found.x, found.f_x, int(np.max(found.nfev))

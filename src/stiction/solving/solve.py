@@ -103,18 +103,18 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     elif given == "load":
         found = inverted(problem, wanted, aligned(factors["N"], dims))
         h = found.h.reshape(wanted.shape)
-        results = _sum(problem, h, wanted.shape)
+        results = summed(problem, h, wanted.shape)
         tables, carried = {"mean_separation": h} | as_asked(results, wanted), results["load"]
     else:
         if not np.abs(wanted).max(initial=0.0) <= FARTHEST:
             raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
         h = aligned(point, dims) / aligned(factors["m"], dims)  # not broadcast: separations that all share are a grid
-        tables = {"mean_separation": h} | _sum(problem, h, wanted.shape)
+        tables = {"mean_separation": h} | summed(problem, h, wanted.shape)
     tables = with_shares(problem, tables)
     variables = as_variables(subject, tables, factors, dims)
-    variables |= {} if found is None else _convergence(found, dims)
+    variables |= {} if found is None else convergence(found, dims)
     if "mean_separation" in tables:
-        variables |= _pull_off(problem, factors, found)
+        variables |= pull_off_variables(problem, factors, found)
     coords = problem.coords | point_coordinates(point)
     if given in getattr(point, "dims", ()):
         coords[given] = (given, point.values, variables.pop(given)[2])
@@ -144,7 +144,7 @@ def _with_carried(data: "xarray.Dataset", carried: np.ndarray, asked: np.ndarray
     return with_doubts(data, [Doubt(why)])
 
 
-def _convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:
+def convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:
     meaning = "load found less load asked for, over the latter, or over the pull-off force if it is nothing beside that"
     return {
         "load_residual": (
@@ -155,7 +155,7 @@ def _convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:
     }
 
 
-def _pull_off(problem: Problem, factors: Mapping[str, Any], found: Inversion | None) -> dict[str, tuple]:
+def pull_off_variables(problem: Problem, factors: Mapping[str, Any], found: Inversion | None) -> dict[str, tuple]:
     """The largest tension of each contact, and where it is; found: of the problem itself, if it is known already."""
     apart = problem.on_branch("unloading")
     tension, where = (found.tension, found.where) if found and apart is problem else pull_off(apart)
@@ -225,7 +225,7 @@ def inverted(problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> Inversio
         raise InputError("load", text(targets[where]), f"{bound} under this model, for this contact") from None
 
 
-def _sum(problem: Problem, h: np.ndarray, shape: tuple[int, ...]) -> dict[str, np.ndarray]:
+def summed(problem: Problem, h: np.ndarray, shape: tuple[int, ...]) -> dict[str, np.ndarray]:
     """Results of the full shape, normalised, at separations h over sigma that broadcast to it."""
     laws = len(problem.groups)
     shared = all(length == 1 for length in h.shape[: len(problem.shape)])

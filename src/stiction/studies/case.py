@@ -5,10 +5,10 @@ import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Any
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import Field, model_validator
 
 from stiction.contact.contact import Body, Contact, Indices
 from stiction.contact.subject import Subject
@@ -20,25 +20,27 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
 from stiction.studies.own_materials import with_own_materials
+from stiction.studies.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
+from stiction.studies.sweep_plan import Sweep
 
 __all__ = ["Case", "json_schema", "parse_case", "read_case"]
 
 _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
-_MOST_POINTS = 100_000
 
 
 @dataclass(frozen=True)
 class Case:
     """What a case file asks for.
 
-    subject: the Contact or the Indices. separation, load: points, one is an array (n,) and the other None;
-    metres and newtons for a Contact, h = d/sigma and load per K R^(1/2) sigma^(3/2) and asperity for
-    Indices. choice: the model, other laws than its own, and options, as the registry knows them.
+    subject: the Contact or the Indices; where numbers of it are several, they are arrays with named dimensions. separation,
+    load: points, one is an array (n,) and the other None; metres and newtons for a Contact, h = d/sigma and load per
+    K R^(1/2) sigma^(3/2) and asperity for Indices. Where sigma is several and separations are over it, they are a labelled
+    array. choice: the model, other laws than its own, and options, as the registry knows them.
     """
 
     title: str
     subject: Subject
-    separation: np.ndarray | None
+    separation: Any
     load: np.ndarray | None
     choice: Choice
 
@@ -46,6 +48,11 @@ class Case:
     def measured(self) -> Measured | None:
         """What scans say of the roughness, where the case names scans in place of numbers."""
         return self.subject.measured
+
+    @property
+    def is_several(self) -> bool:
+        """Whether numbers of the contact are several."""
+        return any(True for _ in self.subject.arrays())
 
     @property
     def by_method(self) -> dict[str, Contact]:
@@ -73,40 +80,11 @@ class Case:
         return replace(self, subject=self.subject.with_surface_moments())
 
 
-def _point(value):
-    if isinstance(value, bool) or not isinstance(value, float | int | str):
-        raise InputError("", value, "a number, or text with a number and its unit")
-    return value
-
-
-_Point = Annotated[Any, BeforeValidator(_point, json_schema_input_type=float | str)]
-
-
-class _Range(Input):
-    """Evenly spaced points, both ends included; evenly spaced logarithms with spacing = "log"."""
-
-    start: _Point = Field(description="the first point")
-    stop: _Point = Field(description="the last point")
-    count: int = Field(ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}")
-    spacing: Literal["linear", "log"] = "linear"
-
-
-def _points(value):
-    if isinstance(value, Mapping):
-        return _Range(**value)
-    if value == []:
-        raise InputError("", value, "at least one point")
-    return [_point(entry) for entry in (value if isinstance(value, list) else [value])]
-
-
-_Points = Annotated[Any, BeforeValidator(_points, json_schema_input_type=list[float | str] | _Range)]
-
-
 class _Solve(Input):
     """The points of the curve, as mean separations or as loads, and how to compute it."""
 
-    separation: _Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
-    load: _Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
+    separation: Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
+    load: Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
     model: str = Field("soft_coating_2015", description="key of a model, see `stiction models`")
     asperity: str | None = Field(None, description="key of an asperity law in place of the model's own, see `stiction models`")
     tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
@@ -142,7 +120,7 @@ class _Solve(Input):
 
 
 class _CaseFile(Input):
-    """The tables of a case file: [contact] or [indices], [solve], and materials of its own."""
+    """The tables of a case file: [contact] or [indices], [solve], [sweep] for many contacts, and materials of its own."""
 
     title: str = ""
     materials: dict[str, Body] | str = Field(
@@ -151,6 +129,7 @@ class _CaseFile(Input):
     contact: Contact | None = None
     indices: Indices | None = None
     solve: _Solve = Field(description="a table with separation or load")
+    sweep: Sweep | None = Field(None, description="a table: what `stiction sweep` computes and keeps")
 
     @model_validator(mode="after")
     def _one_subject(self):
@@ -167,18 +146,23 @@ def read_case(path) -> Case:
     for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
     are no rough surface: sigma and R swapped, a metre of roughness.
     """
-    return parse_case(_tables(path), Path(path).parent)
+    return parse_case(read_content(path), Path(path).parent)
 
 
-def _tables(path) -> Mapping:
-    """The tables of a TOML file, every number that needs a unit with its unit."""
+def read_content(path) -> dict[str, Any]:
+    """The tables of a TOML file, unchecked. Raises InputError, one line, if it cannot be read or is not TOML."""
     text = _text(Path(path))
     try:
-        content = tomllib.loads(text)
+        return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _not_a_case(path, f"this is not TOML: {error}") from None
     except (ValueError, RecursionError):  # a number of thousands of digits, lists nested without end
         raise _not_a_case(path, "this one is out of all proportion") from None
+
+
+def _tables(path) -> Mapping:
+    """The tables of a TOML file, every number that needs a unit with its unit."""
+    content = read_content(path)
     _refuse_bare_numbers(content, "")
     return content
 
@@ -186,18 +170,41 @@ def _tables(path) -> Mapping:
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
     materials are named."""
+    content, several = opened(content, folder)
+    case = case_of(content, {path: one.array(one.numbers()) for path, one in several.items()})
+    check_scans(case.subject)
+    for question in questions(case.subject):
+        warnings.warn(question, InputDoubt, stacklevel=2)
+    return case
+
+
+def check_scans(subject: Subject) -> None:
+    """InputError where numbers of a contact are several whose roughness was measured."""
+    for name, array in subject.arrays():
+        if subject.measured is not None:
+            raise InputError(f"contact.{name}", f"{array.size} numbers", "one number, where scans say the roughness")
+
+
+def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...], Several]]:
+    """The tables with materials of their own and the roughness that scans show, the first value of what is several in its
+    place; and the numbers that are several. Raises InputError."""
     _refuse_bare_numbers(content, "")
-    file = _CaseFile(**_measured(with_own_materials(content, folder, _tables), folder))
+    several = several_numbers(content)
+    content = with_values(content, {path: float(one.values[0]) for path, one in several.items()})
+    return _measured(with_own_materials(content, folder, _tables), folder), several
+
+
+def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:
+    """The case of these tables, with labelled arrays in the places of the numbers that are several. Raises InputError."""
+    file = _CaseFile(**with_values(content, arrays))
     subject = file.contact or file.indices
     assert subject is not None  # the validator of _CaseFile has seen to it
-    for question in questions(subject):
-        warnings.warn(question, InputDoubt, stacklevel=2)
     solve = file.solve
     return Case(
         title=file.title,
         subject=subject,
-        separation=_resolve(solve.separation, "mean_separation", subject, "solve.separation"),
-        load=_resolve(solve.load, "load", subject, "solve.load"),
+        separation=points_of(solve.separation, "mean_separation", subject, "solve.separation"),
+        load=points_of(solve.load, "load", subject, "solve.load"),
         choice=Choice(options=dict(solve.options), **{name: getattr(solve, name) for name in LAWS}),
     )
 
@@ -229,6 +236,7 @@ def json_schema() -> dict:
     schema["$defs"]["_Solve"]["properties"] |= {
         name: {"description": "option of a model or of a law", "enum": list(values)} for name, values in all_options().items()
     }
+    numbers_schema(schema)
     schema["$defs"]["_Solve"]["oneOf"] = [{"required": ["separation"]}, {"required": ["load"]}]
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
@@ -263,26 +271,11 @@ def _refuse_bare_numbers(table: Mapping, path: str) -> None:
 
 
 def _is_text(value: Any, path: str) -> bool:
-    """Text, or the two ends of a range as text."""
-    if path.rpartition(".")[2] == "range" and isinstance(value, list):
-        return all(isinstance(end, str) for end in value)
+    """Text, or the two ends of a range as text; of a number that is several each is asked where it is read."""
+    if isinstance(value, list):
+        return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)
     return isinstance(value, str)
 
 
 def _as_text(key: str) -> str:
     return f"text with a unit: {QUANTITIES[key].meaning}, {QUANTITIES[key].wanted}"
-
-
-def _resolve(points, name: str, subject: Subject, where: str) -> np.ndarray | None:
-    """The points as numbers, in SI units for a Contact and dimensionless for Indices."""
-    if points is None:
-        return None
-    if not isinstance(points, _Range):
-        return np.array([subject.read_point(entry, name, where) for entry in points])
-    start, stop = (subject.read_point(getattr(points, end), name, f"{where}.{end}") for end in ("start", "stop"))
-    if points.spacing == "linear":
-        return np.linspace(start, stop, points.count)
-    for end, number in (("start", start), ("stop", stop)):
-        if number <= 0:
-            raise InputError(f"{where}.{end}", getattr(points, end), 'above 0 where spacing = "log"')
-    return np.geomspace(start, stop, points.count)

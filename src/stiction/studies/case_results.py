@@ -1,5 +1,6 @@
 """A case, solved or compared: also one whose surface was measured, with the spread over the methods of finding asperities."""
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -7,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
+from stiction.contact.subject import Subject
+from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import LAWS, Choice
@@ -21,6 +24,7 @@ __all__ = ["compare_case", "solve_case"]
 
 
 RECOMMENDED = "recommended"
+_MOST = 1_000_000  # points at once in memory
 
 
 def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
@@ -31,9 +35,30 @@ def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
     also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high; its
     attributes say the method and what was done to the scans. Raises InputError.
     """
+    _check_size(case)
     choice = choice_of_case(case, choice or case.choice)
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
-    return _said(data, case).assign_attrs(case.with_surface_moments(choice.model).subject.groups())
+    return with_groups(_said(data, case), case.with_surface_moments(choice.model).subject)
+
+
+def _check_size(case: Case) -> None:
+    """InputError for more points than fit in memory and patience."""
+    points = case.load if case.load is not None else case.separation
+    count = math.prod(dimensions([*(array for _, array in case.subject.arrays()), points]).values())
+    count *= 1 if hasattr(points, "dims") else np.size(points)
+    if count > _MOST:
+        raise InputError("contact", f"{count} points", f"{_MOST} at most in memory; `stiction sweep` takes any number")
+
+
+def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
+    """With the dimensionless groups of the contact: those that are one number as attributes, the others as variables, but for
+    what is given and stands among the coordinates."""
+    several = {
+        name: (value.dims, value.values, subject.attributes(name))
+        for name, value in subject.all_groups().items()
+        if hasattr(value, "dims") and name not in data.variables
+    }
+    return data.assign(several).assign_attrs(subject.groups())
 
 
 def choice_of_case(case: Case, choice: Choice) -> Choice:

@@ -61,6 +61,7 @@ def compare(
     friction_coefficient_at_load_by_method (asperity_method, model),
     friction_coefficient_at_load_low and _high. Raises InputError for bad input.
     """
+    _refuse_arrays(as_subject(contact))
     data = _compared(contact, load, separations, progress)
     if contact.measured is None:
         return data
@@ -69,8 +70,6 @@ def compare(
 
 def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[[Iterable], Iterable]) -> "xarray.Dataset":
     """What `compare` gives, without the spread over the methods of finding asperities."""
-    if any(True for _ in as_subject(contact).arrays()):
-        raise InputError("contact", "arrays", "single numbers, for a comparison of models")
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
@@ -78,6 +77,11 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
     return _dataset(contact, answers, target)
+
+
+def _refuse_arrays(subject: Subject) -> None:
+    for name, array in subject.arrays():
+        raise InputError(name, f"{array.size} numbers", "single numbers, where models are compared")
 
 
 def _over_methods(
@@ -266,6 +270,7 @@ def working_load(case: "Case", given: str | None) -> float | None:
     """The load at which the models of a case are judged: that given, else the middle one of the case, or the compressive one
     that is nearest to it in the list; where the case names separations, of the loads that its own model carries there. None
     where none is compressive."""
+    _refuse_arrays(case.subject)
     if given is not None:
         return _pressing(case.subject, given, "--load")
     loads = case.load

@@ -1,0 +1,121 @@
+"""`stiction sweep`: many contacts, into a store on disk."""
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from stiction.cli.output import print_json
+from stiction.cli.program import Json, app, busy, console, folder
+
+
+@app.command()
+def sweep(
+    case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file in which numbers of the contact are several.")],
+    out: Annotated[
+        Path, typer.Option("--out", parser=folder, metavar="STORE", help="Folder of the store: new, or of this case, to go on.")
+    ],
+    workers: Annotated[int, typer.Option(metavar="N", help="How many processes of this machine share the work.")] = 1,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ADDRESS", help="Scheduler of a dask.distributed cluster that does the work, e.g. tcp://host:8786."
+        ),
+    ] = None,
+    json: Json = False,
+) -> None:
+    """Solve many contacts, into a labelled store on disk (zarr 3).
+
+    Which contacts, the table [sweep] of the case says: every combination, points of a list, or points that are drawn. It may be
+    interrupted at any time; calling it again goes on where it was. The store is the same, bit for bit, whoever does the work.
+    """
+    from time import perf_counter
+
+    with busy("Reading the case"):
+        from stiction.studies.sweep import run_sweep
+    begun = perf_counter()
+    shown = _Shown()
+    try:
+        store = run_sweep(case, out, workers, scheduler, shown)
+    except KeyboardInterrupt:
+        _stderr().print(f"stopped: {shown.done} of {shown.size} points are in {out}; call again to go on", style="bold")
+        raise
+    seconds = perf_counter() - begun
+    doubts = store.doubts()
+    if json:
+        here = {"points": store.plan.size, "computed_now": shown.computed, "seconds": seconds, "doubts": doubts}
+        print_json({"store": str(out), "dims": {**store.plan.dims}, "blocks": store.plan.blocks, **here})
+        return
+    from rich.text import Text
+
+    terminal = console()
+    rate = f", {shown.computed / seconds:.3g} points/s" if shown.computed else ""
+    terminal.print(f"{store.plan.size} points, {shown.computed} of them computed now in {seconds:.3g} s{rate}", highlight=False)
+    for text, count in doubts.items():
+        terminal.print(Text(f"doubtful in {count} points: {text}", style="yellow"))
+    terminal.print(f"stored in {out}: xarray.open_zarr({str(out)!r})", highlight=False, markup=False, soft_wrap=True)
+
+
+class _Shown:
+    """Shows how far a sweep is, its rate and the time that is left: a bar on a terminal, else a line now and then."""
+
+    def __init__(self) -> None:
+        self.done = self.size = self.computed = 0
+
+    def __call__(self, done: int, size: int, steps: Iterable[int]) -> Iterator[int]:
+        self.done, self.size = done, size
+        terminal = _stderr()
+        over = self._with_bar(terminal, steps) if terminal.is_terminal else self._with_lines(terminal, steps)
+        yield from over
+
+    def _counted(self, steps: Iterable[int]) -> Iterator[int]:
+        for points in steps:
+            self.done += points
+            self.computed += points
+            yield points
+
+    def _with_bar(self, terminal, steps: Iterable[int]) -> Iterator[int]:
+        from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+
+        texts = TextColumn("{task.description}"), TextColumn("{task.fields[rate]}")
+        columns = (
+            texts[0],
+            BarColumn(),
+            TaskProgressColumn(),
+            texts[1],
+            TimeElapsedColumn(),
+            TextColumn("left"),
+            TimeRemainingColumn(),
+        )
+        with Progress(*columns, console=terminal, transient=True) as progress:
+            task = progress.add_task("Sweeping", total=self.size, completed=self.done, rate="")
+            for points in self._counted(steps):
+                speed = progress.tasks[0].speed
+                rate = f"{self.done:.3g} of {self.size:.3g} points" + (f", {speed:.3g}/s" if speed else "")
+                progress.update(task, completed=self.done, rate=rate)
+                yield points
+
+    def _with_lines(self, terminal, steps: Iterable[int]) -> Iterator[int]:
+        from time import monotonic
+
+        begun = said = monotonic()
+        self._say(terminal, 0.0)
+        for points in self._counted(steps):
+            if monotonic() - said > _EVERY:
+                said = monotonic()
+                self._say(terminal, self.computed / (said - begun))
+            yield points
+
+    def _say(self, terminal, rate: float) -> None:
+        left = f", {rate:.3g} points/s, {(self.size - self.done) / rate:.0f} s left" if rate else ""
+        terminal.print(f"{self.done} of {self.size} points{left}", highlight=False, soft_wrap=True)
+
+
+_EVERY = 10.0  # seconds between lines
+
+
+def _stderr():
+    from rich.console import Console
+
+    return Console(stderr=True)

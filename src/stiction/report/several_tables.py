@@ -1,0 +1,93 @@
+"""What the command line prints where numbers of a case are several: a row for each combination, mu at some of the points."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from stiction.quantities.table import QUANTITIES
+from stiction.report.tables import shown
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["coordinates_along", "of_point", "of_value", "points_dimension", "several_table", "shown_quantity", "some", "varied"]
+
+_ROWS, _POINTS = 16, 4
+# What the points of a curve are called, as dimensions of a result.
+_POINT_NAMES = ("load", "mean_separation", "separation")
+_HEADS = {"friction_coefficient": "mu", "contact_area": "area"}
+
+
+def shown_quantity(data: "xarray.Dataset") -> str:
+    """What is shown of a result: the friction coefficient, or the contact area of a model without friction."""
+    return "friction_coefficient" if "friction_coefficient" in data else "contact_area"
+
+
+def points_dimension(data: "xarray.Dataset") -> str | None:
+    """The dimension of the loads or separations; None where there is one only, without a dimension."""
+    return next((name for name in _POINT_NAMES if name in data.dims), None)
+
+
+def varied(data: "xarray.Dataset") -> list[str]:
+    """The dimensions of the numbers that are several, in their order."""
+    return [str(dim) for dim in data[shown_quantity(data)].dims if dim not in _POINT_NAMES]
+
+
+def coordinates_along(data: "xarray.Dataset", dim: str) -> list[str]:
+    """The quantities that vary along a dimension."""
+    return [str(name) for name, one in data.coords.items() if one.dims == (dim,)]
+
+
+def some(count: int, most: int) -> np.ndarray:
+    """Places of at most so many of `count`, evenly, both ends among them."""
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
+
+
+def of_value(data: "xarray.Dataset", name: str, at: int) -> str:
+    """One of the values of a quantity that varies, as text: "200 nm"."""
+    quantity = name.rpartition(".")[2]
+    value = data[name].values[at]
+    return shown(float(value), quantity) if quantity in QUANTITIES else f"{value:g}"
+
+
+def of_point(data: "xarray.Dataset", at: int) -> str:
+    """A load or a separation as text: "P = 1 N", "d/sigma = 2"."""
+    dim = points_dimension(data)
+    if dim is None:
+        return "at the point"
+    variable, value = data[dim], float(data[dim].values[at])
+    symbol = variable.attrs.get("symbol", dim)
+    plain = variable.attrs.get("units", "1") == "1"
+    return f"{symbol} = " + (f"{value:.4g}" if plain else shown(value, dim))
+
+
+def _head(name: str) -> str:
+    """The symbol of a quantity, and of which body or film: "H" and "second" on a line each."""
+    part, _, quantity = name.rpartition(".")
+    symbol = QUANTITIES[quantity].symbol if quantity in QUANTITIES else quantity
+    return f"{part.replace('.', ' ')}\n{symbol}".strip()
+
+
+def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
+    """A row for each combination of what varies, at most about sixteen or all; a column for each of at most four points."""
+    name, dims = shown_quantity(data), varied(data)
+    points = points_dimension(data)
+    columns = some(data.sizes[points], _POINTS) if points else np.array([0])
+    each = max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
+    most = data[name].size if all_rows else _ROWS if len(dims) == 1 else each
+    picked = [some(data.sizes[dim], most) for dim in dims]
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    for dim in dims:
+        for one in coordinates_along(data, dim):
+            table.add_column(Text(_head(one)), justify="right", no_wrap=True)
+    for at in columns:
+        table.add_column(Text(f"{_HEADS[name]} at\n{of_point(data, at)}"), justify="right", no_wrap=True)
+    values = data[name].transpose(*dims, *([points] if points else []))
+    for places in np.ndindex(*(len(one) for one in picked)):
+        row = [int(one[at]) for one, at in zip(picked, places, strict=True)]
+        cells = [of_value(data, one, at) for dim, at in zip(dims, row, strict=True) for one in coordinates_along(data, dim)]
+        found = np.atleast_1d(values.values[tuple(row)])[columns]
+        table.add_row(*cells, *(shown(float(one), name) for one in found))
+    return table

@@ -1,0 +1,108 @@
+"""Many contacts at once, of which some may be refused or carry less than is asked: not a number there, and why as data."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.subject import Subject
+from stiction.laws.claims import Validity
+from stiction.quantities.dimensions import aligned
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+from stiction.solving.conditions import rules_left, rules_of
+from stiction.solving.inversion import separations_at
+from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_problem
+from stiction.solving.results import as_variables, summary_of, with_shares
+from stiction.solving.solve import all_dims, convergence, points_asked, pull_off_variables, summed
+
+__all__ = ["NOT_COMPUTED", "WHY_NOT", "Pointwise", "solve_pointwise"]
+
+# The first doubts of every point: bit 0 to 2. What is refused or not carried has no results.
+WHY_NOT = (
+    "the contact is refused: a number of it is out of bounds, or the model does not converge",
+    "the load is nowhere carried",
+    "the load is lost in the rounding of the adhesion and pressure that it is the difference of",
+)
+_REFUSED, _NOT_CARRIED, _LOST = range(3)
+# The last bit: nothing is known of a point yet.
+NOT_COMPUTED = np.uint32(1 << 31)
+
+
+@dataclass(frozen=True)
+class Pointwise:
+    """Results of many contacts.
+
+    variables: name -> dimensions, values in the units of the contact, attributes. doubts: the dimensions, and bits (uint32):
+    the first are WHY_NOT, then one for each of the rules. subject: the contacts as the model takes them; attributes:
+    what was used, as `solve` says it, where all results are kept.
+    """
+
+    variables: dict[str, tuple]
+    doubts: tuple[tuple[str, ...], np.ndarray]
+    rules: list[Validity]
+    subject: Subject
+    attributes: dict[str, str]
+
+
+def solve_pointwise(
+    subject: Subject, choice: Choice, *, separation: Any = None, load: Any = None, keep: Collection[str] | None = None
+) -> Pointwise:
+    """What `solve` gives, point by point, without a dataset; keep: names of results, by default all.
+
+    Where `solve` refuses a load that is nowhere carried, there it is not a number. Raises InputError for what is refused of the
+    contacts as a whole.
+    """
+    problem = make_problem(subject, choice)
+    given = "load" if separation is None else "mean_separation"
+    if problem.needs_load and load is None:
+        raise InputError("separation", separation, f"a load in its place: {problem.record.key} knows no separation")
+    point = points_asked(problem.subject, given, load if separation is None else separation)
+    factors = problem.subject.scales().factors()
+    dims = all_dims(problem, [point, *factors.values()])
+    unit = aligned(factors["N" if given == "load" else "m"], dims)
+    wanted = np.broadcast_to(aligned(point, dims) / unit, tuple(dims.values()))
+    tables, why_not, found = _tables(problem, given, wanted, aligned(point, dims) / unit)
+    tables = with_shares(problem, tables)
+    kept = {name: table for name, table in tables.items() if keep is None or name in keep}
+    variables = as_variables(problem.subject, kept, factors, dims)
+    if found is not None and (keep is None or "load_residual" in keep):
+        variables |= convergence(found, dims)
+    if "mean_separation" in tables and (keep is None or {"pull_off_force", "pull_off_separation"} & set(keep)):
+        variables |= pull_off_variables(problem, factors, found)
+    doubts = why_not.astype(np.uint32)
+    for bit, left in enumerate(rules_left(problem, tables), start=len(WHY_NOT)):
+        doubts |= left.astype(np.uint32) << np.uint32(bit)
+    doubts = doubts.reshape(wanted.shape)
+    attributes = summary_of(problem.subject, problem, tables) if keep is None else {}
+    return Pointwise(variables, (tuple(dims), doubts), rules_of(problem), problem.subject, attributes)
+
+
+def _tables(problem: Problem, given: str, wanted: np.ndarray, unbroadcast: np.ndarray) -> tuple[dict, np.ndarray, Any]:
+    """Normalised results of the full shape, bits of WHY_NOT (contacts, points), and the inversion, if there was one."""
+    contacts = len(problem.groups)
+    if given == "mean_separation":
+        why_not = np.zeros((contacts, wanted.size // contacts), dtype=np.uint32)
+        return {"mean_separation": wanted} | summed(problem, unbroadcast, wanted.shape), why_not, None
+    targets = wanted.reshape(contacts, -1)
+    if problem.needs_load:
+        lost = targets < 0.0
+        tables = problem.at_load(np.where(lost, 0.0, targets))
+        return _without({n: t.reshape(wanted.shape) for n, t in tables.items()}, lost), lost << _NOT_CARRIED, None
+    found = separations_at(problem, targets, refuse=False)
+    lost = np.isnan(found.h)
+    h = np.where(lost, 0.0, found.h).reshape(wanted.shape)
+    results = summed(problem, h, wanted.shape)
+    rounded = lost_in_rounding(results["load"], wanted).reshape(targets.shape) & ~lost
+    tables = {"mean_separation": h} | as_asked(results, wanted)
+    return _without(tables, lost), (lost << _NOT_CARRIED) | (rounded << _LOST), found
+
+
+def _without(tables: Mapping[str, np.ndarray], lost: np.ndarray) -> dict[str, np.ndarray]:
+    """The tables with not a number at the points (contacts, points) that are lost; the load asked for stays."""
+    if not lost.any():
+        return dict(tables)
+    return {
+        name: np.where(lost.reshape(table.shape), np.nan, table) if name != "load" else table for name, table in tables.items()
+    }

@@ -1,0 +1,109 @@
+"""Who does the blocks of a sweep: this process, several on this machine, or the workers of a dask.distributed cluster."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from stiction.quantities.errors import InputError
+from stiction.studies.sweep_store import Store
+
+__all__ = ["done_here", "done_in_processes", "done_on_cluster"]
+
+# Times that workers may die without a block done between; blocks that wait for each worker.
+_DEATHS, _AHEAD = 3, 3
+
+
+def done_here(store: Store, blocks: list[int]) -> Iterator[int]:
+    """Do the blocks, one after another; the points of each as it is done."""
+    for block in blocks:
+        yield store.do(block)
+
+
+def done_in_processes(store: Store, blocks: list[int], workers: int) -> Iterator[int]:
+    """The same in so many processes. Those that die are replaced, and their blocks begun again. Raises InputError where they
+    die again and again."""
+    from concurrent.futures.process import BrokenProcessPool
+
+    left, deaths = list(blocks), 0
+    while left:
+        try:
+            for block, points in _in_pool(store, list(left), workers):
+                left.remove(block)
+                deaths = 0
+                yield points
+        except BrokenProcessPool:
+            deaths += 1
+            if deaths == _DEATHS:
+                raise InputError("--workers", workers, "fewer: they die again and again, for want of memory?") from None
+
+
+def _in_pool(store: Store, blocks: list[int], workers: int) -> Iterator[tuple[int, int]]:
+    import multiprocessing
+    from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+
+    known = multiprocessing.get_all_start_methods()
+    context: Any = multiprocessing.get_context("forkserver" if "forkserver" in known else "spawn")
+    if context.get_start_method() == "forkserver":
+        context.set_forkserver_preload(["stiction.studies.sweep_blocks"])  # imported once for all
+    pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(store,))
+    try:
+        waiting: dict[Any, int] = {}
+        rest = iter(blocks)
+        while True:
+            for block in rest:
+                waiting[pool.submit(_do, block)] = block
+                if len(waiting) >= _AHEAD * workers:
+                    break
+            if not waiting:
+                return
+            for future in wait(waiting, return_when=FIRST_COMPLETED).done:
+                yield waiting.pop(future), future.result()
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+_store: Store | None = None  # of a process that works for another
+
+
+def _begin(store: Store) -> None:
+    import signal
+
+    global _store
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the first of them ends the work
+    _store = store
+
+
+def _do(block: int) -> int:
+    assert _store is not None
+    return _store.do(block)
+
+
+def done_on_cluster(store: Store, blocks: list[int], address: str) -> Iterator[int]:
+    """The same by the workers of a cluster, which see the store under the same path. Raises InputError where there is none, or
+    its workers die again and again."""
+    from distributed import Client, as_completed
+    from distributed.scheduler import KilledWorker
+
+    try:
+        client = Client(address, timeout=10)
+    except (OSError, ValueError) as error:
+        raise InputError("--scheduler", address, f"the address of a scheduler, e.g. tcp://host:8786 ({error})") from None
+    with client:
+        shared = client.scatter(store, broadcast=True)
+        rest = iter(blocks)
+        ahead = max(8, _AHEAD * sum(client.nthreads().values()))
+        first = [client.submit(_do_there, shared, block, pure=False) for block, _ in zip(rest, range(ahead), strict=False)]
+        running = as_completed(first)
+        try:
+            for future in running:
+                yield future.result()
+                block = next(rest, None)
+                if block is not None:
+                    running.add(client.submit(_do_there, shared, block, pure=False))
+        except KilledWorker:
+            raise InputError(
+                "--scheduler", address, "workers that live: they die again and again, for want of memory?"
+            ) from None
+
+
+def _do_there(store: Store, block: int) -> int:
+    return store.do(block)

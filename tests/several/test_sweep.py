@@ -1,0 +1,346 @@
+"""Sweeps: what is stored, what an interruption leaves, who does the work, and one line about everything that is wrong."""
+
+import errno
+import filecmp
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+from typer.testing import CliRunner
+
+from stiction import cli
+from stiction.quantities.errors import InputError
+from stiction.solving.solve import solve
+from stiction.studies import sweep_store, sweep_workers
+from stiction.studies.sweep import sweep
+from stiction.studies.sweep_blocks import merged, statistics_of
+from stiction.studies.sweep_plan import make_plan
+
+pytest.importorskip("zarr")
+
+GRID = {
+    "indices": {"theta": [20, 40, 80, 160, 320], "lam": {"start": 1, "stop": 100, "count": 4, "spacing": "log"}},
+    "solve": {"load": [0.001, 0.01]},
+    "sweep": {"block": 12},
+}
+DRAWN = {
+    "indices": {"theta": {"start": 10, "stop": 100}, "lam": {"start": 1, "stop": 100, "spacing": "log"}},
+    "solve": {"load": [0.001, 0.01, 0.1]},
+    "sweep": {"sample": {"method": "sobol", "count": 64, "seed": 3}, "block": 24},
+}
+
+
+def changed(case, **tables):
+    return {**case, **{name: {**case.get(name, {}), **table} for name, table in tables.items()}}
+
+
+def same(one, other):
+    """Whether two stores are the same, file by file and bit by bit."""
+    names = [
+        sorted(str(file.relative_to(store)) for file in Path(store).rglob("*") if file.is_file()) for store in (one, other)
+    ]
+    assert names[0] == names[1]
+    return filecmp.cmpfiles(one, other, names[0], shallow=False)[0] == names[0]
+
+
+def test_a_grid_is_what_solve_gives(tmp_path):
+    data = sweep(GRID, tmp_path / "store")
+    case = make_plan(GRID)
+    theta, lam = (one.numbers() for one in case.several.values())
+    whole = solve(case.case({"theta": slice(None), "lam": slice(None)}).subject, load=[0.001, 0.01])
+    assert case.blocks > 3 and data["friction_coefficient"].dims == ("theta", "lam", "load")
+    np.testing.assert_array_equal(data["lam"], lam)
+    np.testing.assert_array_equal(data["theta"], theta)
+    for name in ("friction_coefficient", "contact_area", "mean_separation", "pull_off_force"):
+        np.testing.assert_allclose(data[name].transpose(*whole[name].dims), whole[name], rtol=1e-9, atol=1e-300)
+        assert data[name].attrs == whole[name].attrs
+    assert data.attrs["sources"] == whole.attrs["sources"] and data.attrs["model"] == "soft_coating_2015"
+
+
+def test_drawn_points_are_those_of_scipy_in_the_ranges_given(tmp_path):
+    from scipy.stats import qmc
+
+    data = sweep(DRAWN, tmp_path / "store")
+    shares = qmc.Sobol(2, rng=3, bits=32).random(64)
+    np.testing.assert_allclose(data["theta"], 10 + 90 * shares[:, 0], rtol=1e-12)
+    np.testing.assert_allclose(data["lam"], 100 ** shares[:, 1], rtol=1e-12)
+    assert data["theta"].dims == ("sample",) and data.attrs["seed"] == 3
+    for at in (0, 7, 8, 63):
+        alone = solve(make_plan(DRAWN).case({"sample": slice(at, at + 1)}).subject, load=[0.001, 0.01, 0.1])
+        np.testing.assert_allclose(data["friction_coefficient"][at], alone["friction_coefficient"][0], rtol=1e-9)
+
+
+def test_a_latin_hypercube_has_one_point_in_every_stripe(tmp_path):
+    case = changed(DRAWN, sweep={"sample": {"method": "latin_hypercube", "count": 50, "seed": 1}})
+    theta = sweep(case, tmp_path / "store")["theta"].values
+    assert sorted(((theta - 10) / 90 * 50).astype(int)) == list(range(50))
+
+
+def test_lists_go_together_as_points(tmp_path):
+    case = {**GRID, "indices": {"theta": [20, 40, 80], "lam": [1, 10, 100]}, "sweep": {"sample": {"method": "list"}}}
+    data = sweep(case, tmp_path / "store")
+    assert data["friction_coefficient"].dims == ("sample", "load") and data["lam"].values.tolist() == [1, 10, 100]
+    with pytest.raises(InputError, match=r"indices.lam: '2 values'; allowed: 3, as many as indices.theta has"):
+        make_plan({**case, "indices": {"theta": [20, 40, 80], "lam": [1, 10]}})
+
+
+def test_only_what_is_asked_for_is_kept_in_the_precision_asked_for(tmp_path):
+    case = changed(DRAWN, sweep={"keep": ["friction_coefficient"], "precision": "float32"})
+    data = sweep(case, tmp_path / "store")
+    whole = sweep(DRAWN, tmp_path / "whole")
+    assert set(data.data_vars) == {"friction_coefficient", "doubts", "doubts_by_block"}
+    assert data["friction_coefficient"].dtype == np.float32
+    np.testing.assert_allclose(data["friction_coefficient"], whole["friction_coefficient"], rtol=1e-6)
+    with pytest.raises(InputError, match=r"sweep.keep: 'friction'; allowed: .*friction_force"):
+        sweep(changed(DRAWN, sweep={"keep": ["friction"]}), tmp_path / "other")
+
+
+def test_statistics_are_those_of_all_points(tmp_path):
+    kinds = ["count", "mean", "standard_deviation", "least", "most"]
+    data = sweep(changed(DRAWN, sweep={"keep": ["friction_coefficient"], "statistics": kinds}), tmp_path / "store")
+    mu = sweep(DRAWN, tmp_path / "whole")["friction_coefficient"].values
+    found = data["friction_coefficient"].sel
+    wanted = [[64] * 3, mu.mean(axis=0), mu.std(axis=0, ddof=1), mu.min(axis=0), mu.max(axis=0)]
+    for kind, values in zip(kinds, wanted, strict=True):
+        np.testing.assert_allclose(found(statistic=kind), values, rtol=1e-12)
+
+
+def test_statistics_leave_out_what_is_no_number():
+    one, two = np.array([[1.0], [np.nan], [3.0]]), np.array([[8.0]])
+    whole = merged([statistics_of(one, 1), statistics_of(np.full((2, 1), np.nan), 1), statistics_of(two, 1)])
+    assert {name: float(value[0]) for name, value in whole.items()} == {
+        "count": 3, "mean": 4, "standard_deviation": pytest.approx(13**0.5), "least": 1, "most": 8,
+    }  # fmt: skip
+    assert np.isnan(merged([statistics_of(np.full((2, 1), np.nan), 1)])["mean"][0])
+
+
+def meanings(data):
+    attributes = data["doubts"].attrs
+    return dict(zip(attributes["flag_meanings"], attributes["flag_masks"], strict=True))
+
+
+def test_doubts_are_kept_for_every_point(tmp_path):
+    case = {
+        **GRID,
+        "indices": {"theta": [0.5, 40], "lam": 10, "tabor_parameter": [1.0, 100.0]},
+        "solve": {"separation": [2, -5]},
+    }
+    data = sweep(case, tmp_path / "store")
+    bit = next(mask for text, mask in meanings(data).items() if text.startswith("tabor_parameter is not 5 or more"))
+    left = (data["doubts"].transpose("theta", "tabor_parameter", "mean_separation").values & bit) > 0
+    assert left[:, 0].all() and not left[:, 1].any()
+    near = next(mask for text, mask in meanings(data).items() if text.startswith("mean_separation is not -4"))
+    assert ((data["doubts"] & near) > 0).sel(mean_separation=-5.0).all()
+    assert not ((data["doubts"] & near) > 0).sel(mean_separation=2.0).any()
+
+
+def test_what_is_refused_or_not_carried_is_said_and_the_rest_is_there(tmp_path):
+    hardness = {"start": "1 GPa", "stop": "9 GPa", "count": 9}
+    steel = {"youngs_modulus": "210 GPa", "poissons_ratio": 0.3, "hardness": hardness, "yield_stress": "2 GPa"}
+    rough = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
+    contact = {"first": steel, "second": {**steel, "hardness": "20 GPa"}, "roughness": rough,
+               "work_of_adhesion": "1 J/m^2", "nominal_area": "1 mm^2"}  # fmt: skip
+    data = sweep({"contact": contact, "solve": {"load": ["1 N", "1 TN"]}, "sweep": {"block": 6}}, tmp_path / "store")
+    assert np.isfinite(data["friction_coefficient"].values).tolist() == [[at > 0, False] for at in range(9)]
+    refused, not_carried = (
+        mask for text, mask in meanings(data).items() if text.startswith(("the contact is ref", "the load is now"))
+    )
+    assert ((data["doubts"] & refused) > 0).values.tolist() == [[at == 0] * 2 for at in range(9)]  # H below Y
+    assert ((data["doubts"] & not_carried) > 0).values.tolist() == [[False, at > 0] for at in range(9)]
+
+
+class Stopped(Exception):
+    pass
+
+
+def interrupted(case, out, after):
+    """A sweep that is stopped when so many blocks are done."""
+
+    def stop(done, size, steps):
+        for count, points in enumerate(steps, start=1):
+            yield points
+            if count == after:
+                raise Stopped
+
+    with pytest.raises(Stopped):
+        sweep(case, out, progress=stop)
+
+
+def test_what_is_done_is_not_done_again(tmp_path, monkeypatch):
+    whole, parts, done = tmp_path / "whole", tmp_path / "parts", []
+    sweep(DRAWN, whole)
+    interrupted(DRAWN, parts, after=3)
+    (parts / "friction_coefficient" / "c" / "0.0123abcd.partial").write_bytes(b"begun")  # as a process that is killed leaves it
+    begun = xarray.open_zarr(parts, consolidated=False, chunks=None)
+    assert np.isfinite(begun["friction_coefficient"]).all("load").sum() == 24
+    assert (begun["doubts"][24:] == 1 << 31).all()
+    do = sweep_store.Store.do
+    monkeypatch.setattr(sweep_store.Store, "do", lambda store, block: done.append(block) or do(store, block))
+    sweep(DRAWN, parts)
+    assert done == [3, 4, 5, 6, 7]
+    sweep(DRAWN, parts)
+    assert len(done) == 5 and same(whole, parts)
+
+
+def test_the_store_is_the_same_whoever_does_the_work(tmp_path):
+    sweep(DRAWN, tmp_path / "one")
+    sweep(DRAWN, tmp_path / "two", workers=2)
+    assert same(tmp_path / "one", tmp_path / "two")
+
+
+def test_processes_are_started_once_while_none_dies(monkeypatch):
+    started = []
+
+    def pool(store, blocks, workers):
+        started.append(workers)
+        yield from ((block, 1) for block in blocks)
+
+    monkeypatch.setattr(sweep_workers, "_in_pool", pool)
+    assert sum(sweep_workers.done_in_processes(None, list(range(9)), 2)) == 9 and started == [2]
+
+
+SCRIPT = """
+import os, signal, sys, json
+from stiction.studies import sweep_store
+from stiction.studies.sweep import sweep
+do, out = sweep_store.Store.do, sys.argv[2]
+def dies(store, block):
+    points = do(store, block)
+    flag = out + ".died"
+    if block == 2 and not os.path.exists(flag):
+        open(flag, "w").close()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return points
+sweep_store.Store.do = dies
+if __name__ == "__main__":
+    sweep(json.loads(sys.argv[1]), out, workers=int(sys.argv[3]))
+"""
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no such signal")
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_kill_loses_nothing(tmp_path, workers):
+    """With one process it is the sweep itself that dies, with two a worker, which is replaced."""
+    script, out = tmp_path / "script.py", tmp_path / "store"
+    script.write_text(SCRIPT, encoding="utf-8")
+    words = [sys.executable, str(script), json.dumps(DRAWN), str(out), str(workers)]
+    first = subprocess.run(words, capture_output=True, text=True)
+    assert (tmp_path / "store.died").exists()
+    assert first.returncode == (-signal.SIGKILL if workers == 1 else 0), first.stderr
+    sweep(DRAWN, out)
+    sweep(DRAWN, tmp_path / "whole")
+    assert same(tmp_path / "whole", out)
+
+
+def test_a_full_disk_is_one_line_and_nothing_is_lost(tmp_path, monkeypatch):
+    do = sweep_store.Store.do
+
+    def full(store, block):
+        if block == 2:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return do(store, block)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(sweep_store.Store, "do", full)
+        with pytest.raises(InputError, match="room on its disk, which is full; what is done is kept: call again") as error:
+            sweep(DRAWN, tmp_path / "store")
+        assert "\n" not in str(error.value)
+    sweep(DRAWN, tmp_path / "store")
+    sweep(DRAWN, tmp_path / "whole")
+    assert same(tmp_path / "whole", tmp_path / "store")
+
+
+@pytest.mark.parametrize(
+    ("other", "where"),
+    [
+        (changed(DRAWN, indices={"theta": {"start": 10, "stop": 101}}), "indices.theta.stop"),
+        (changed(DRAWN, sweep={"sample": {"method": "sobol", "count": 64, "seed": 4}}), "sweep.sample.seed"),
+        (changed(DRAWN, solve={"load": [0.1]}), "solve.load"),
+    ],
+)
+def test_a_store_of_another_case_is_left_alone(tmp_path, other, where):
+    interrupted(DRAWN, tmp_path / "store", after=2)
+    before = {file: file.read_bytes() for file in (tmp_path / "store").rglob("*") if file.is_file()}
+    with pytest.raises(InputError, match=f"the one of this case: in the case of this store {where} differs"):
+        sweep(other, tmp_path / "store")
+    assert before == {file: file.read_bytes() for file in (tmp_path / "store").rglob("*") if file.is_file()}
+
+
+def test_a_folder_of_something_else_is_left_alone(tmp_path):
+    (tmp_path / "mine.txt").write_text("kept")
+    with pytest.raises(InputError, match="this is no store of a sweep"):
+        sweep(DRAWN, tmp_path)
+    with pytest.raises(InputError, match="this is a file"):
+        sweep(DRAWN, tmp_path / "mine.txt")
+    assert [file.name for file in tmp_path.iterdir()] == ["mine.txt"]
+
+
+def test_two_sweeps_do_not_share_a_store(tmp_path):
+    sweep(DRAWN, tmp_path / "store")
+    with sweep_store.locked(tmp_path / "store"), pytest.raises(InputError, match="no other sweep is writing to"):
+        sweep(DRAWN, tmp_path / "store")
+
+
+@pytest.mark.parametrize(
+    ("tables", "message"),
+    [
+        ({"sample": {"method": "sobol"}}, "sweep.sample.count: not given; allowed: a whole number, 1 or more"),
+        ({"sample": {"method": "grid", "count": 3}}, "sweep.sample.count: 3; allowed: nothing: a grid has as many points"),
+        ({"sample": {"method": "halton", "count": 3}}, "sweep.sample.method: 'halton'; allowed: "),
+        ({"precision": "float16"}, "sweep.precision: 'float16'; allowed: "),
+        ({"statistics": ["median"]}, "allowed: "),
+        ({"block": 0}, "sweep.block: 0; allowed: a whole number, 1 to"),
+    ],
+)
+def test_what_is_wrong_is_one_line(tables, message):
+    with pytest.raises(InputError) as error:
+        make_plan({**DRAWN, "sweep": tables})
+    assert message in str(error.value) and "\n" not in str(error.value)
+
+
+def test_single_numbers_are_no_sweep():
+    with pytest.raises(InputError, match="allowed: numbers that are several"):
+        make_plan({"indices": {"theta": 40, "lam": 10}, "solve": {"load": 1}})
+
+
+def test_the_command_shows_how_far_it_is_and_what_is_doubtful(tmp_path):
+    case = tmp_path / "case.toml"
+    case.write_text(
+        '[indices]\ntheta = {start = 10, stop = 100}\nlam = 10\n[solve]\nload = [0.01]\n'
+        '[sweep]\nsample = {method = "sobol", count = 8}\nkeep = ["friction_coefficient"]\n', encoding="utf-8",
+    )  # fmt: skip
+    result = CliRunner().invoke(cli.app, ["sweep", str(case), "--out", str(tmp_path / "store")])
+    assert result.exit_code == 0, (result.output, result.exception)
+    assert "0 of 8 points" in result.stderr and "8 points, 8 of them computed now" in result.stdout
+    again = CliRunner().invoke(cli.app, ["sweep", str(case), "--out", str(tmp_path / "store"), "--json"])
+    said = json.loads(again.stdout)
+    assert (said["points"], said["computed_now"], said["dims"]) == (8, 0, {"sample": 8})
+    with xarray.open_zarr(tmp_path / "store", consolidated=False, chunks=None) as data:
+        assert data.attrs["case_file"] == case.read_text(encoding="utf-8")
+
+
+def test_a_cluster_does_the_same(tmp_path):
+    distributed = pytest.importorskip("distributed")
+    sweep(DRAWN, tmp_path / "one")
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, host="127.0.0.1", dashboard_address=None, processes=False, protocol="tcp"
+    ) as cluster:
+        sweep(DRAWN, tmp_path / "two", scheduler=cluster.scheduler_address)
+    assert same(tmp_path / "one", tmp_path / "two")
+
+
+def test_every_contact_is_in_one_block():
+    case = changed(GRID, indices={"nu": [0.2, 0.3, 0.4]}, sweep={"block": 14})
+    plan = make_plan(case)
+    seen = np.zeros(tuple(plan.dims.values()), dtype=int)
+    for block in range(plan.blocks):
+        region = plan.region(block)
+        assert plan.contacts(block) * plan.points <= 14
+        seen[tuple(region.values())] += 1
+    assert (seen == 1).all() and plan.size == 5 * 4 * 3 * 2
