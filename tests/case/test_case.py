@@ -108,7 +108,7 @@ def test_settings(read):
         ('"200 nm"', '"200"', "contact.coating.thickness: '200'; allowed: a number with its unit: > 0 m"),
         ('"200 nm"', "nan", "contact.coating.thickness: nan; allowed: "),
         ('"200 nm"', '"-200 nm"', "contact.coating.thickness: '-200 nm'; allowed: > 0 m"),
-        ('"200 nm"', '[1]', "contact.coating.thickness: 1; allowed: text with a unit"),
+        ('"200 nm"', "[1]", "contact.coating.thickness: 1; allowed: text with a unit"),
         ('"200 nm"', "2024-01-01", "contact.coating.thickness: datetime.date(2024, 1, 1); allowed: "),
         ("thickness", "thicknes", "contact.coating.thicknes: '200 nm'; allowed: thickness (all: "),
         ('"210 GPa"', '"-210 GPa"', "contact.second.youngs_modulus: '-210 GPa'; allowed: >= 1000 Pa"),
