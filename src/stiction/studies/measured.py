@@ -133,7 +133,7 @@ class Measured:
         """The numbers of the method that stands for the surface, which know that they were measured."""
         found, reduced = self.by_method[self.method], self.with_surface_moments()
         if reduced is not self:
-            found = found.replace(surface=self.by_method[self.of_moments].replace().as_measured(reduced))
+            found = found.replace(surface=self.by_method[self.of_moments].as_measured(reduced))
         return found.as_measured(self)
 
     def contacts(self, contact: Contact) -> dict[str, Contact]:
@@ -224,6 +224,8 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     if not found:
         raise InputError("roughness", "no asperities by any method", "scans with asperities: see `stiction surface` of them")
     of_moments = method_of_moments()
+    if of_moments in surfaces:
+        surfaces[of_moments] = surfaces[of_moments].with_map(_one_map(list(maps.values()), bool(known)))
     surfaces = _with_the_surface(surfaces, surfaces.get(of_moments))
     method = wanted.method or _standing(found, counts)
     if method not in found:
@@ -249,6 +251,13 @@ def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
     }
+
+
+def _one_map(maps: "list[HeightMap]", numbers: bool) -> "HeightMap | None":
+    """The map that stands for both faces; None where a rough body has none, or it has no height at some points."""
+    if numbers or len(maps) != 1 or maps[0].is_profile or not maps[0].complete:
+        return None
+    return maps[0]
 
 
 def independent(found: "Asperities", surface: "HeightMap") -> int:

@@ -30,11 +30,12 @@ from scipy.special import erf
 
 from stiction.surfaces.boundary_elements.operators import components
 
-__all__ = ["MapSlopes", "by_moments", "by_ranks", "by_top_slopes", "map_slopes", "with_hardness"]
+__all__ = ["WIDEST_BAND", "MapSlopes", "by_moments", "by_ranks", "by_top_slopes", "map_slopes", "of_moments", "with_hardness"]
 
 _BINS = 1024
 _POWER = 1.207
 _FULL = 0.995
+WIDEST_BAND = 160.0  # largest alpha of the set
 _MEETING = 3.5  # (5)
 _FIRST, _SECOND = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12.0, np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12.0
 
@@ -140,9 +141,14 @@ def with_hardness(elastic, pressure, hardness):
     return np.minimum((elastic**_MEETING + (pressure / hardness) ** _MEETING) ** (1.0 / _MEETING), 1.0)
 
 
+def of_moments(pressure, alpha):
+    """(2): share of the area in contact; pressure: mean, over E* h', >= 0; alpha: Nayak's. Gaussian isotropic surfaces."""
+    return widened(pressure, 0.601 - 0.066 * np.log(alpha))
+
+
 def by_moments(pressure: float, slopes: MapSlopes) -> float:
-    """(2): share of the area in contact; pressure: mean, over E* h', > 0. Gaussian isotropic surfaces."""
-    return float(widened(pressure, 0.601 - 0.066 * math.log(slopes.alpha)))
+    """As `of_moments`, of a map."""
+    return float(of_moments(pressure, slopes.alpha))
 
 
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
