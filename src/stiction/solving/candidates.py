@@ -29,7 +29,9 @@ def candidates(subject: Subject) -> list[Candidate]:
     the map of a contact does so at every point, or at some where there are many."""
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
-    found = [_of_map(model, subject) if model.of_map is not None else Candidate(key, Choice(key)) for key, model in models.items()]
+    found = [
+        _of_map(model, subject) if model.of_map is not None else Candidate(key, Choice(key)) for key, model in models.items()
+    ]
     found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
     if not subject.has_film:
         return found

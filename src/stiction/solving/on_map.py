@@ -74,7 +74,9 @@ class OnMap(Problem):
     def contact(self) -> Contact:
         """The contact with its map. Raises InputError where it has none, or several numbers."""
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
-            raise InputError("roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves its contact")
+            raise InputError(
+                "roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves its contact"
+            )
         for name, array in self.subject.arrays():
             raise InputError(name, f"{array.size} numbers", f"one number, where {self.record.key} solves a map")
         return self.subject
@@ -88,7 +90,9 @@ class OnMap(Problem):
         contact, surface = self.contact, self.surface()
         unit = contact.scales().factors()["N"]
         if not (load > 0.0).all():
-            raise InputError("load", contact.show(float(load.min() * unit), "load"), f"above 0: {self.record.key} knows no adhesion")
+            raise InputError(
+                "load", contact.show(float(load.min() * unit), "load"), f"above 0: {self.record.key} knows no adhesion"
+            )
         assert self.record.of_map is not None
         options = select_options(self.record, self.options)
         return self.record.of_map(surface, contact, load * unit / contact.nominal_area, **options)
@@ -119,13 +123,14 @@ class OnMap(Problem):
     def few_of(self, load: np.ndarray) -> np.ndarray:
         """From light contact of the map to about a third of it, or of the hardness."""
         from stiction.surfaces.boundary_elements.measures import waves
-
         from stiction.surfaces.boundary_elements.sampled import fewest_points
 
         contact, surface = self.contact, self.surface()
         points = fewest_points(surface.heights, surface.size, surface.periodic)
         if points > _MOST_POINTS:
-            allowed = f"at most {_MOST_POINTS} to solve beside other models; stiction run --model {self.record.key} solves any number"
+            allowed = (
+                f"at most {_MOST_POINTS} to solve beside other models; stiction run --model {self.record.key} solves any number"
+            )
             raise InputError("points", points, allowed)
         steep = waves(surface.heights, surface.size, surface.periodic).gradient
         stiff, strong = contact.contact_modulus, min(contact.first.hardness, contact.second.hardness)

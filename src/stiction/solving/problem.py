@@ -1,9 +1,7 @@
 """A model, its contacts and its heights, ready to be computed: what every way of solving starts from."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -13,7 +11,7 @@ from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import Regime
 from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
-from stiction.laws.registry import Record, RoughSurface, find, select_options
+from stiction.laws.registry import RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES

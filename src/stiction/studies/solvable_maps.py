@@ -36,7 +36,9 @@ class SolvableMaps:
             raise InputError("roughness", "numbers of a rough body", "a map of every rough body, or the other smooth")
         for body, each in self.maps.items():
             if each.is_profile:
-                raise InputError(f"roughness.{body}", "a profile", "a map, of rows and columns: a profile has no contact to solve")
+                raise InputError(
+                    f"roughness.{body}", "a profile", "a map, of rows and columns: a profile has no contact to solve"
+                )
             if not each.complete:
                 missing = f"{each.missing} points without a height"
                 raise InputError("roughness.fill", missing, "harmonic or nearest: a contact is solved at every point")

@@ -73,9 +73,9 @@ def prepared(
 def prepared_period(
     surface: HeightMap, spikes: float | None = None, fill: str | None = None, shortest: Any = None, longest: Any = None
 ) -> HeightMap:
-    """One period of a surface without end, without its mean and the waves outside of a band: it has no form, and stays a period.
+    """One period of a surface without end, without its mean and the waves outside of a band: it stays a period.
 
-    The rest as in `prepared`; missing points are left, unless filled, and then no band is taken.
+    It has no form. The rest as in `prepared`; missing points are left, unless filled, and then no band is taken.
     """
     if spikes is not None:
         surface = mask_spikes(surface, spikes)

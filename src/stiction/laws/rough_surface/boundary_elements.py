@@ -10,9 +10,9 @@ $$
 \hat C(k)=\frac2{E^*k}\ \text{(bare)}
 $$
 
-A nominal pressure is that of the map: loads, areas, stiffness and friction are multiplied by the nominal area over the map's.
-The hardness is that of the softer body, where there is a film that of the film or of what it meets. Where both carry a film each
-has half of the thickness. The substrate does not yield.
+The map bears the nominal pressure: its areas, stiffness and friction are multiplied by the nominal area over its own.
+The hardness is that of the softer body, where there is a film that of the film or of what it meets. Where both carry a film
+each has half of the thickness. The substrate does not yield.
 
 *Friction*: a law of the interface, of the pressure of every point. Where $\tau=\tau_0+\alpha p$ the sum is exact,
 $T=\tau_0A+\alpha P$. *Area*: $A=A_\text{px}-\frac{\pi-1+\ln2}{24}S\,\Delta x$, $S$ the length of the edges of points in
@@ -76,13 +76,13 @@ RECORD = RoughSurface(
         Source("polonsky_keer_1999", "", "the conjugate gradients; changed to converge also where points flow"),
         Source("stanley_kato_1997", "", "displacements by Fourier transforms"),
         Source("almqvist_2007", "", "pressures between 0 and the hardness"),
-        Source("nogi_kato_1997", "", "compliance of a film; compared with the six boundary conditions of one wave, not with print"),
+        Source("nogi_kato_1997", "", "compliance of a film; checked by the boundary conditions of a wave, not against print"),
         Source("yastrebov_2017", "", "the area that pixels add"),
     ),
     of_map=of_map,
     takes_surface_moments=True,
     up_to_full_contact=True,
-    verified="Hertz, Westergaard, Johnson, Greenwood & Higginson; a quadratic program of few points; the library ContactMechanics",
+    verified="Hertz, Westergaard, Johnson, Greenwood & Higginson; a quadratic program of few points; ContactMechanics",
     own_options={"points": ("all", "sampled"), "yielding": ("at_hardness", "none")},
     validity=(
         Validity("points_in_shortest_wave", doubts.LEAST_PIXELS, inf, "the area is not converged in points"),
@@ -96,8 +96,8 @@ RECORD = RoughSurface(
         Validity("load_error", 0.0, doubts.LEAST_LOAD_ERROR, "the pressures do not carry the load", "effect"),
     ),
     notes=(
-        "Solved on the map, prepared as its roughness says; a map of one period (periodic = true, and made maps) has no form taken "
-        "off and no ends. No adhesion. The hardness is the largest pressure of a point; the substrate of a film does not yield. "
-        "points=\"sampled\" solves only as many points as the area needs to 1 to 2 %."
+        "Solved on the map, prepared as its roughness says; one period (periodic = true, and made maps) has no form taken off "
+        "and no ends. No adhesion. The hardness is the largest pressure of a point; the substrate of a film does not yield. "
+        'points="sampled" solves only as many points as the area needs to 1 to 2 %.'
     ),
 )

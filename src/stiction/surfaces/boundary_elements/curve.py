@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -60,7 +61,7 @@ def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float],
 
     loads = [float(pressure) * whole for pressure in pressures]
     how = {"film": bodies.film, "counter_film": bodies.counter_film, "hardness": bodies.hardness, "progress": tell}
-    given = {"modulus": bodies.modulus, "loads": loads, "periodic": surface.periodic, **how}
+    given: dict[str, Any] = {"modulus": bodies.modulus, "loads": loads, "periodic": surface.periodic, **how}
     if sampled:
         found = solve_sampled(surface.heights, surface.size, solve=at_pressures, **given)
         contacts, every = found.contacts, found.every

@@ -66,7 +66,7 @@ def solve_kept(
 def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
     """Of everything that decides a solution but its load."""
     digest = hashlib.sha256(_solver())
-    digest.update(np.ascontiguousarray(heights, dtype=np.float64))
+    digest.update(np.ascontiguousarray(heights, dtype=np.float64).tobytes())
     digest.update(repr((np.shape(heights), tuple(map(float, size)), sorted(inputs.items(), key=lambda one: one[0]))).encode())
     return digest.hexdigest()[:40]
 

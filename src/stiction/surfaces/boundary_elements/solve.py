@@ -107,10 +107,11 @@ def solve_map(
     """Contact of the map with a rigid flat face that is pressed on its highest points, at every load.
 
     heights: (rows, columns) [m], finite, not all alike; size: (y, x) [m]; modulus: effective modulus E* of both bodies [Pa], of
-    all but the coated ones where there is a film, or one on each (infinite: the other is rigid); loads: [N], > 0, any order; periodic: whether
-    the map is one period of an endless surface, or alone; hardness: the largest pressure [Pa], None: elastic. Further, by name:
-    tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness: whether it is computed
-    (True); progress: called with a `Progress` before every step; done: called with each contact that is found. Results are in the order of the loads.
+    what carries no film where there is one, or one on each (infinite: the other is rigid); loads: [N], > 0, any order;
+    periodic: whether the map is one period of an endless surface, or alone; hardness: the largest pressure [Pa], None: elastic.
+    Further, by name: tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness:
+    whether it is computed (True); progress: called with a `Progress` before every step; done: called with each contact that
+    is found. Results are in the order of the loads.
 
     A load that did not converge has a doubt `not_converged`. Interrupted by the keyboard, it gives the loads that are done.
     Raises InputError for what cannot be used, also for a load that the hardness cannot carry, or too little memory.
