@@ -176,17 +176,16 @@ class _Curve:
 
 def map_area(surface: HeightMap) -> MapArea:
     """Of a complete map; kept by its content."""
-    periodic = bool(getattr(surface, "periodic", False))
     digest = hashlib.blake2b(np.ascontiguousarray(surface.heights), digest_size=20)
-    digest.update(repr((surface.heights.shape, surface.size, periodic)).encode())
-    return _kept(digest.hexdigest(), _Held(surface, periodic))
+    digest.update(repr((surface.heights.shape, surface.size, surface.periodic)).encode())
+    return _kept(digest.hexdigest(), _Held(surface))
 
 
 class _Held:
     """Alike to any other: the digest beside it tells."""
 
-    def __init__(self, surface: HeightMap, periodic: bool):
-        self.surface, self.periodic = surface, periodic
+    def __init__(self, surface: HeightMap):
+        self.surface = surface
 
     def __hash__(self) -> int:
         return 0
@@ -197,4 +196,4 @@ class _Held:
 
 @lru_cache(maxsize=8)
 def _kept(digest: str, held: _Held) -> MapArea:
-    return MapArea(held.surface.heights, held.surface.size, held.periodic)
+    return MapArea(held.surface.heights, held.surface.size, held.surface.periodic)
