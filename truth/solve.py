@@ -31,7 +31,7 @@ def described(surface: HeightMap) -> dict:
     return {
         "alpha": slopes.alpha, "gradient": slopes.gradient, "lay": slopes.lay, "deviation": float(flat.std()),
         "skewness": float(skew(flat)), "kurtosis": float(kurtosis(flat)) + 3.0,
-        "shortest": seen.shortest, "longest": seen.longest, "pixel": size[0] / heights.shape[0],
+        "top": slopes.top(design.TOP), "shortest": seen.shortest, "longest": seen.longest, "pixel": size[0] / heights.shape[0],
     }  # fmt: skip
 
 

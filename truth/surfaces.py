@@ -31,6 +31,7 @@ LOADS = (0.002, 0.004, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.9)
 # Hardness over E* h', besides none, where a surface is solved with it; loads up to this part of it.
 HARDNESSES = (0.03, 0.08, 0.2, 0.5, 1.2)
 MOST_OF_HARDNESS = 0.95
+TOP = 0.05  # share of the points that are called highest
 # Films: plane-strain modulus over that of the substrate, thickness over the shortest wave; loads over E* h' at the shortest wave.
 FILM_MODULI = (0.1, 0.3, 3.0, 10.0)
 FILM_THICKNESSES = (0.1, 0.3, 1.0, 3.0)

@@ -123,7 +123,8 @@ class _Curve:
             steps = np.floor(_STEPS * np.log10(inside)).astype(int)
             grid = {int(k) + shift for k in steps for shift in (-1, 0, 1, 2)}
             inside = np.array([min(10.0 ** (k / _STEPS), self._heaviest) for k in grid])
-        todo = sorted({one for one in inside.tolist() if one not in self._nodes and one > self._lightest})
+        todo = sorted({float(f"{one:.12g}") for one in inside.tolist()} - self._nodes.keys())
+        todo = [one for one in todo if one > self._lightest]
         while todo:  # from the heaviest on: where too few points touch, no lighter one needs to be tried
             every = self._every(todo[-1])
             together = [one for one in todo if self._every(one) == every]
@@ -158,7 +159,7 @@ class _Curve:
             return np.array([self._formula(one) for one in pressure.tolist()])
         at = sorted(self._nodes)
         x, y = np.log(at), np.array([self._nodes[one] for one in at])
-        if self._hardness < _HEAVIEST:
+        if self._hardness < _HEAVIEST:  # then all is in contact
             x, y = np.append(x, math.log(self._hardness)), np.append(y, 0.0)
         low, high = math.exp(x[0]), math.exp(x[-1])
         inside = np.log(np.clip(pressure, low, high))
