@@ -94,7 +94,9 @@ def on_films() -> str:
     alike: dict[tuple[str, ...], list[str]] = {}
     for each, name in sorted(rows, key=lambda row: float(np.sum(row[0]))):
         alike.setdefault(tuple(map(_percent, each)), []).append(f"`{name}`")
-    return _table(("models", *(f"{modulus:g}" for modulus in moduli)), [(", ".join(names), *cells) for cells, names in alike.items()])
+    return _table(
+        ("models", *(f"{modulus:g}" for modulus in moduli)), [(", ".join(names), *cells) for cells, names in alike.items()]
+    )
 
 
 def _columns(known: SolvedSet) -> list[str]:
@@ -186,8 +188,8 @@ def errors_figure():
 
     known = solved_set()
     shown = ("persson_widened|moments", "persson_2001|moments", "greenwood_williamson_1966|mccool", "greenwood_2006|moments")
-    panels = {"Gaussian isotropic": known.gaussian, "skewed, peaked, flat": np.isin(known["kinds"], ("skewed", "peaked", "flat")),
-              "worn": known["kinds"] == "worn"}  # fmt: skip
+    others = np.isin(known["kinds"], ("skewed", "peaked", "flat"))
+    panels = {"Gaussian isotropic": known.gaussian, "skewed, peaked, flat": others, "worn": known["kinds"] == "worn"}
     figure, axes = plt.subplots(1, 3, figsize=(12.0, 4.2), layout="constrained")
     for axis, (title, some) in zip(axes, panels.items(), strict=True):
         for at, column in enumerate(shown):

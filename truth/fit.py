@@ -2,8 +2,8 @@
 
     python truth/fit.py [FOLDER]
 
-It prints; the constants stand, rounded, in `stiction.surfaces.boundary_elements.area_estimates`. The moments and the top slopes are
-fitted to Gaussian isotropic surfaces, the ranks to all.
+It prints; the constants stand, rounded, in `stiction.surfaces.boundary_elements.area_estimates`. Those of the moments and the
+top slopes are fitted to Gaussian isotropic surfaces, those of the ranks to all.
 """
 
 import json
@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import surfaces as design
 from scipy.optimize import least_squares
-from solve import WORK
 
+import surfaces as design
+from solve import WORK
 from stiction.surfaces.boundary_elements.area_estimates import MapSlopes, first_crossing, map_slopes, widened
 
 PRESSURES = np.array(design.LOADS)
@@ -58,6 +58,7 @@ def errors(formula: Formula, constants: np.ndarray, some: list[Solved]) -> np.nd
 
 def fitted(formula: Formula, start: tuple[float, ...], some: list[Solved]) -> np.ndarray:
     """Constants, by a loss that outliers do not rule; up to p = .5."""
+
     def left(constants: np.ndarray) -> np.ndarray:
         return np.log1p(errors(formula, constants, some))[:, :9].ravel()
 

@@ -195,7 +195,7 @@ class Contact(Subject):
         return self.roughness.map
 
     def as_numbers(self) -> "Contact":
-        return self if self.measured is None else self.replace(roughness=self.roughness.replace())
+        return self if self.measured is None else self.replace(roughness=self.roughness.as_numbers())
 
     def with_surface_moments(self) -> "Contact":
         surface = self.roughness.surface

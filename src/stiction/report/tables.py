@@ -214,7 +214,8 @@ def outside_validity(data: "xarray.Dataset") -> Text | None:
 def comparison_table(data: "xarray.Dataset") -> Table:
     """What each model says at the working load, or along its curve if there is none, from the least friction up; the
     recommended one is green. Of a measured surface the spread of mu over the methods of finding asperities stands in place of
-    the contact area. The error is that of the contact area, measured on solved surfaces near this contact. Doubts are numbered as in `doubts`."""
+    the contact area. The error is that of the contact area, measured on solved surfaces near this contact. Doubts are numbered
+    as in `doubts`."""
     table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
     table.add_column("model", overflow="fold")
     with_range_over_methods = "friction_coefficient_at_load_low" in data

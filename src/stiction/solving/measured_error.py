@@ -1,10 +1,10 @@
 """How far a model is from solved surfaces near a contact: its measured error.
 
-The set (docs/truth.md) has the contact area of every model on surfaces whose contact was solved, with ways of finding asperities,
-mean pressures, hardnesses and films. Near a contact that means: at its pressure and hardness over E* h', read off between those
-of the set, for each surface of it; and the mean over surfaces, each weighing exp(-d^2/2) with its distance d in Nayak's alpha,
-and where the map is known in skewness, lay and the slope of its top. A contact that is given by numbers is compared with Gaussian
-isotropic surfaces. Friction of an interface is its strength times the area, so that its error is that of the area, less where
+The set (docs/truth.md) has the contact area of every model on surfaces whose contact was solved, by every way of finding
+asperities, at some mean pressures, hardnesses and films. Near a contact that means: at its pressure and hardness over E* h',
+read off between those of the set, for each surface of it; and the mean over surfaces, each weighing exp(-d^2/2) with its
+distance d in Nayak's alpha, and where the map is known in skewness, lay and the slope of its top. A contact that is given by
+numbers is compared with Gaussian isotropic surfaces. Friction of an interface is its strength times the area, so that its error is that of the area, less where
 the strength rises with pressure. Adhesion is not in the set.
 """
 
@@ -87,7 +87,8 @@ class MeasuredErrors:
         count, near = int(self.surfaces[some].max()), float(np.min(self.distance[some]))
         where = "" if some.all() else f" at {int(some.sum())} of {some.size} points"
         of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
-        return f"contact area {ends} against solved surfaces{where} (rms {most:.0%}; {count} near, the nearest at {near:.1f}){of_mu}"
+        nearest = f"{count} near, the nearest at {near:.1f}"
+        return f"contact area {ends} against solved surfaces{where} (rms {most:.0%}; {nearest}){of_mu}"
 
 
 def _plain(values: np.ndarray) -> list[float | None]:
@@ -128,10 +129,8 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
         return _unknown(column, load.size, why)
     place = _Place.of(problem, load)
     known = solved_set()
-    if problem.groups.has_film:
-        found = _on_film(known, column, place, problem)
-    else:
-        found = _bare(known, column, place)
+    coated = problem.groups.has_film
+    found = _on_film(known, column, place, problem) if coated else _bare(known, column, place)
     if found is None:
         return _unknown(column, load.size, "this model was not measured")
     distance, surfaces = found[3], found[4]
@@ -150,7 +149,11 @@ def _far(distance: np.ndarray) -> str:
     least = float(np.min(distance, initial=np.inf, where=np.isfinite(distance)))
     if math.isinf(least):
         return "the film is not as in the set, elastic and on one body under a rigid one"
-    return f"the nearest of the solved surfaces is at {least:.1f}, above {FAR:g}" if least > FAR else "it carries no such load there"
+    return (
+        f"the nearest of the solved surfaces is at {least:.1f}, above {FAR:g}"
+        if least > FAR
+        else "it carries no such load there"
+    )
 
 
 def _why_not(problem: Problem, results: Mapping[str, np.ndarray], column: str, points: int) -> str:
@@ -296,14 +299,13 @@ def _at_pressure(loads: np.ndarray, errors: np.ndarray, pressure: float) -> np.n
         return left
     if part > 1.0 - 1e-9:
         return next_one
-    last = np.where(part < 0.5, left, np.nan)  # the last load that was solved stands for a little more
-    return np.where(np.isfinite(next_one), left + part * (next_one - left), last)
+    return np.where(np.isfinite(next_one), left + part * (next_one - left), left)  # the last that was solved stands for more
 
 
 def _on_film(known: SolvedSet, column: str, place: _Place, problem: Problem):
     """As `_bare`, on a film that is elastic, on one body, the other rigid."""
     groups, film = problem.groups, problem.chosen.film
-    name, method = column.split("|")
+    name = column.split("|")[0]
     own = film is not None and f"{film.key}|mccool"
     candidates = [f"{name} + {film.key}|{one}" if film else column for one in ("mccool", "moments")] + [own or column]
     errors = next((one for one in map(known.film_errors, candidates) if one is not None), None)
@@ -313,9 +315,7 @@ def _on_film(known: SolvedSet, column: str, place: _Place, problem: Problem):
     like = elastic & (groups.coated_share >= _LEAST_SHARE) & (groups.films == 1.0)
     points = place.pressure.size // len(groups)
     holds = np.repeat(like, points)
-    rows = []
-    for at in range(place.pressure.size):
-        rows.append(_film_point(known, errors, place, at) if holds[at] else _NONE)
+    rows = [_film_point(known, errors, place, at) if holds[at] else _NONE for at in range(place.pressure.size)]
     return tuple(np.array(values) for values in zip(*rows, strict=True))
 
 
@@ -345,7 +345,9 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
     beta = problem.groups.pressure_coefficient
     if beta is None or "pressure_coefficient" not in (*tangential.needs, *tangential.takes):
         return error
-    friction, load = (np.asarray(results[name], dtype=float).reshape(len(problem.groups), -1) for name in ("friction_force", "load"))
+    friction, load = (
+        np.asarray(results[name], dtype=float).reshape(len(problem.groups), -1) for name in ("friction_force", "load")
+    )
     of_load = np.reshape(beta, (-1, 1)) * load
     solved = (friction - of_load) * np.exp(-error.reshape(load.shape)) + of_load
     return np.log(friction / solved).ravel()

@@ -53,7 +53,7 @@ def compare(
     Where a model has no tangential law of its own and the contact states an interfacial shear strength, that law of the
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
     contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
-    working load, with grade, `outside_validity` in words and `doubts` as JSON; `measured_area_error` (and `_rms`) and
+    working load, with grade, `outside_validity` in words, `doubts` as JSON; `measured_area_error` (and `_rms`) and
     `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number where
     none was solved near; `measured_error` as JSON, `measured_error_in_words`. A theory that knows no separation has none (not
     a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at the

@@ -22,8 +22,8 @@ from stiction.solving.measured_error import MeasuredErrors
 COST_OF_A_DOUBLING = {"effect": 3.0, "assumption": 1.0, "fit": 0.5, "statistics": 0.0}
 COST_OF_GRADE = {"A": 0.0, "B": 0.1, "C": 0.5}
 COST_UNIT = 0.5
-# The cost of a measured error of the contact area by a factor of e; where others were measured near this contact and a model was
-# not, it is taken for this wrong.
+# The cost of a measured error of the contact area by a factor of e; where others were measured near this contact and a model
+# was not, it is taken for this wrong.
 COST_OF_ERROR, NOT_MEASURED = 10.0, 0.3
 _COSTS = COST_OF_A_DOUBLING | {"impossible": math.inf}
 # A model with less of the weight than this is set aside.
