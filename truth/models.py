@@ -3,8 +3,8 @@
     python truth/models.py [FOLDER]
 
 Every rough-surface model and asperity law that `compare` asks, under every way of finding asperities, with heights as each
-finds them; theories of the whole surface with its moments; this project's law also with the map ("map"). Hardnesses are those of the
-solutions. Models that know adhesion get too little of it to matter.
+finds them; theories of the whole surface with its moments; this project's law also with the map ("map"). Hardnesses are those
+of the solutions. Models that know adhesion get too little of it to matter.
 """
 
 import json

@@ -54,9 +54,9 @@ def compare(
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
     contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
     working load, with grade, `outside_validity` in words, `doubts` as JSON; `measured_area_error` (and `_rms`) and
-    `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number where
-    none was solved near; `measured_error` as JSON, `measured_error_in_words`. A theory that knows no separation has none (not
-    a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at the
+    `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number
+    where none was solved near; `measured_error` as JSON, `measured_error_in_words`. A theory that knows no separation has none
+    (not a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at the
     working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
     `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
     which of the family count for nothing and why, and `advice` where none is recommended; `cost` of each model is over `model`;
