@@ -235,11 +235,12 @@ class ClosedForm(Problem):
 
     @property
     def adheres(self) -> bool:
-        return False
+        return self.record.adheres
 
     @property
     def effects(self) -> list[str]:
-        return ["plasticity"] if "hardness_group" in self.record.needs else []
+        plasticity = "hardness_group" in self.record.needs
+        return [name for name, there in (("adhesion", self.adheres), ("plasticity", plasticity)) if there]
 
     def on_branch(self, branch: str) -> "ClosedForm":
         return self
@@ -273,7 +274,8 @@ class ClosedForm(Problem):
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         assert self.record.area_at_load is not None
         if not (load >= 0.0).all():
-            raise InputError("load", float(load.min()), f">= 0: {self.record.key} knows no adhesion")
+            unknown = "says nothing of tension" if self.adheres else "knows no adhesion"
+            raise InputError("load", float(load.min()), f">= 0: {self.record.key} {unknown}")
         return self._results(load, self.record.area_at_load(load, self.groups, **select_options(self.record, self.options)))
 
     def _curve(self, h, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
