@@ -11,8 +11,8 @@ p=\left(1-\frac1Q\right)\frac{E^*h'}{\kappa}\frac A{A_n},\qquad
 Q=\frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3},\qquad\kappa=2
 $$
 
-*Limit*: $A/A_n=2p/(E^*h')$ without attraction. *Check*: $A/A_n=0.021463$ at $p/(E^*h')=0.01$ and $Q=14.666$. *Unknown*: the area
-law in the authors' form, with its own constants ($\pi(3/16)^{2/3}=1.03$ is remembered in place of 1 on the right of eq. (10)).
+*Limit*: $A/A_n=2p/(E^*h')$ without attraction. *Check*: $A/A_n=0.021463$ at $p/(E^*h')=0.01$ and $Q=14.666$. *Unknown*: the
+area law in the authors' form, and whether the border is $Q=1$, as restated, or $Q=\pi(3/16)^{2/3}=1.03$.
 
 A surface that sticks ($Q\le1$) is in contact without a load, has no area here, and is refused. The area is in
 proportion to the load up to a tenth of the nominal area; the range of the attraction has to be short against
@@ -64,7 +64,7 @@ RECORD = RoughSurface(
             "stickiness_ratio",
             1.0,
             math.inf,
-            "the surface sticks: in contact without a load, it has no area here",
+            "the surface sticks, without a load",
             "impossible",
         ),
         Validity("range_over_gap", 0.0, 0.1, "the attraction reaches beyond the rims of the contact spots"),

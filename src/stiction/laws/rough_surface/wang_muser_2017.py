@@ -15,8 +15,8 @@ $$
 | $A/A_n$ | 0.02142 | 0.10706 | 0.21174 | 0.39748 | 0.73837 | 0.95703 |
 
 The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) it meets
-within -10 to +5 %. The source is about surfaces that attract each other; here is its correction for those that do not. It knows no separation:
-results have none.
+within -10 to +5 %. The source is about surfaces that attract each other; here is its correction for those that do not. It
+knows no separation: results have none.
 """
 
 import numpy as np

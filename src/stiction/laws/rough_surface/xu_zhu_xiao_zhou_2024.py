@@ -73,6 +73,7 @@ RECORD = RoughSurface(
     needs=("roughness_parameter",),
     validity=(Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect"),),
     notes=(
-        "gamma = 0.45. h' is that of an isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2)."
+        "gamma = 0.45. h' is that of an isotropic Gaussian surface whose summits have this R and N: "
+        "h'^2 = sqrt(3) / (64 N R^2)."
     ),
 )

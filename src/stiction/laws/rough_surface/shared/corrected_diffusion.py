@@ -1,7 +1,7 @@
 r"""Persson's diffusion of the pressure at a rate that depends on the area already in contact.
 
-Let V be the variance that the pressure at a point has reached, V_c that of full contact at the same resolution, and A the share of
-the nominal area in contact, A = erf(p / sqrt(2 V)). Persson (2001) has dV = dV_c. Corrected theories have
+Let V be the variance that the pressure at a point has reached, V_c that of full contact at the same resolution, and A the share
+of the nominal area in contact, A = erf(p / sqrt(2 V)). Persson (2001) has dV = dV_c. Corrected theories have
 
     dV/dV_c = S(A),   V = 0 at V_c = 0,   S(1) = 1,   at the end V_c = (E* h')^2 / 4
 
