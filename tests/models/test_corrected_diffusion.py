@@ -129,7 +129,7 @@ def test_a_sticky_surface_has_no_area():
 
 def test_a_sticky_surface_alone_is_refused():
     sticky = given(theta=5.962847939999437, roughness_parameter=0.04, tabor_parameter=368.40314986403854)
-    with pytest.raises(InputError, match="ratio of repulsion to attraction is 0.213, and has to be above 1"):
+    with pytest.raises(InputError, match=r"ratio of repulsion to attraction is 0\.213, and has to be above 1"):
         pastewka_robbins_2014.area_at_load(np.ones((1, 1)), sticky)
 
 

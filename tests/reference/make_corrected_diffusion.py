@@ -1,10 +1,11 @@
 """Persson's theory with a corrected diffusion, and the area of a surface with weak attraction. Takes 5 s.
 
-- `yang_persson_2008.csv`, `wang_muser_2017.csv`: `area` over the nominal at `pressure` over E* h', from the differential equation
-  for the variance, stepped from full contact by an integrator of order 8 to 1e-13; nothing is turned into an integral over q
+- `yang_persson_2008.csv`: `area` over the nominal at `pressure` over E* h', from the differential equation for the variance,
+  stepped from full contact by an integrator of order 8 to 1e-13; nothing is turned into an integral over q
+- `wang_muser_2017.csv`: the same
 - `xu_zhu_xiao_zhou_2024.csv`: the same, its equation by bisection in 30 digits
-- `adhesive_area.csv`: load per nominal area of `area_fraction`, from the pressures in the spots and on their rims in SI units, of
-  surfaces as in `pastewka_robbins_2014.csv`: `reduced_pressure` is it over E* h'
+- `adhesive_area.csv` of `pastewka_robbins_2014`: load per nominal area of `area_fraction`, from the pressures in the spots and on
+  their rims in SI units: `reduced_pressure` is it over E* h'
 """
 
 import csv
