@@ -14,7 +14,7 @@ from scipy.special import erf
 import stiction as st
 from stiction.contact.indices import Groups
 from stiction.laws.rough_surface import (
-    pastewka_robbins_2014,
+    pastewka_robbins_2014_area,
     persson_2001,
     wang_muser_2017,
     xu_zhu_xiao_zhou_2024,
@@ -104,11 +104,11 @@ def test_in_units():
 
 
 def test_attraction():
-    rows = read("adhesive_area.csv")
+    rows = read("pastewka_robbins_2014_area.csv")
     names = ("theta", "roughness_parameter", "tabor_parameter")
     groups = given(**{name: column(rows, name) for name in names})
     density, reduced = groups.roughness_parameter, column(rows, "reduced_pressure")
-    area = pastewka_robbins_2014.area_at_load((reduced / reduced_pressure(1.0, density))[:, None], groups)
+    area = pastewka_robbins_2014_area.area_at_load((reduced / reduced_pressure(1.0, density))[:, None], groups)
     assert_allclose(math.pi * density * area[:, 0], column(rows, "area_fraction"), rtol=1e-11)
 
 
@@ -120,7 +120,7 @@ def test_a_sticky_surface_has_no_area():
         roughness_parameter=0.04,
         tabor_parameter=368.40314986403854,
     )
-    found = st.solve(indices, load=1e-4, model="pastewka_robbins_2014")
+    found = st.solve(indices, load=1e-4, model="pastewka_robbins_2014_area")
     assert np.isnan(found["contact_area"].values).tolist() == [False, True]
     (sticks,) = (one for one in json.loads(found.attrs["doubts"]) if one["quantity"] == "stickiness_ratio")
     assert sticks["kind"] == "impossible" and sticks["outside"] == 1
@@ -130,7 +130,7 @@ def test_a_sticky_surface_has_no_area():
 def test_a_sticky_surface_alone_is_refused():
     sticky = given(theta=5.962847939999437, roughness_parameter=0.04, tabor_parameter=368.40314986403854)
     with pytest.raises(InputError, match=r"ratio of repulsion to attraction is 0\.213, and has to be above 1"):
-        pastewka_robbins_2014.area_at_load(np.ones((1, 1)), sticky)
+        pastewka_robbins_2014_area.area_at_load(np.ones((1, 1)), sticky)
 
 
 def test_attraction_of_long_range_is_doubted():
@@ -146,5 +146,5 @@ def test_attraction_of_long_range_is_doubted():
             roughness_parameter=N * R * sigma,
             tabor_parameter=(R * w * w / (E * E * reach**3)) ** (1 / 3),
         )
-        found = st.solve(indices, load=1e-4, model="pastewka_robbins_2014")
+        found = st.solve(indices, load=1e-4, model="pastewka_robbins_2014_area")
         assert ("beyond the rims" in found.attrs["outside_validity"]) is doubted

@@ -4,8 +4,8 @@
   stepped from full contact by an integrator of order 8 to 1e-13; nothing is turned into an integral over q
 - `wang_muser_2017.csv`: the same
 - `xu_zhu_xiao_zhou_2024.csv`: the same, its equation by bisection in 30 digits
-- `adhesive_area.csv` of `pastewka_robbins_2014`: load per nominal area of `area_fraction`, from the pressures in the spots and on
-  their rims in SI units: `reduced_pressure` is it over E* h'
+- `pastewka_robbins_2014_area.csv`: load per nominal area of `area_fraction`, from the pressures in the spots and on their rims
+  in SI units: `reduced_pressure` is it over E* h'
 """
 
 import csv
@@ -84,4 +84,4 @@ if __name__ == "__main__":
     write("wang_muser_2017", ["pressure", "area"], stepped(wang_muser))
     write("xu_zhu_xiao_zhou_2024", ["pressure", "area"], xu())
     header = ["theta", "roughness_parameter", "tabor_parameter", "area_fraction", "reduced_pressure"]
-    write("adhesive_area", header, attracted())
+    write("pastewka_robbins_2014_area", header, attracted())

@@ -1,6 +1,6 @@
 r"""Area against load of a rough surface that attracts but does not stick: Pastewka & Robbins 2014.
 
-*Assumes*: as the criterion [`pastewka_robbins_2014`](#pastewka_robbins_2014-criterion): attraction acts on rims around the
+*Assumes*: as the criterion [`pastewka_robbins_2014`](#pastewka_robbins_2014): attraction acts on rims around the
 contact spots, repulsion in the spots, both in proportion to their area, which is in proportion to the load. *Source*:
 [pastewka_robbins_2014]: the abstract (area in proportion to the load; the factor rises in proportion to weak attraction, and
 changes sign at a threshold), and eq. (10) as restated by the authors' group. *Reconstructed*: eq. (10) says where the two
@@ -45,7 +45,7 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 RECORD = RoughSurface(
-    key="pastewka_robbins_2014",
+    key="pastewka_robbins_2014_area",
     title="Contact of a randomly rough surface with weak attraction around its contact spots, elastic",
     grade="C",
     sources=(
