@@ -18,6 +18,7 @@ from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
+from stiction.studies.design_plan import Design
 from stiction.studies.fit_plan import Fit
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
 from stiction.studies.own_materials import with_own_materials
@@ -131,6 +132,7 @@ class _CaseFile(Input):
     indices: Indices | None = None
     solve: _Solve = Field(description="a table with separation or load")
     sweep: Sweep | None = Field(None, description="a table: what `stiction sweep` computes and keeps")
+    design: Design | None = Field(None, description="a table: what `stiction design` chooses, and what is wished of it")
     fit: Fit | None = Field(None, description="a table: what `stiction fit` fits to measured series")
 
     @model_validator(mode="after")

@@ -13,17 +13,18 @@ import numpy as np
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.places import with_numbers
 
-__all__ = ["case_text", "with_written"]
+__all__ = ["case_text", "show_exactly", "with_written"]
 
 _PLAIN_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def with_written(content: Mapping, numbers: Mapping[tuple[str, ...], float]) -> dict[str, Any]:
     """The tables of a case as they were written, with these numbers, SI, as text with their units."""
-    return dict(with_numbers(content, {path: _written(value, path[-1]) for path, value in numbers.items()}))
+    return dict(with_numbers(content, {path: show_exactly(value, path[-1]) for path, value in numbers.items()}))
 
 
-def _written(value: float, name: str) -> Any:
+def show_exactly(value: float, name: str) -> Any:
+    """A number of the named quantity as a case file has it, to ten digits."""
     unit = QUANTITIES[name].unit
     return f"{value:.10g} {unit}" if unit else float(f"{value:.10g}")
 
