@@ -155,6 +155,10 @@ class Sum(Problem):
         parts = [self._scattered(h[at : at + _AT_ONCE], law[at : at + _AT_ONCE])[..., _LOAD].sum(axis=0) for at in pieces]
         return np.concatenate(parts) if parts else np.empty(0)
 
+    def loads_by_regime(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """Net load per asperity (regimes, k) at pairs (k,) of separation and law."""
+        return self._scattered(h, law)[..., _LOAD]
+
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
 
