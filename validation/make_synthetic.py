@@ -21,7 +21,10 @@ SCATTER = 0.05
 def main() -> None:
     gradient = math.sqrt(math.sqrt(3) / (64 * DENSITY * RADIUS**2))
     drawn = np.random.default_rng(2017).normal(size=(len(LOADS), 1))[:, 0]
-    lines = ["# SYNTHETIC: made by make_synthetic.py, measured by nobody", "load [N],friction_coefficient,friction_coefficient_error"]
+    lines = [
+        "# SYNTHETIC: made by make_synthetic.py, measured by nobody",
+        "load [N],friction_coefficient,friction_coefficient_error",
+    ]
     for load, one in zip(LOADS, drawn, strict=True):
         area = NOMINAL * math.erf(math.sqrt(2) * load / NOMINAL / (MODULUS * gradient))
         mu = STRENGTH * area / load + COEFFICIENT

@@ -95,7 +95,9 @@ def read_entry(path: Any) -> Entry:
     folder = Path(path).parent
     asked, several = opened(tables, folder)
     if several:
-        raise InputError(".".join(next(iter(several))), "several numbers", "one; what differs from row to row is a column of the file")
+        raise InputError(
+            ".".join(next(iter(several))), "several numbers", "one; what differs from row to row is a column of the file"
+        )
     values = read_measurements(folder / origin.file, asked)
     _check(values, origin.file)
     return Entry(str(content.get("title", "")), origin, asked, values)
