@@ -20,7 +20,7 @@ SCATTER = 0.05
 
 def main() -> None:
     gradient = math.sqrt(math.sqrt(3) / (64 * DENSITY * RADIUS**2))
-    drawn = np.random.default_rng(2017).normal(size=(len(LOADS), 1))[:, 0]
+    drawn = np.random.default_rng(2017).normal(size=len(LOADS))
     lines = [
         "# SYNTHETIC: made by make_synthetic.py, measured by nobody",
         "load [N],friction_coefficient,friction_coefficient_error",

@@ -39,17 +39,17 @@ def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
 def validation_table(data: "xarray.Dataset") -> Table:
     """Model by model: grade, how many values it answers, how far it is off, and what it is outside of."""
     table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
-    for head, justify in (("model", "left"), ("grade", "left"), ("values", "right"), ("predicted/measured", "right")):
+    for head, justify in (("model", "left"), ("grade", "left"), ("values", "right"), ("mean ratio", "right")):
         table.add_column(head, justify=justify, no_wrap=head == "model")  # type: ignore[arg-type]
-    table.add_column("off by a factor", justify="right")
+    table.add_column("factor off", justify="right")
     if np.isfinite(data["error"].values).any():
         table.add_column("in errors", justify="right")
-    table.add_column("outside of what it claims")
+    table.add_column("outside of")
     for name in data["model"].values:
         one = data.sel(model=name)
         cells = [str(name), str(one["grade"].values), str(int(one["answered"])), _short(one["bias"]), _short(one["factor"])]
         cells += [_short(one["in_errors"])] if len(table.columns) == 7 else []
-        table.add_row(*cells, Text(str(one["outside_validity"].values), style="dim"))
+        table.add_row(*cells, Text(str(one["outside"].values), style="dim"))
     return table
 
 

@@ -12,9 +12,10 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from stiction.contact.subject import Subject
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
+from stiction.quantities.table import QUANTITIES
 from stiction.solving.candidates import candidates
 from stiction.solving.solve import solve
 from stiction.studies.case import case_of, opened, read_content
@@ -60,7 +61,7 @@ class Origin(Input):
 
 @dataclass(frozen=True)
 class Entry:
-    """A measured series with its contact. content: the tables of a case with scans and own materials read, [solve] standing in."""
+    """A measured series with its contact. content: the tables of a case, with scans and own materials read."""
 
     title: str
     origin: Origin
@@ -124,11 +125,12 @@ def validate(entry: Any, *, progress: Callable[[Iterable], Iterable] = iter) -> 
 
     entry: the path of its TOML file, or what `read_entry` gives. progress: wraps the list of models while they are computed.
     Returns an xarray.Dataset over `model` and `row`, the measured values: measured, error, quantity, sample, load over the
-    rows; `predicted` over both, not a number where a model refuses; over the models `bias`, the geometric mean of predicted over
-    measured; `factor`, e to the root mean square of its logarithm: by what factor a prediction is off, as a rule; `in_errors`, the
-    root mean square of the difference over the standard error; `answered`, how many rows; grade and `outside_validity`. Models are
-    in the order of how many rows they answer, then of `factor`. Attributes: title, kind, source, place, doi, read, note,
-    `left_out`: model: why, and `sources`. Raises InputError for bad input.
+    rows; `predicted` over both, not a number where a model refuses; over the models `bias`, the geometric mean of predicted
+    over measured; `factor`, e to the root mean square of its logarithm: by what factor a prediction is off, as a rule;
+    `in_errors`, the root mean square of the difference over the standard error; `answered`, how many rows; grade,
+    `outside_validity` in words and `outside`, the symbols of the quantities. Models are in the order of how many rows they
+    answer, then of `factor`. Attributes: title, kind, source, place, doi, read, note, `left_out`: model: why, and `sources`.
+    Raises InputError for bad input.
     """
     one = entry if isinstance(entry, Entry) else read_entry(entry)
     subjects = one.subjects()
@@ -152,7 +154,7 @@ class _Answer:
     ratio: np.ndarray
     grade: str
     sources: tuple[str, ...]
-    doubts: tuple[str, ...]
+    doubts: tuple[Doubt, ...]
     why_not: str
 
     @property
@@ -166,7 +168,10 @@ class _Answer:
 
 def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.ndarray]]) -> _Answer:
     predicted = np.full(len(values), np.nan)
-    grades, sources, doubts, why = set(), {}, {}, "it says nothing of what was measured"
+    grades: set[str] = set()
+    sources: dict[str, None] = {}
+    doubts: dict[str, Doubt] = {}
+    why = "it says nothing of what was measured"
     for subject, rows in subjects:
         try:
             data = solve(subject, load=values.load[rows], model=name)
@@ -179,10 +184,10 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
                 predicted[row] = table[place]
         grades.add(data.attrs["grade"])
         sources |= dict.fromkeys(data.attrs["sources"].split())
-        doubts |= dict.fromkeys(doubt.short for doubt in doubts_of(data))
+        doubts |= {doubt.rule: doubt for doubt in doubts_of(data)}
     positive = predicted > 0.0
     ratio = np.divide(predicted, values.value, where=positive, out=np.full(len(values), np.nan))
-    return _Answer(name, predicted, ratio, max(grades, default=""), tuple(sources), tuple(doubts), why)
+    return _Answer(name, predicted, ratio, max(grades, default=""), tuple(sources), tuple(doubts.values()), why)
 
 
 def _dataset(entry: Entry, answers: list[_Answer], left_out: list[str]) -> "xarray.Dataset":
@@ -198,7 +203,8 @@ def _dataset(entry: Entry, answers: list[_Answer], left_out: list[str]) -> "xarr
         "in_errors": np.sqrt([_mean(one**2) for one in off]),
         "answered": [one.answered for one in answers],
         "grade": [one.grade for one in answers],
-        "outside_validity": ["; ".join(one.doubts) for one in answers],
+        "outside_validity": ["; ".join(doubt.short for doubt in one.doubts) for one in answers],
+        "outside": [", ".join(_symbols(one.doubts)) for one in answers],
     }
     over_rows = {
         "measured": values.value, "error": values.error, "load": values.load,
@@ -213,6 +219,10 @@ def _dataset(entry: Entry, answers: list[_Answer], left_out: list[str]) -> "xarr
         attrs={"title": entry.title, "left_out": "\n".join(left_out), "sources": " ".join(used)}
         | entry.origin.model_dump(exclude={"file"}),
     )
+
+
+def _symbols(doubts: Iterable[Doubt]) -> list[str]:
+    return list(dict.fromkeys(QUANTITIES[one.quantity].symbol for one in doubts if one.quantity))
 
 
 def _mean(values: np.ndarray) -> float:
