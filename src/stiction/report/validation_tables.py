@@ -38,7 +38,7 @@ def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
 
 def validation_table(data: "xarray.Dataset") -> Table:
     """Model by model: grade, how many values it answers, how far it is off, and what it is outside of."""
-    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
+    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
     for head, justify in (("model", "left"), ("grade", "left"), ("values", "right"), ("mean ratio", "right")):
         table.add_column(head, justify=justify, no_wrap=head == "model")  # type: ignore[arg-type]
     table.add_column("factor off", justify="right")

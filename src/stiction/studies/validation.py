@@ -101,7 +101,9 @@ def read_entry(path: Any) -> Entry:
         )
     values = read_measurements(folder / origin.file, asked)
     _check(values, origin.file)
-    return Entry(str(content.get("title", "")), origin, asked, values)
+    entry = Entry(str(content.get("title", "")), origin, asked, values)
+    entry.subjects()  # so that a contact that is none is refused here
+    return entry
 
 
 def _check(values: Measurements, file: str) -> None:
