@@ -15,7 +15,6 @@ from cases import STEEL_ON_STEEL
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.studies.case import read_case
-from stiction.studies.measured import Scan
 from stiction.studies.validation import entries_in, read_entry
 
 VALIDATION = Path(__file__).parents[2] / "validation"
@@ -185,7 +184,22 @@ def test_the_synthetic_values_are_found_again():
     assert float(found["factor"].sel(model="greenwood_williamson_1966")) > 1.3
 
 
-@pytest.mark.skipif("periodic" not in Scan.model_fields, reason="scans that are one period of a surface are not known here")
 def test_the_challenge_without_its_map():
-    with pytest.raises(InputError, match=r"contact_mechanics_challenge\.npy.*no such file"):
+    with pytest.raises(InputError, match=r"contact_mechanics_challenge\.npy.*the name of an existing file"):
         read_case(CHALLENGE)
+    shown = command("run", CHALLENGE, code=2)
+    assert shown.stderr.startswith("stiction: contact.roughness.first.file") and shown.stderr.count("\n") == 1
+
+
+def test_the_challenge_with_a_map(tmp_path):
+    """A small periodic map of one wave in its place, pressed with the load of the challenge: light contact of a wavy surface
+    (Johnson, Greenwood & Higginson 1985) is that of a Hertz paraboloid at the crest, R = L^2/(4 pi^2 h), and a little more."""
+    side, height, points = 1e-4, 4e-6, 128
+    x = np.arange(points) / points * 2 * np.pi
+    np.save(tmp_path / "contact_mechanics_challenge.npy", height * (np.cos(x)[:, None] + np.cos(x)))
+    shutil.copy(CHALLENGE, tmp_path)
+    found = json.loads(command("run", tmp_path / CHALLENGE.name, "--json").stdout)
+    radius = side**2 / (4 * math.pi**2 * height)
+    hertz = math.pi * (3 * 2.5e-3 * radius / (4 * 25e6)) ** (2 / 3)
+    (area,) = np.ravel(found["variables"]["contact_area"]["values"])
+    assert 1.0 < area / hertz < 1.1  # a tenth of the area is in contact: the waves beside it push each other down
