@@ -89,7 +89,7 @@ RECORD = RoughSurface(
         Validity("longest_waves_on_a_side", doubts.LEAST_WAVES, inf, "the map is no sample of its surface", "statistics"),
         Validity("points_in_contact", doubts.LEAST_CONTACT, inf, "so few points give a rough area only"),
         Validity("map_gradient", 0.0, doubts.STEEPEST, "slopes are too steep for half-spaces"),
-        Validity("load_at_ends", 0.0, doubts.MOST_AT_ENDS, "the map ends within the contact"),
+        Validity("load_at_ends", 0.0, doubts.MOST_AT_ENDS, "the map ends within the contact", "statistics"),
         Validity("points_in_film", 1.0, inf, "the film is thinner than a point of the map is wide"),
         Validity("film_over_side", 0.0, doubts.THICKEST, "what presses at the ends is less exact"),
         Validity("solution_residual", 0.0, TOLERANCE, "the solution did not converge", "effect"),
