@@ -13,12 +13,14 @@ import stiction as st
 from stiction import cli
 from stiction.laws.registry import RoughSurface, find
 from stiction.laws.validity import doubts_of
+from stiction.solving.choice import Choice
 from stiction.surfaces.boundary_elements import kept
 from stiction.surfaces.boundary_elements.compliance import Compliance, Film
 from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.boundary_elements.telling import telling
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.prepare import filter_period, level
 from stiction.surfaces.targets import SelfAffine
 
 SIDE, POINTS = 20e-6, 64
@@ -342,3 +344,33 @@ def test_the_record_says_what_the_doubts_say():
     ranges = {one.quantity: one for one in find(MODEL, RoughSurface).validity}
     assert ranges["points_in_shortest_wave"].low == doubts.LEAST_PIXELS
     assert ranges["longest_waves_on_a_side"].low == doubts.LEAST_WAVES
+
+
+# ---- the resolution study
+
+
+def test_mu_of_the_map_against_the_cutoff(contact, rough):
+    """Of one period it is that of the period filtered over its ends, the same after every method; smoother is larger."""
+    choice = Choice(MODEL)
+    study = st.resolution_study(rough, [0.0, SIDE / 4], contact=contact, load="5 mN", choice=choice)
+    mu = study["mu"].values
+    assert mu.shape == (5, 2) and (mu[0] == mu[np.isfinite(mu).all(axis=1)]).all()
+    assert mu[0, 0] == pytest.approx(float(st.solve(contact, load="5 mN", model=MODEL)["friction_coefficient"]), rel=1e-6)
+    smooth = contact.model_copy(update={"roughness": elastic(filter_period(rough, SIDE / 4)).roughness})
+    assert mu[0, 1] == pytest.approx(float(st.solve(smooth, load="5 mN", model=MODEL)["friction_coefficient"]), rel=1e-6)
+    assert mu[0, 1] > 1.2 * mu[0, 0]
+
+
+def test_one_period_stays_one_under_a_filter(rough):
+    """The transmission of a wave is that of ISO 16610, and a shifted map filters to the shifted result."""
+    along = np.arange(64) * 2.0 * math.pi / 64.0
+    wave = HeightMap(np.cos(8.0 * along) * np.ones((64, 1)), (SIDE, SIDE), periodic=True)
+    passed = filter_period(wave, shortest=SIDE / 8)
+    assert_allclose(passed.heights, 0.5 * wave.heights, atol=1e-12)
+    assert_allclose(filter_period(wave, longest=SIDE / 8).heights, 0.5 * wave.heights, atol=1e-12)
+    moved = replace(rough, heights=np.roll(rough.heights, (5, 9), (0, 1)))
+    one, other = (filter_period(each, shortest=SIDE / 6).heights for each in (moved, rough))
+    assert_allclose(one, np.roll(other, (5, 9), (0, 1)), atol=1e-20)
+    assert passed.periodic and not level(wave).periodic
+    with pytest.raises(st.InputError, match="without missing points"):
+        filter_period(replace(wave, heights=np.where(wave.heights > 0.99, np.nan, wave.heights)), shortest=SIDE / 8)

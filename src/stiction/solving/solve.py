@@ -10,7 +10,7 @@ from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
 from stiction.laws.registry import RoughSurface, find
-from stiction.laws.validity import with_doubts
+from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
