@@ -144,7 +144,8 @@ def resolution_study(
     by default all that the map allows. contact: whose rough surface is replaced by what is found, all its numbers single ones;
     load: of it, one number [N] or text, > 0; choice: model and laws that answer, by default those of `solve`; theories of the
     whole surface take its moments, boundary_elements the map, and give the same mu after every method. options: of each method
-    by its key. points_per_cutoff: take only every k-th point, with at least this many to a cutoff (>= 2); by default all are kept.
+    by its key. points_per_cutoff: take only every k-th point, with at least this many to a cutoff (>= 2); by default all are
+    kept.
     progress: wraps the list of cutoffs.
 
     Returns an xarray.Dataset over (asperity_method, cutoff): sigma, R, N, mean_height, skewness, count, height_distribution,
