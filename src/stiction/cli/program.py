@@ -216,6 +216,29 @@ def busy(text: str) -> Iterator[None]:
 
 
 @contextmanager
+def telling_how_far(text: str) -> Iterator[Callable[[str], None]]:
+    """What tells how far something is: in a line on the terminal, else in a line at once and then now and then."""
+    with _line(text) as line:
+        if line is not None:
+            yield line.say
+            return
+        from time import monotonic
+
+        said = [-_EVERY]
+
+        def say(how_far: str) -> None:
+            if monotonic() - said[0] > _EVERY:
+                said[0] = monotonic()
+                print(how_far, file=sys.stderr, flush=True)
+
+        say(text)
+        yield say
+
+
+_EVERY = 10.0  # seconds between lines that nobody watches
+
+
+@contextmanager
 def solving() -> Iterator[None]:
     """The same while something is solved: it says when kernels have to be compiled for that, and how many are done."""
     with _line("Solving") as line, _saying_what_goes_on(line, "Solving"):

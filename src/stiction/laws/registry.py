@@ -143,7 +143,8 @@ class RoughSurface(Record):
     carried, not a number where that is not known: curve then takes separations (n, H), too, and does not adhere; or
     area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation.
     of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
-    found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it.
+    found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it. adheres:
+    a theory without an asperity law that knows the attraction of the surfaces; of a sum its asperity law says that.
     regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
     that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
     of_map(surface, contact, pressures, **own options) -> boundary_elements.curve.MapCurve: it solves the contact of a measured
@@ -157,6 +158,7 @@ class RoughSurface(Record):
     film_by_option: Mapping[str, str] = field(default_factory=dict)
     takes_surface_moments: bool = False
     up_to_full_contact: bool = False
+    adheres: bool = False
     regimes: Callable | None = None
     curve: Callable | None = None
     separation_near: Callable | None = None

@@ -162,7 +162,11 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "share of the tangential energy release that peels: 1 after Savkoor and Briggs, 0 for none"),
     ("hardening", "E_t/E", r"E_\mathrm{t}/E", "", _SHARE_BELOW_ONE, "0.01",
      "tangent modulus over Young's modulus, of the softer body"),
-    # of a measured surface; no example, so that it is not listed among the numbers of a case file
+    # of a measurement; no example, so that it is not listed among the numbers of a case file
+    ("contact_resistance", "R_c", r"R_\mathrm{c}", "ohm", _POSITIVE, "", "electrical resistance of the contact"),
+    ("specific_contact_resistance", "rho_c", r"\rho_\mathrm{c}", "ohm m^2", _POSITIVE, "",
+     "electrical resistance of the interface times its real area"),
+    # of a measured surface; no example either
     ("scan_size", "L", "L", "m", _POSITIVE, "", "size of a scan, or another length along it"),
 ]
 
@@ -218,7 +222,13 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "pull-off forces of the touching asperities over the load"),
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
      "share of the load on asperities that the model gives no friction"),
+    ("load_share_yielded", "s_y", r"s_\mathrm{y}", "", _SHARE, "", "share of the load on asperities that have yielded"),
+    ("load_share_substrate_yielded", "s_{s,y}", r"s_\mathrm{s,y}", "", _SHARE, "",
+     "share of the load on asperities whose substrate has yielded"),
     ("rms_slope", "h'", r"h'", "", _NOT_NEGATIVE, "", "rms slope of the Gaussian surface that has these asperities"),
+    ("stickiness_ratio", "Q", "Q", "", _POSITIVE, "", "repulsion in contact spots over the attraction beside them"),
+    ("range_over_gap", "rho/g_0", r"\varrho/g_0", "", _NOT_NEGATIVE, "",
+     "range of the attraction over the gap beside contact spots, (16/3) h'^2/h''"),
     ("thickness_over_radius", "t/R", r"t/R", "", _NOT_NEGATIVE, "", "film thickness over asperity radius"),
     ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, _COUNT, "number of touching asperities"),
     ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,
@@ -297,6 +307,8 @@ _SHORT = {
     "pressure_coefficient": "pressure coefficient",
     "peeling": "peeling share",
     "hardening": "hardening E_t/E",
+    "contact_resistance": "contact resistance",
+    "specific_contact_resistance": "resistance times area",
     "scan_size": "scan size",
     "shear_modulus": "shear modulus",
     "contact_modulus": "contact modulus",
@@ -327,7 +339,11 @@ _SHORT = {
     "asperity_area_over_yield": "area over that at yield",
     "adhesion_share": "pull-off over load",
     "load_share_without_friction": "load without friction",
+    "load_share_yielded": "load, yielded",
+    "load_share_substrate_yielded": "load, substrate yielded",
     "rms_slope": "rms slope",
+    "stickiness_ratio": "repulsion over attraction",
+    "range_over_gap": "range over gap",
     "thickness_over_radius": "thickness over radius",
     "touching_asperities": "touching asperities",
     "pull_off_force": "pull-off force",

@@ -45,7 +45,8 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
         count = _asperities(groups)
         if count is not None:
             found["touching_asperities"] = count * (expected_share(area) if share is None else share)
-    return found | {name: value[:, None] for name, value in _of_the_surface(groups).items()}
+    of_surface = _of_the_surface(groups) | (_of_attraction(groups) if problem.record.adheres else {})
+    return found | {name: value[:, None] for name, value in of_surface.items()}
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
@@ -58,6 +59,13 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
     if groups.sharpness is not None and groups.has_film and groups.film_aspect is not None:
         found["thickness_over_radius"] = groups.film_aspect * groups.sharpness
     return found
+
+
+def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:
+    """The attraction of the surface (n,), which theories of the whole surface are asked for that know it."""
+    from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
+
+    return {"range_over_gap": range_over_gap(groups), "stickiness_ratio": stickiness(groups)}
 
 
 def _by_asperity(
