@@ -83,7 +83,7 @@ def record_of(model: dict) -> Record:
 def takes(model: dict) -> tuple[str, ...]:
     """The laws that a rough-surface model takes by itself."""
     if not model["asperity"]:
-        return "closed form", "none", "none"
+        return "closed form" if record_of(model).of_map is None else "none: it solves the map", "none", "none"
     laws = {"asperity": model["asperity"], "tangential": model["tangential"], "film": model["default_film"]}
     keys = {kind: key if key != "none" else "" for kind, key in laws.items()}
     return tuple(link({"key": key, "kind": kind}) if key else "none" for kind, key in keys.items())
