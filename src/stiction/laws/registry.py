@@ -141,7 +141,9 @@ class RoughSurface(Record):
     where asperity is "": curve(h, groups, **own options) -> load and area (n, H) in closed form at the separations h (H,), and
     with it, or None, separation_near(load, groups, **own options) -> separations (n, H), about where the loads (n, H) are
     carried, not a number where that is not known: curve then takes separations (n, H), too, and does not adhere; or
-    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation.
+    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation; with
+    it, or None, area_on_map(load, groups, map), the same where the contact has a map (a HeightMap) that stands for both faces,
+    and way(map or None) -> words, how the area is then found.
     of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
     found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it. adheres:
     a theory without an asperity law that knows the attraction of the surfaces; of a sum its asperity law says that.
@@ -163,6 +165,8 @@ class RoughSurface(Record):
     curve: Callable | None = None
     separation_near: Callable | None = None
     area_at_load: Callable | None = None
+    area_on_map: Callable | None = None
+    way: Callable | None = None
     of_map: Callable | None = None
 
 

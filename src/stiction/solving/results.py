@@ -73,6 +73,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         **problem.options,
         "options": " ".join(problem.options),
         "heights": problem.heights_taken,
+        **({"area_by": problem.way} if problem.way else {}),
         "grade": max(record.grade for record in records),
         "sources": " ".join(used),
         **as_attributes(doubts_of_results(problem, tables)),
