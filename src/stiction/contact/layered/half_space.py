@@ -11,6 +11,8 @@ polynomial, so that the path may leave it: from s = -i T, up to where the imagin
 along a quarter of an ellipse to s = 1, where nodes crowd. It is as smooth for the surface as for any depth.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from stiction.contact.layered.sphere import value_of
@@ -19,15 +21,16 @@ from stiction.engine.compiled import kernel
 __all__ = ["integrals"]
 
 _CLOSEST = 1e-9  # to the axis, over the contact radius: r = 0 would divide by zero
+# The path's depth T, and what it may be times the order of g, which grows off the axis.
+_DEEPEST, _GROWTH = 0.35, 3.0
 
 
-def integrals(g: np.ndarray, r: np.ndarray, z: np.ndarray, strip: float) -> np.ndarray:
+def integrals(g: np.ndarray, r: np.ndarray, z: np.ndarray) -> np.ndarray:
     """H_mn at the radii r (m,) and depths z (n,), over the contact radius: (2, 4, n, m), for m = 1, 2 and n = 0 to 3.
 
-    g: coefficients of the pressure, as of `sphere.pressure`. strip: half the width of the strip about the real axis in which g
-    does not grow, over the contact radius.
+    g: coefficients of the pressure, as of `sphere.pressure`.
     """
-    s, weights = _path(min(strip, 0.35))
+    s, weights = _path(min(_DEEPEST, _GROWTH / g.size))
     out = np.empty((2, 4, z.size, r.size))
     _add_up(s, weights * value_of(g, s), np.maximum(r, _CLOSEST), z, out)
     return out
@@ -52,10 +55,11 @@ def _add_up(s, weighed, r, z, out):
                 out[0, n, i, j], out[1, n, i, j] = sums[n], sums[4 + n]
 
 
+@lru_cache(maxsize=64)
 def _path(depth: float) -> tuple[np.ndarray, np.ndarray]:
     """Nodes s and weights ds of the quarter ellipse."""
-    v, weights = np.polynomial.legendre.leggauss(int(40.0 + 10.0 / depth))
+    v, weights = np.polynomial.legendre.leggauss(int(60.0 + 9.0 / depth))
     v, weights = (v + 1.0) / 2.0, weights / 2.0
-    left, step = np.pi / 2.0 * v**4, 2.0 * np.pi * v**3
+    left, step = np.pi / 2.0 * v**2, np.pi * v
     s = np.cos(left) - 1j * depth * np.sin(left)
     return s, weights * step * (np.sin(left) + 1j * depth * np.cos(left))

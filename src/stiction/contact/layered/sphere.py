@@ -81,6 +81,7 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
     """
     _, g_0, g_2, _, to_edge = _solve(pair, float(radius))
     g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2
+    g[0] -= value_of(g, np.array(1.0))  # the little that is left at the edge would be infinite there
     return g / (2.0 * g[0])
 
 

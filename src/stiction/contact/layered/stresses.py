@@ -26,7 +26,7 @@ from stiction.contact.layered.waves import CoatedBody, Waves, body_function, fil
 __all__ = ["Radial", "Stresses"]
 
 # Waves x = k t between which amplitudes are smooth; what is left beyond the last is exp(-x) of all.
-_ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5, 12.0, 36.0)
+_ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5)
 # Up to this r k the Bessel functions of order 2 and 3 are taken from their series.
 _SMALL = 0.05
 
@@ -43,20 +43,21 @@ class Stresses:
     """Stresses under a sphere that touches on the radius a, in a coated body.
 
     pair: the bodies that meet, body: one of them that has a film, as elastic constants of their own (it must be one of the
-    pair's layers). radius: a over the thickness of its film, 0.001 to 1000. Lengths are over a, stresses over the mean pressure.
+    pair's layers). radius: a over the thickness of its film, 0.001 to 1000. Lengths are over a, stresses over the mean pressure. What
+    the film adds is good to exp(-reach).
     """
 
-    def __init__(self, pair: Pair, body: CoatedBody, radius: float):
+    def __init__(self, pair: Pair, body: CoatedBody, radius: float, reach: float = 36.0):
         self.body, self.thickness = body, 1.0 / radius
         self._g = pressure(pair, radius)
-        x, weights = _nodes(radius)
+        x, weights = _nodes(radius, reach)
         self._k = radius * x
         self._waves = waves(x, body)
         self._weights = radius * weights * self._k * transform(self._g, self._k)
 
     def in_film(self, r: np.ndarray, z: np.ndarray) -> Radial:
         """At the radii r (m,) and depths z (n,), 0 to the thickness."""
-        near = integrals(self._g, r, z, 0.8 * self.thickness)
+        near = integrals(self._g, r, z)
         nu, depth = self.body.nu, z[:, None]
 
         def of_half_space(constant: float, linear: float, order: int) -> np.ndarray:
@@ -155,9 +156,9 @@ def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
 
 
 @lru_cache(maxsize=64)
-def _nodes(radius: float) -> tuple[np.ndarray, np.ndarray]:
+def _nodes(radius: float, reach: float) -> tuple[np.ndarray, np.ndarray]:
     """Nodes and weights of all waves x = k t, dense enough for J(k r) cos(k) up to r = 3."""
-    return gauss(_ENDS, 2.0 * radius)
+    return gauss((*_ENDS, *((12.0,) if reach > 12.0 else ()), reach), 2.0 * radius)
 
 
 def _bessel(k: np.ndarray, r: np.ndarray) -> np.ndarray:

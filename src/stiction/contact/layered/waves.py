@@ -76,12 +76,20 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
 
 def film_function(waves: Waves, depth: float) -> np.ndarray:
     """F, F' and F'' (3, 2, m) of what the film adds, under pressure and shear, at the depth over t."""
-    return np.einsum("dbm,bfm->dfm", _film(depth * waves.x, waves.x)[:3], waves.added)
+    return _sum(_film(depth * waves.x, waves.x), waves.added)
 
 
 def body_function(waves: Waves, depth: float) -> np.ndarray:
     """The same of all that is in the body, at the depth over t, at least 1."""
-    return np.einsum("dbm,bfm->dfm", _decaying((depth - 1.0) * waves.x)[:3], waves.below)
+    return _sum(_decaying((depth - 1.0) * waves.x), waves.below)
+
+
+def _sum(functions: np.ndarray, amplitudes: np.ndarray) -> np.ndarray:
+    """F, F' and F'' (3, 2, m)."""
+    total = functions[:3, 0, None] * amplitudes[0]
+    for one, amplitude in zip(functions[:3].swapaxes(0, 1)[1:], amplitudes[1:], strict=True):
+        total += one[:, None] * amplitude
+    return total
 
 
 def _decaying(z) -> np.ndarray:
