@@ -117,6 +117,7 @@ RECORD = FilmLaw(
     regimes=regimes,
     wants={"Hertz's shape": "its elastic asperity is Hertz's, JKR's or DMT's, on layered bodies"},
     tangential="interface",
+    solved_as_one=True,
     composites={"hardness": "bhattacharya_nix_1988"},
     own_options={"soft_film_exponent": ("2", "1")},
     verified="integral equation solved another way, at 90 cases; closed limits; energy of an adhesive contact; asperity laws "
