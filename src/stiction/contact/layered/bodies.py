@@ -17,13 +17,15 @@ _NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
 
 
 class Bodies(NamedTuple):
-    """pair: the two bodies, as their compliance counts; coated: those with a film, with elastic constants of their own; counter:
-    share of the other, bare body in the compliance without a film, and its Poisson's ratio."""
+    """pair: the two bodies, as their compliance counts; coated: those with a film, with elastic constants of their own. Of their
+    film the plane-strain modulus, over that of both bodies together without a film; of the other body, where that is bare, the
+    share in their compliance and Poisson's ratio."""
 
     pair: Pair
     coated: tuple[CoatedBody, ...]
-    shares: tuple[float, ...]
-    counter_nu: float
+    film_modulus: float
+    bare_share: float
+    bare_nu: float
 
 
 def per_root(groups: Groups) -> np.ndarray:
@@ -60,7 +62,8 @@ def _bodies(given: np.ndarray) -> Bodies:
     (share,), (ratio,) = film_share(given[:, None])
     if films == 1.0:
         body = CoatedBody(float(ratio), nu, nu_first)
-        return Bodies((Layer.of(float(share), body.ratio, nu, nu_first),), (body,), (first,), nu_second)
+        pair = (Layer.of(float(share), body.ratio, nu, nu_first),)
+        return Bodies(pair, (body,), n_E / float(share), 1.0 - first, nu_second)
     coated = CoatedBody(2.0 * n_E * first, nu, nu_first), CoatedBody(2.0 * n_E * (1.0 - first), nu, nu_second)
     layers = sorted((Layer.of(0.5, one.ratio, nu, one.nu_below) for one in coated), key=lambda one: (one.ratio, one.excess))
-    return Bodies(tuple(layers), tuple(dict.fromkeys(coated)), (first, 1.0 - first), nu_second)
+    return Bodies(tuple(layers), coated, 2.0 * n_E, 0.0, nu_second)

@@ -27,7 +27,7 @@ import numpy as np
 
 from stiction.contact.layered.compliance import Pair, compliance
 
-__all__ = ["Response", "pressure", "respond", "value_of"]
+__all__ = ["Response", "pressure", "respond", "spherical_waves", "value_of"]
 
 # Waves x = k t between which the compliance is smooth; beyond the last one it is the film's to 1e-9.
 _ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5, 12.0)
@@ -83,6 +83,12 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
     g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2
     g[0] -= value_of(g, np.array(1.0))  # the little that is left at the edge would be infinite there
     return g / (2.0 * g[0])
+
+
+def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Wavenumbers over 1/a (m,), their weights with the factor 2/pi, and the transforms (n, m) of orthonormal even polynomials."""
+    k, weights, even, _, _ = _waves(float(radius))
+    return k, weights, even
 
 
 def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:

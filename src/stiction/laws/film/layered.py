@@ -43,7 +43,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
-from stiction.laws.film.shared.layered_sphere import (
+from stiction.contact.layered.asperity import (
     EDGED,
     PLAIN,
     edged,

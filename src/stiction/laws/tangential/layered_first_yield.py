@@ -38,7 +38,7 @@ from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import Limit, TangentialLaw
 from stiction.laws.sources import Source
 from stiction.laws.tangential.hamilton_1983 import tangential_resistance as of_a_half_space
-from stiction.laws.tangential.shared.coated_strength import spline, strengths
+from stiction.laws.tangential.shared.coated_strength import strength_at, strengths
 
 
 @formula
@@ -46,7 +46,7 @@ def resistance(u, w, load, area, *row):
     """T = q A. row: eta/k, where the load alone yields, and what the spline takes."""
     if u >= row[1]:
         return 0.0, 0.0
-    return 0.0, row[0] * area * spline(u, row[2], row[3], row[4:]) ** 0.5
+    return 0.0, row[0] * area * strength_at(u, row[2], row[3], row[4:]) ** 0.5
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:

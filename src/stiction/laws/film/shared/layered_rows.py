@@ -12,7 +12,7 @@ from stiction.contact.layered.table import curves_of_films
 
 
 def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
-    """The parameters (n,) that `layered_sphere` takes, for contacts with a film whose groups are complete (`resolved`). pull:
+    """The parameters (n,) that `contact.layered.asperity` takes, for contacts with a film whose groups are complete (`resolved`). pull:
     of adhesion, as the formulas take it. Raises InputError for bodies that cannot be."""
     laws = len(groups)
     n_E = np.where(groups.film_aspect > 0.0, groups.n_E, 1.0)

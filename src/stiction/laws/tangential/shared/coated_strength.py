@@ -7,11 +7,10 @@ square, which comes to nothing in a straight line, is the spline.
 """
 
 from collections.abc import Callable
-from functools import cache, lru_cache
+from functools import cache
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import BSpline
 
 from stiction.contact.indices import Groups
 from stiction.contact.layered.bodies import Bodies, bodies_of, per_root
@@ -19,12 +18,11 @@ from stiction.contact.layered.first_yield import ANGLES, PLACES, table_of_norms
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
+from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
 
-__all__ = ["COEFFICIENTS", "spline", "strengths"]
+__all__ = ["strength_at", "strengths"]
 
-# Pieces of the spline, its coefficients; decades below its end to which it reaches before it is one piece.
-_PIECES = 56
-COEFFICIENTS = _PIECES + 3
+# To this part of its end the knots are as dense as there.
 _FARTHEST = 50.0
 _PER_PLACE = (PLACES.size - 1) / 2.0
 _ANGLES, _COS, _SIN = ANGLES.size, np.cos(ANGLES), np.sin(ANGLES)
@@ -83,57 +81,38 @@ def _filling(normal: Callable, parameters: int) -> Any:
                     high = middle
             unit = min(root[i], _FARTHEST / high)
             place[i, 0], place[i, 1], place[i, 2] = high, unit, 1.0 / np.log1p(unit * high)
-            for at in range(_PIECES + 1):
-                left = 1.0 - at / _PIECES
+            for at in range(PIECES + 1):
+                left = 1.0 - at / PIECES
                 u = max(np.expm1((1.0 - left * left) / place[i, 2]) / unit, 1e-12 * high)
                 _, _, load, area = normal(u, *row)
                 s = load / (scale[i] * area)
                 out[i, at] = _traction(root[i] * area**0.25, s, table, film_strength[i], film[i])
-            out[i, _PIECES] = 0.0
+            out[i, PIECES] = 0.0
 
     return fill
 
 
-@lru_cache(maxsize=1)
-def _to_coefficients() -> np.ndarray:
-    """From values at evenly spaced knots to coefficients of the cubic B-splines: not-a-knot at both ends."""
-    knots = np.arange(-3.0, _PIECES + 4.0)
-    basis = BSpline(knots, np.eye(COEFFICIENTS), 3)
-    third = basis.derivative(3)
-    same = np.stack([third(at + 0.5) - third(at - 0.5) for at in (1.0, _PIECES - 1.0)])
-    return np.linalg.inv(np.concatenate([basis(np.arange(_PIECES + 1.0)), same]))[:, : _PIECES + 1]
-
-
 def strengths(piece: NormalPiece, groups: Groups) -> tuple[np.ndarray, ...]:
-    """For the elastic piece of a film law that solves film and body as one: where the load alone yields, what `spline` counts
+    """For the elastic piece of a film law that solves film and body as one: where the load alone yields, what `strength_at` counts
     the coordinate in, 1 over its ln(1 + p) there, and the coefficients, columns (n,). groups: complete, of contacts with a film."""
     laws = len(groups)
     different, which = bodies_of(groups)
     tables = np.exp(np.stack([_table(one) for one in different]))
-    place, values = np.empty((laws, 3)), np.empty((laws, _PIECES + 1))
+    place, values = np.empty((laws, 3)), np.empty((laws, PIECES + 1))
     there = np.broadcast_to((groups.film_aspect > 0.0) & (groups.tau > 0.0), laws).astype(float)
     scale = np.ascontiguousarray(np.broadcast_to(groups.eta / groups.hardness_to_yield, laws))
     strength = np.ascontiguousarray(np.broadcast_to(groups.n_H, laws))
     fill = _filling(piece.normal, len(piece.parameters))
     fill(columns(piece.parameters, laws), scale, per_root(groups), strength, there, which, tables, place, values)
-    return *place.T, *(values @ _to_coefficients().T).T
+    return *place.T, *(values @ to_coefficients().T).T
 
 
 def _table(bodies: Bodies) -> np.ndarray:
-    return table_of_norms(bodies.pair, bodies.coated)
+    return table_of_norms(bodies.pair, tuple(dict.fromkeys(bodies.coated)))
 
 
 @formula
-def spline(u, unit, scale, coefficients):
+def strength_at(u, unit, scale, coefficients):
     """The square of the traction; nothing where the spline, next to its end, is below it."""
-    y = min(_PIECES * (1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5), _PIECES - 1e-9)
-    at = int(y)
-    t = y - at
-    r = 1.0 - t
-    value = (
-        r * r * r * coefficients[at]
-        + (3.0 * t * t * t - 6.0 * t * t + 4.0) * coefficients[at + 1]
-        + (3.0 * r * r * r - 6.0 * r * r + 4.0) * coefficients[at + 2]
-        + t * t * t * coefficients[at + 3]
-    )
-    return max(value, 0.0) / 6.0
+    y = 1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5
+    return max(spline(y, coefficients), 0.0)
