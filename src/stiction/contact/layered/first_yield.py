@@ -15,18 +15,21 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import Akima1DInterpolator
 
 from stiction.contact.layered.compliance import Layer
 from stiction.contact.layered.stresses import Radial, Stresses
 from stiction.contact.layered.waves import CoatedBody
 
-__all__ = ["ANGLES", "PLACES", "Yield", "first_yield", "norms", "table_of_norms"]
+__all__ = ["ANGLES", "PARTS", "PLACES", "Yield", "first_yield", "norms", "table_of_norms"]
 
+# Where the largest is looked for by itself, so that each is a smooth function of a/t: on the film's surface, at the edge of the
+# contact, inside the film, where it meets the body, in the body.
+PARTS = 5
 # Directions in the plane of pressure and traction, arctan(q/s), of the tables; and z = (p - 1)/(p + 1), p = (a/t)^(1/2).
 ANGLES = np.linspace(0.0, np.pi / 2.0, 61)
 PLACES = np.linspace(-1.0, 1.0, 161)
-_SOLVED = np.concatenate([np.linspace(-0.8, 0.75, 17), [0.83, 0.88]])  # up to a/t of 250
+_SOLVED = np.concatenate([[-0.8, -0.65, -0.5, -0.4], np.linspace(-0.33, 0.33, 15), [0.42, 0.5, 0.58, 0.66, 0.74, 0.81, 0.87, 0.92]])
 _REACH = 12.0
 # Radii over that of the contact, crowded at its edge; shares of the film's thickness, and of depths below it.
 _RADII = np.concatenate([np.sin(np.linspace(0.0, np.pi / 2.0, 23)), 1.0 + 0.6 * np.linspace(0.0, 1.0, 9)[1:] ** 2])
@@ -59,33 +62,51 @@ def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0)
         at = np.unravel_index(square.argmax(), square.shape)
         ahead = r[at[1]] * cosine[at] * (-1.0 if forms[1][at] < 0.0 else 1.0)
         between = abs(z[at[0]] - stresses.thickness) < 1e-9 * stresses.thickness
-        largest = _refined(square[..., None])[0] ** 0.5
+        largest = _refined(square[..., None], np.ones(square.shape, dtype=bool))[0] ** 0.5
         found.append(Yield(float(largest / strength), "interface" if between else name, float(ahead), float(z[at[0]])))
     return max(found)
 
 
 def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
-    """N of film and body (2, m) in the directions (m,) of ANGLES' kind."""
-    return np.stack([_norm(_forms(radial), angles) for radial, _, _ in _fields(stresses)])
+    """N of the PARTS (PARTS, m) in the directions (m,) of ANGLES' kind: all but the last are of the film."""
+    (film, _, _), (body, _, _) = _fields(stresses)
+    return np.stack([*_of_film(_forms(film), angles), _norm(_forms(body), angles)])
 
 
 @lru_cache(maxsize=64)
 def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
-    """ln N of the films and of the bodies below, whichever of two is larger: (2, PLACES, ANGLES). The body's times 1 + (t/a)^2,
-    which is finite where it is not felt."""
-    whole = np.stack([_table(pair, body) for body in bodies])
-    return whole.max(axis=0)
+    """ln N of the films and of the bodies below, whichever of two is larger: (2, PLACES, ANGLES). The body's is of N times
+    1 + (t/a)^2, which is finite where it is not felt."""
+    whole = np.stack([_table(pair, body) for body in bodies]).max(axis=0)
+    with np.errstate(divide="ignore"):
+        felt = -np.log1p(((1.0 - PLACES) / (1.0 + PLACES)) ** 4)[:, None]
+    film = np.concatenate([whole[:3], whole[3:4] + felt]).max(axis=0)
+    return np.stack([film, whole[4]])
 
 
 def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
+    """ln N of the PARTS (PARTS, PLACES, ANGLES), the last two of N times 1 + (t/a)^2."""
     radii = ((1.0 + _SOLVED) / (1.0 - _SOLVED)) ** 2
     solved = np.stack([np.log(norms(Stresses(pair, body, radius, _REACH), ANGLES)) for radius in radii], axis=1)
-    solved[1] += np.log1p(radii**-2.0)[:, None]
-    film, below = _alone(body.nu), _alone(body.nu_below)
-    thick = np.stack([np.log(_norm(_forms(film), ANGLES)), solved[1, 0]])
-    thin = np.stack([np.log(_norm(_forms(_stretched(below, body)), ANGLES)), np.log(_norm(_forms(below), ANGLES))])
+    solved[3:] += np.log1p(radii**-2.0)[:, None]
+    film, below = _forms(_alone(body.nu)), _alone(body.nu_below)
+    thick = np.stack([*np.log(_of_film(film, ANGLES)[:3]), *solved[3:, 0]])
+    # A film of no thickness is stretched alike all through.
+    skin = np.log(_of_film(_forms(_stretched(below, body)), ANGLES))
+    thin = np.stack([*skin, skin.max(axis=0), skin.max(axis=0), np.log(_norm(_forms(below), ANGLES))])
     whole = np.concatenate([thick[:, None], solved, thin[:, None]], axis=1)
-    return CubicSpline(np.concatenate([[-1.0], _SOLVED, [1.0]]), whole, axis=1)(PLACES)
+    return Akima1DInterpolator(np.concatenate([[-1.0], _SOLVED, [1.0]]), whole, axis=1, method="makima")(PLACES)
+
+
+def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
+    """N of the parts of a film (4, m): its surface but the edge of the contact, the edge, inside, and the last of its depths; the
+    first two (2, m) of a film that is all surface."""
+    rest = np.arange(len(_RADII)) != _EDGE
+    depth, edge = np.arange(forms[0].shape[0])[:, None], ~rest[None, :]
+    surface, last = depth == 0, depth == depth.size - 1
+    places = surface & ~edge, surface & edge, ~surface & ~last & (edge | ~edge), last & (edge | ~edge)
+    square, _ = _squares(forms, angles)
+    return np.stack([np.sqrt(_refined(square, at)) for at in (places if depth.size > 1 else places[:2])])
 
 
 def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
@@ -151,23 +172,27 @@ def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
     return A * s * s + 2.0 * np.abs(B) * s * q * cosine + (C + (D - C) * cosine * cosine) * q * q, cosine
 
 
+def _squares(forms: Forms, angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """M (n, m, angles) in these directions, and |cos(theta)| of the worst place."""
+    return _over_directions(tuple(one[..., None] for one in forms), np.cos(angles), np.sin(angles))
+
+
 def _norm(forms: Forms, angles: np.ndarray) -> np.ndarray:
-    s, q = np.cos(angles), np.sin(angles)
-    square, _ = _over_directions(tuple(one[..., None] for one in forms), s, q)
-    return np.sqrt(_refined(square))
+    return np.sqrt(_refined(_squares(forms, angles)[0], np.ones(forms[0].shape, dtype=bool)))
 
 
-def _refined(square: np.ndarray) -> np.ndarray:
-    """The largest of (n, m, angles) over the first two axes (angles,), by parabolas through the largest and its neighbours."""
+def _refined(square: np.ndarray, among: np.ndarray) -> np.ndarray:
+    """The largest of (n, m, angles) among some of the places (n, m): (angles,), by parabolas through it and its neighbours."""
     n, m, count = square.shape
-    where = square.reshape(-1, count).argmax(axis=0)
+    where = np.where(among.reshape(-1, 1), square.reshape(-1, count), -1.0).argmax(axis=0)
     i, j, every = where // m, where % m, np.arange(count)
     best = square[i, j, every]
     rise = np.zeros(count)
+    at_edge = (i == 0) & (j == _EDGE)
     for di, dj, last, at in ((1, 0, n, i), (0, 1, m, j)):
-        inside = (at > 0) & (at < last - 1) & ~((i == 0) & (j == _EDGE))
         before = square[np.maximum(i - di, 0), np.maximum(j - dj, 0), every]
         after = square[np.minimum(i + di, n - 1), np.minimum(j + dj, m - 1), every]
+        peak = (at > 0) & (at < last - 1) & ~at_edge & (best >= before) & (best >= after)
         bend = np.maximum(2.0 * best - before - after, 1e-300)
-        rise += np.where(inside, (after - before) ** 2 / (8.0 * bend), 0.0)
-    return best + np.minimum(rise, 0.05 * best)
+        rise += np.where(peak, (after - before) ** 2 / (8.0 * bend), 0.0)
+    return best + rise
