@@ -15,10 +15,12 @@ small contacts to that of the bodies for large ones; its ends are `film_K_beta` 
 spline, to 0.1 % where it was compared.
 
 *Limit*: [`savkoor_briggs_1977`](#savkoor_briggs_1977) without a film, for a film like its body, and in the film's groups for
-$t\to\infty$. A soft film on a stiff body holds more than the stiffness at its load alone says: a contact that shrinks on it becomes softer still, so
-CHECK.
+$t\to\infty$; the bodies' own for $t\to0$. *Check*, $\nu=0.3$, rigid sphere: $K\beta$ (6.4762 without a film)
 
-*Check*: CHECK
+| $E_f/E_s$ | $a/t=0.1$ | 0.5 | 1 | 2 | 5 | 20 |
+|---|---|---|---|---|---|---|
+| 0.1 | 62.26 | 53.11 | 44.64 | 34.23 | 21.60 | 11.27 |
+| 10 | 0.717 | 0.980 | 1.253 | 1.666 | 2.470 | 4.024 |
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """

@@ -26,6 +26,7 @@ __all__ = ["strength_at", "strengths"]
 _FARTHEST = 50.0
 _PER_PLACE = (PLACES.size - 1) / 2.0
 _ANGLES, _COS, _SIN = ANGLES.size, np.cos(ANGLES), np.sin(ANGLES)
+_BENDS = 3
 _STEP, _LEAST, _MOST = 1.06, 1e-9, 1e30
 
 
@@ -92,9 +93,18 @@ def _filling(normal: Callable, parameters: int) -> Any:
     return fill
 
 
-def strengths(piece: NormalPiece, groups: Groups) -> tuple[np.ndarray, ...]:
+def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Coordinates (n, _BENDS) of the knots at which the curves bend the most: where another place begins to yield first."""
+    bent = np.abs(np.diff(values, n=2, axis=1))
+    at = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)
+    left = 1.0 - at / PIECES
+    return np.expm1((1.0 - left * left) / place[:, 2:]) / place[:, 1:2]
+
+
+def strengths(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
     """For the elastic piece of a film law that solves film and body as one: where the load alone yields, what `strength_at` counts
-    the coordinate in, 1 over its ln(1 + p) there, and the coefficients, columns (n,). groups: complete, of contacts with a film."""
+    the coordinate in, 1 over its ln(1 + p) there, and the coefficients, columns (n,); and the
+    coordinates (n, k) of its bends. groups: complete, of contacts with a film."""
     laws = len(groups)
     different, which = bodies_of(groups)
     tables = np.exp(np.stack([_table(one) for one in different]))
@@ -104,7 +114,7 @@ def strengths(piece: NormalPiece, groups: Groups) -> tuple[np.ndarray, ...]:
     strength = np.ascontiguousarray(np.broadcast_to(groups.n_H, laws))
     fill = _filling(piece.normal, len(piece.parameters))
     fill(columns(piece.parameters, laws), scale, per_root(groups), strength, there, which, tables, place, values)
-    return *place.T, *(values @ to_coefficients().T).T
+    return (*place.T, *(values @ to_coefficients().T).T), _bends(place, values)
 
 
 def _table(bodies: Bodies) -> np.ndarray:
