@@ -1,4 +1,5 @@
-"""Stresses in a film and its body: Hamilton's for like materials, tabulated plane waves, equilibrium, and what goes on at the interface."""
+"""Stresses in a film and its body: Hamilton's for like materials, tabulated plane waves, equilibrium, and what goes on at the
+interface."""
 
 import math
 
@@ -85,7 +86,7 @@ def test_equilibrium(bodies):
             h = 0.012 * min(scale, 0.5)
             r, z = place + h * np.arange(-3, 4), depth + h * np.arange(-3, 4)
             pressed, dragged = (np.array(one) for one in part(r, z))
-            by_r, by_z = (lambda f: f[3] @ weights / h), (lambda f: weights @ f[:, 3] / h)
+            by_r, by_z = (lambda f, h=h: f[3] @ weights / h), (lambda f, h=h: weights @ f[:, 3] / h)
             rr, tt, zz, rz = pressed
             size = 1e-8 * max(1.0, np.abs(pressed).max()) / min(scale, 0.5)
             assert by_r(rr) + by_z(rz) + (rr - tt)[3, 3] / place == pytest.approx(0.0, abs=size)
@@ -120,7 +121,8 @@ def test_the_surface_bears_what_is_put_on_it(bodies):
 
 
 def test_a_wide_contact_leaves_the_body_hertzs_stresses_and_stretches_the_film():
-    """By hand: under the axis the film has the strain of the body's surface, -(1 - 2 nu)(1 + nu) p/(2 E) both ways, and p on it."""
+    """By hand: under the axis the film has the strain of the body's surface, -(1 - 2 nu)(1 + nu) p/(2 E) both ways, and p on
+    it."""
     ratio, nu, nu_below = 0.5, 0.3, 0.2
     whole = under_rigid_sphere(ratio, nu, nu_below, 1000.0)
     film = whole.in_film(np.zeros(1), np.array([0.5 * whole.thickness])).pressed
@@ -133,5 +135,3 @@ def test_a_wide_contact_leaves_the_body_hertzs_stresses_and_stretches_the_film()
     exact = stress(np.array([0.0, 0.5]), 0.0, np.array([0.3, 0.6])[:, None], 0.0, nu_below)
     assert_allclose(body[2], 1.5 * exact[2], atol=3e-3)
     assert_allclose(body[0], 1.5 * exact[0], atol=3e-3)
-
-

@@ -67,14 +67,16 @@ def test_where_it_yields():
 
 
 def hertz_norms(nu):
-    """N of a half-space in the directions of ANGLES, from Hamilton's stresses; the last is all traction, 1e9 of the pressure."""
+    """N of a half-space in the directions of ANGLES, from Hamilton's stresses; the last is all traction, 1e9 of the
+    pressure."""
     traction = np.append(np.tan(ANGLES[:-1]), 1e9)
     return np.array([1.5 / hamilton_field.first_yield(one, nu)[0] / math.hypot(1.0, one) for one in traction])
 
 
 @pytest.mark.parametrize("body", [CoatedBody(0.1, 0.3, 0.3), CoatedBody(5.0, 0.1, 0.45), CoatedBody(40.0, 0.3, 0.25)])
 def test_table_of_norms(body):
-    """At radii between those that are solved: kinks, where another place becomes the worst, are within 3 %, the rest is far nearer."""
+    """At radii between those that are solved: kinks, where another place becomes the worst, are within 3 %, the rest is far
+    nearer."""
     pair = (Layer.of(1.0, body.ratio, body.nu, body.nu_below),)
     table = table_of_norms(pair, (body,))
     off = []

@@ -9,17 +9,17 @@ from numpy.testing import assert_allclose
 from scipy.interpolate import CubicSpline
 
 import stiction as st
+from stiction.contact.layered.bodies import bodies_of
 from stiction.contact.layered.compliance import Layer
 from stiction.contact.layered.first_yield import norms
 from stiction.contact.layered.shear import shear_compliance
-from stiction.contact.layered.bodies import bodies_of
 from stiction.contact.layered.stresses import Stresses
 from stiction.contact.layered.waves import CoatedBody
 from stiction.engine import summation
 from stiction.engine.heights import gaussian
 from stiction.engine.summation import scattered
 from stiction.laws.film.layered import elastic
-from stiction.laws.joining import Law, normal_states, states
+from stiction.laws.joining import Law, states
 from stiction.laws.registry import AsperityLaw, TangentialLaw, find, resolve_options
 from stiction.laws.tangential.hamilton_1983 import shear_at_yield
 from stiction.quantities.errors import InputError
@@ -53,10 +53,21 @@ def sums(given, tangential, asperity, film="layered", h=(2.0, 1.0, 0.0, -1.0)):
 def test_ends(key, asperity, parent):
     """No film, one of the body's own material, and one without end, in its own groups times n_E: the half-space's law."""
     rng, n = np.random.default_rng(5), 6
-    given = {"theta": 10.0 ** rng.uniform(0, 3, n), "lam": 10.0 ** rng.uniform(1, 4, n), "nu": 0.25, "n_E": 6.0, "n_H": 1.5, "tau": 1.0}
+    given = {
+        "theta": 10.0 ** rng.uniform(0, 3, n),
+        "lam": 10.0 ** rng.uniform(1, 4, n),
+        "nu": 0.25,
+        "n_E": 6.0,
+        "n_H": 1.5,
+        "tau": 1.0,
+    }
     none = groups(**given | {"tau": 0.0, "film_aspect": 0.0})
-    like = groups(**given | {"n_E": 1.0, "n_H": 1.0, "film_aspect": 10.0 ** rng.uniform(-2, 2, n), "film_nu": 0.25, "layer_nu": 0.25})
-    thick = groups(**given | {"tau": 1e9, "film_aspect": 1e9, "film_nu": 0.4, "layer_nu": 0.4, "film_K_beta": 8 / 3 * 1.6 / 0.6})
+    like = groups(
+        **given | {"n_E": 1.0, "n_H": 1.0, "film_aspect": 10.0 ** rng.uniform(-2, 2, n), "film_nu": 0.25, "layer_nu": 0.25}
+    )
+    thick = groups(
+        **given | {"tau": 1e9, "film_aspect": 1e9, "film_nu": 0.4, "layer_nu": 0.4, "film_K_beta": 8 / 3 * 1.6 / 0.6}
+    )
     for one, half_space, unit in ((none, none.substrate(), 1.0), (like, like.substrate(), 1.0), (thick, thick.film(), 6.0)):
         expected = unit * sums(half_space, parent, asperity, None)
         assert (expected > 0.0).all()
@@ -65,8 +76,8 @@ def test_ends(key, asperity, parent):
 
 @pytest.mark.parametrize(("n_E", "n_H", "aspect"), [(0.1, 0.3, 0.4), (0.1, 3.0, 0.02), (6.0, 1.0, 1.0), (6.0, 10.0, 0.1)])
 def test_first_yield_of_one_asperity(n_E, n_H, aspect):
-    """The traction under which the von Mises stress of film or body, solved at this very radius, is its yield stress; nothing from
-    where the load alone makes it so."""
+    """The traction under which the von Mises stress of film or body, solved at this very radius, is its yield stress; nothing
+    from where the load alone makes it so."""
     eta, k, nu = 0.4, 2.8, 0.3
     given = groups(**FILM | {"n_E": n_E, "n_H": n_H, "film_aspect": aspect}, nu=nu, hardness_to_yield=k).without_adhesion()
     given = given.with_changes(hardness_group=np.array([eta]))
@@ -102,17 +113,17 @@ def test_hamilton_beside_it():
 
 @pytest.mark.parametrize(("n_E", "aspect", "zeta"), [(0.1, 1.0, 1.0), (8.0, 0.5, 0.3), (0.3, 3.0, 1.0)])
 def test_peeling_by_trying_radii(n_E, aspect, zeta, monkeypatch):
-    """The largest shear force with a radius of equilibrium at the load that was there, by the energies themselves: at every radius
-    that of the sphere with a punch on top, by the table's own method, and of the tangential spring, by differences."""
+    """The largest shear force with a radius of equilibrium at the load that was there, by the energies themselves: at every
+    radius that of the sphere with a punch on top, by the table's own method, and of the tangential spring, by differences."""
     monkeypatch.syspath_prepend(str(REFERENCE))
     independent = importlib.import_module("make_layered")
     theta, nu = 3.0, 0.3
     given = groups(theta=theta, nu=nu, **FILM | {"n_E": n_E, "film_aspect": aspect}, peeling=zeta)
     regime = joined("jkr", "layered_peeling", given)
     (bodies,), _ = bodies_of(given.resolved())
-    coarse = np.linspace(0.4, 3.2, 80)  # over sqrt(R sigma)
+    coarse = np.linspace(0.4, 4.8, 110)  # over sqrt(R sigma)
     load, _, stiffness, _ = zip(*(independent.solve(1.0, n_E, nu, nu, one / aspect) for one in coarse), strict=True)
-    a = np.linspace(0.4, 3.2, 20001)
+    a = np.linspace(0.4, 4.8, 30001)
     P_H = CubicSpline(coarse, n_E * np.array(load) * coarse**3)(a)  # over K R^(1/2) sigma^(3/2)
     S = CubicSpline(coarse, np.array(stiffness) * 1.5 * n_E * coarse)
     S_T = CubicSpline(coarse, [8.0 * one / shear_compliance(bodies, one / aspect)[0] for one in coarse])  # over K
@@ -163,7 +174,9 @@ def test_what_they_go_with(key, asperity, parent):
     """With films that solve film and body as one, with bare contacts, and with films of half-spaces as the half-space's law."""
     given = groups(theta=20.0, lam=50.0, **FILM | {"n_E": 0.3, "n_H": 0.5})
     assert_allclose(sums(given, key, asperity, "sequential"), sums(given, parent, asperity, "sequential"), rtol=1e-12)
-    with pytest.raises(InputError, match="layered goes with laws of the interface and with those that know film and body as one"):
+    with pytest.raises(
+        InputError, match="layered goes with laws of the interface and with those that know film and body as one"
+    ):
         sums(given, parent, asperity)
     with pytest.raises(InputError, match="goes with laws of the interface only"):
         sums(given, key, asperity, "finkin_1969")
@@ -184,12 +197,15 @@ def test_two_coated_bodies():
 
 
 def test_a_stiff_film_cracks_under_little_load():
-    """Steel under 0.5 um of a hard, stiff film: the asperity law says elastic, and the film is strained beyond its yield stress."""
+    """Steel under 0.5 um of a hard, stiff film: the asperity law says elastic, and the film is strained beyond its yield
+    stress."""
     rough = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
     film = {"youngs_modulus": "600 GPa", "poissons_ratio": 0.2, "hardness": "12 GPa"}
     coating = st.Coating(material=film, thickness="0.5 um", bodies="first")
     steel = "hardened_steel_52100"
-    coated = st.Contact(first=steel, second=steel, work_of_adhesion=0.0, nominal_area="1 mm^2", roughness=rough, coating=coating)
+    coated = st.Contact(
+        first=steel, second=steel, work_of_adhesion=0.0, nominal_area="1 mm^2", roughness=rough, coating=coating
+    )
     found = st.solve(coated, load="1 N", model=PLAIN, film="layered", tangential="layered_first_yield")
     assert 0.0 < float(found["friction_coefficient"]) < 10.0
     assert {"layered", "layered_first_yield"} <= {part for name in ("film", "tangential") for part in [found.attrs.get(name)]}

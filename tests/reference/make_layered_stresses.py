@@ -1,14 +1,16 @@
 """Stresses under a sphere dragged over a bonded film, and the tangential stiffness of such a contact: numpy. 20 s.
 
-Every wave is a set of equations solved by itself: six along the wave (`make_layered.mode`), three across it. Stresses are sums of plane
-waves over all directions, turned into the frame of the place one by one: no Bessel functions. The pressure is that of
+Every wave is a set of equations solved by itself: six along the wave (`make_layered.mode`), three across it. Stresses are sums
+of plane waves over all directions, turned into the frame of the place one by one: no Bessel functions. The pressure is that of
 `make_layered.solve`. The stiffness is that of the least energy among tractions (1 - r^2)^(n - 1/2) and their second harmonics
 r^2 (1 - r^2)^(n - 1/2), n = 0 to 6, whose transforms are Sonine's.
 
-- `layered_stresses.csv` of `layered_first_yield`: `ratio`, `nu`, `nu_below`, `radius` as in `layered.csv`, place `r`, `theta`, `z` over the
-  contact radius, `below` 1 in the body and 0 in the film, and the stresses x, y, z, xy, yz, xz over the mean pressure: `p_` under pressure,
-  `q_` under a traction in the direction x that is as large. To 1e-8.
-- `layered_shear.csv` of `layered_peeling`: the same bodies, and `K_beta`, 4/3 of the modulus of the body without a film times beta in
+- `layered_stresses.csv` of `layered_first_yield`: `ratio`, `nu`, `nu_below`, `radius` as in `layered.csv`, place `r`, `theta`,
+  `z` over the
+  contact radius, `below` 1 in the body and 0 in the film, and the stresses x, y, z, xy, yz, xz over the mean pressure: `p_`
+  under pressure, `q_` under a traction in the direction x that is as large. To 1e-8.
+- `layered_shear.csv` of `layered_peeling`: the same bodies, and `K_beta`, 4/3 of the modulus of the body without a film times
+  beta in
   T = 8 a delta/beta. To 1e-5.
 """
 
@@ -24,8 +26,8 @@ NAMES = ("x", "y", "z", "xy", "yz", "xz")
 
 
 def wave(x, depth, ratio, nu, nu_below):
-    """Of the wave k = 1 on a film of thickness x: s_xx, s_yy, s_zz, s_xz at the depth under pressure cos and under shear cos, and
-    s_yz, s_xy under shear across; displacements of the surface under shear along and across, film's shear modulus 1."""
+    """Of the wave k = 1 on a film of thickness x: s_xx, s_yy, s_zz, s_xz at the depth under pressure cos and under shear cos,
+    and s_yz, s_xy under shear across; displacements of the surface under shear along and across, film's shear modulus 1."""
     mu_below = (1 - nu_below) / (1 - nu) / ratio
     scale = np.array([1.0, 1.0, np.exp(-x), np.exp(-x)])
     top, bottom, below = mode(0.0, nu, 1.0) * scale, mode(x, nu, 1.0) * scale, mode(0.0, nu_below, mu_below)[:, :2]
@@ -122,7 +124,9 @@ def shear(case):
         energy[i, j] += tail * (film[0] * (1 if i == j else -sign) + film[1] * (1 if i == j else sign))
         energy[j, i] = energy[i, j]
     whole = np.array([2.0**-n / math.gamma(n + 1.5) * math.sqrt(math.pi) / 2 for n in range(count)] + [0.0] * count)
-    stiffness = whole @ np.linalg.solve(energy, whole)  # 2/(pi (C_L + C_T)) on a half-space, in units of the film's shear modulus
+    stiffness = whole @ np.linalg.solve(
+        energy, whole
+    )  # 2/(pi (C_L + C_T)) on a half-space, in units of the film's shear modulus
     beta_film = 2 / (math.pi * stiffness)
     return 8.0 / 3.0 / (ratio * (1 - nu)) * beta_film  # mu = E'(1 - nu)/2, K = 4/3 E'_below
 
@@ -131,15 +135,33 @@ def main():
     rng = np.random.default_rng(21)
     here = Path(__file__)
     cases = [(0.2, 0.3, 0.3, 1.0), (5.0, 0.3, 0.3, 1.0)]
-    cases += [(round(10 ** rng.uniform(-1.5, 1.5), 3), *rng.uniform(0, 0.5, 2).round(3), round(10 ** rng.uniform(-0.7, 0.6), 3)) for _ in range(8)]
+    cases += [
+        (round(10 ** rng.uniform(-1.5, 1.5), 3), *rng.uniform(0, 0.5, 2).round(3), round(10 ** rng.uniform(-0.7, 0.6), 3))
+        for _ in range(8)
+    ]
     with here.with_name("layered_stresses.csv").open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
-        out.writerow(["ratio", "nu", "nu_below", "radius", "r", "theta", "z", "below", *(f"{part}_{name}" for part in "pq" for name in NAMES)])
+        out.writerow(
+            [
+                "ratio",
+                "nu",
+                "nu_below",
+                "radius",
+                "r",
+                "theta",
+                "z",
+                "below",
+                *(f"{part}_{name}" for part in "pq" for name in NAMES),
+            ]
+        )
         for case in cases:
             for below, share in ((0, rng.uniform(0.3, 1.0)), (0, 1.0), (1, 1.0), (1, rng.uniform(1.0, 2.0))):
                 place = round(rng.uniform(0.0, 1.3), 3), round(rng.uniform(0.0, 6.0), 3), round(share, 3) / case[3], below
                 out.writerow([*case, *place, *(f"{value:.10g}" for value in stresses(case, place).ravel())])
-    cases += [(round(10 ** rng.uniform(-2, 2), 3), *rng.uniform(0, 0.5, 2).round(3), round(10 ** rng.uniform(-1.5, 1.0), 3)) for _ in range(10)]
+    cases += [
+        (round(10 ** rng.uniform(-2, 2), 3), *rng.uniform(0, 0.5, 2).round(3), round(10 ** rng.uniform(-1.5, 1.0), 3))
+        for _ in range(10)
+    ]
     with here.with_name("layered_shear.csv").open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(["ratio", "nu", "nu_below", "radius", "K_beta"])

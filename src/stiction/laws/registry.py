@@ -102,10 +102,10 @@ class FilmLaw(Record):
     regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
     of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
     `law` is not used. one_body: film and substrate are one, with the film's surface: where that has a work of adhesion of its
-    own, that of the bodies does not count, nor what `law` takes beside its needs. solved_as_one: its elastic asperity is a sphere
-    on the layered solid, so that tangential laws that know it (`layered`) go with it, too. bares_substrate: a law of the interface
-    shears what is film of the contact, and the rest shears at the substrate's own strength. confined: the film may bear more
-    than its own hardness, up to the substrate's.
+    own, that of the bodies does not count, nor what `law` takes beside its needs. solved_as_one: its elastic asperity is a
+    sphere on the layered solid, so that tangential laws that know it (`layered`) go with it, too. bares_substrate: a law of
+    the interface shears what is film of the contact, and the rest shears at the substrate's own strength. confined: the film
+    may bear more than its own hardness, up to the substrate's.
     tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
     interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
     any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.

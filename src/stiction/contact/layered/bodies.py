@@ -1,6 +1,6 @@
 """The elastic bodies that the groups of a contact stand for: which pair meets, and which of the two carry a film."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,9 +17,9 @@ _NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
 
 
 class Bodies(NamedTuple):
-    """pair: the two bodies, as their compliance counts; coated: those with a film, with elastic constants of their own. Of their
-    film the plane-strain modulus, over that of both bodies together without a film; of the other body, where that is bare, the
-    share in their compliance and Poisson's ratio."""
+    """pair: the two bodies, as their compliance counts; coated: those with a film, with elastic constants of their own. Of
+    their film the plane-strain modulus, over that of both bodies together without a film; of the other body, where that is
+    bare, the share in their compliance and Poisson's ratio."""
 
     pair: Pair
     coated: tuple[CoatedBody, ...]

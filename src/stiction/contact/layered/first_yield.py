@@ -29,7 +29,9 @@ PARTS = 5
 # Directions in the plane of pressure and traction, arctan(q/s), of the tables; and z = (p - 1)/(p + 1), p = (a/t)^(1/2).
 ANGLES = np.linspace(0.0, np.pi / 2.0, 61)
 PLACES = np.linspace(-1.0, 1.0, 161)
-_SOLVED = np.concatenate([[-0.8, -0.65, -0.5, -0.4], np.linspace(-0.33, 0.33, 15), [0.42, 0.5, 0.58, 0.66, 0.74, 0.81, 0.87, 0.92]])
+_SOLVED = np.concatenate(
+    [[-0.8, -0.65, -0.5, -0.4], np.linspace(-0.33, 0.33, 15), [0.42, 0.5, 0.58, 0.66, 0.74, 0.81, 0.87, 0.92]]
+)
 _REACH = 12.0
 # Radii over that of the contact, crowded at its edge; shares of the film's thickness, and of depths below it.
 _RADII = np.concatenate([np.sin(np.linspace(0.0, np.pi / 2.0, 23)), 1.0 + 0.6 * np.linspace(0.0, 1.0, 9)[1:] ** 2])
@@ -37,8 +39,8 @@ _EDGE = 22  # where stresses on the surface have a cusp
 _IN_FILM = (1.0 - np.cos(np.linspace(0.0, np.pi, 11))) / 2.0
 _IN_BODY = 1.4 * np.linspace(0.0, 1.0, 15) ** 1.5
 _WIDE = np.linspace(0.0, 1.5, 24)
-# The coated bodies that meet, of one thickness, with what pair they make.
-Forms = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+# A, B, D and C of M.
+Forms = tuple[np.ndarray, ...]
 
 
 class Yield(NamedTuple):
@@ -99,8 +101,8 @@ def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
 
 
 def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
-    """N of the parts of a film (4, m): its surface but the edge of the contact, the edge, inside, and the last of its depths; the
-    first two (2, m) of a film that is all surface."""
+    """N of the parts of a film (4, m): its surface but the edge of the contact, the edge, inside, and the last of its depths;
+    the first two (2, m) of a film that is all surface."""
     rest = np.arange(len(_RADII)) != _EDGE
     depth, edge = np.arange(forms[0].shape[0])[:, None], ~rest[None, :]
     surface, last = depth == 0, depth == depth.size - 1
@@ -147,7 +149,7 @@ def _stretched(below: Radial, body: CoatedBody) -> Radial:
 
 
 def _forms(radial: Radial) -> Forms:
-    """A, B, D and C of M."""
+    """What the stresses make of M."""
     *along, rt, tz = radial.dragged
     return (
         _product(radial.pressed, radial.pressed),

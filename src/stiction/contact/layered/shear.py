@@ -1,15 +1,15 @@
 r"""How stiff a round contact of bodies with a film is against a tangential displacement, all of it in stick.
 
-The surface moves by delta in the direction x everywhere on the contact. The traction that this takes is not only along x, of the
-transform Q0(k): where a wave along itself and across itself meets compliances C_L(k)/k and C_T(k)/k in another ratio than on
-a half-space, it has a second harmonic too, of transform Q2(k). Of a wave in the direction phi, (Q0 - Q2) cos(phi) is along and
--(Q0 + Q2) sin(phi) across it, so that for all tractions q0, q2 on the contact (Galerkin's equations)
+The surface moves by delta in the direction x everywhere on the contact. The traction that this takes is not only along x, of
+the transform Q0(k): where a wave along itself and across itself meets compliances C_L(k)/k and C_T(k)/k in another ratio than
+on a half-space, it has a second harmonic too, of transform Q2(k). Of a wave in the direction phi, (Q0 - Q2) cos(phi) is along
+and -(Q0 + Q2) sin(phi) across it, so that for all tractions q0, q2 on the contact (Galerkin's equations)
 
     (2/pi) Integral C_L (q0 - q2)(Q0 - Q2) + C_T (q0 + q2)(Q0 + Q2) dk = (4/pi) delta q0(0),   T = 2 pi Q0(0).
 
-Q0 is made of the spherical Bessel functions of orders 0, 2, 4 ..., Q2 of 2, 4, 6 ...: tractions on the unit circle. A half-space
-has Q0 of order 0 alone and T = 8 delta/(C_L + C_T), which is Mindlin's 8 a/beta. As in Mindlin's, the tangential traction is taken
-to leave the pressure alone. Derived here; the half-space is Mindlin (1949).
+Q0 is made of the spherical Bessel functions of orders 0, 2, 4 ..., Q2 of 2, 4, 6 ...: tractions on the unit circle. A
+half-space has Q0 of order 0 alone and T = 8 delta/(C_L + C_T), which is Mindlin's 8 a/beta. As in Mindlin's, the tangential
+traction is taken to leave the pressure alone. Derived here; the half-space is Mindlin (1949).
 """
 
 from functools import lru_cache
@@ -48,8 +48,8 @@ def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
 
 @lru_cache(maxsize=256)
 def shear_curve(bodies: Bodies) -> np.ndarray:
-    """Coefficients (TERMS,) of ln beta, as those of `curves`: ln beta = (1 - z)/2 ln(film's) + (1 + z)/2 ln(without) + (1 - z^2)
-    Sum c_k z^k."""
+    """Coefficients (TERMS,) of ln beta, as those of `curves`: ln beta = (1 - z)/2 ln(film's) + (1 + z)/2 ln(without) + (1 -
+    z^2) Sum c_k z^k."""
     solved = np.array([shear_compliance(bodies, radius) for radius in RADII])
     film, below = np.log(shear_ends(bodies))
     return fit_one(np.log(solved[:, 0]) - film, solved[:, 1], below - film)

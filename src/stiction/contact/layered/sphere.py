@@ -86,7 +86,8 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
 
 
 def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Wavenumbers over 1/a (m,), their weights with the factor 2/pi, and the transforms (n, m) of orthonormal even polynomials."""
+    """Wavenumbers over 1/a (m,), their weights with the factor 2/pi, and the transforms (n, m) of orthonormal even
+    polynomials."""
     k, weights, even, _, _ = _waves(float(radius))
     return k, weights, even
 

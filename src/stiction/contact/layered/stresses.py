@@ -32,8 +32,8 @@ _SMALL = 0.05
 
 
 class Radial(NamedTuple):
-    """Stresses at depths and radii (n, m), over the mean pressure, of a traction as large as the pressure. rr, tt, zz, rz: under
-    pressure. Under a traction in the direction x: rr, tt, zz, rz times cos(theta), rt, tz times sin(theta)."""
+    """Stresses at depths and radii (n, m), over the mean pressure, of a traction as large as the pressure. rr, tt, zz, rz:
+    under pressure. Under a traction in the direction x: rr, tt, zz, rz times cos(theta), rt, tz times sin(theta)."""
 
     pressed: tuple[np.ndarray, ...]
     dragged: tuple[np.ndarray, ...]
@@ -43,8 +43,8 @@ class Stresses:
     """Stresses under a sphere that touches on the radius a, in a coated body.
 
     pair: the bodies that meet, body: one of them that has a film, as elastic constants of their own (it must be one of the
-    pair's layers). radius: a over the thickness of its film, 0.001 to 1000. Lengths are over a, stresses over the mean pressure. What
-    the film adds is good to exp(-reach).
+    pair's layers). radius: a over the thickness of its film, 0.001 to 1000. Lengths are over a, stresses over the mean
+    pressure. What the film adds is good to exp(-reach).
     """
 
     def __init__(self, pair: Pair, body: CoatedBody, radius: float, reach: float = 36.0):
@@ -135,8 +135,8 @@ def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
 
 
 def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
-    """With psi between wave and radius: <cos^2 cos(kr cos)>, <sin^2 cos> are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 - J3)/4 and
-    <cos sin^2 sin> (J1 + J3)/4."""
+    """With psi between wave and radius: <cos^2 cos(kr cos)>, <sin^2 cos> are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 - J3)/4
+    and <cos sin^2 sin> (J1 + J3)/4."""
     along, both = {}, {}
     for name in ("dragged_xx", "dragged_yy"):
         first, third = of(name, 1), of(name, 3)

@@ -36,10 +36,11 @@ class CoatedBody:
 
 @dataclass(frozen=True)
 class Waves:
-    """Amplitudes at wavenumbers x = k t (m,). added (4, 2, m): of exp(-z), z exp(-z), exp(-y) and y exp(-y) in the film's stress
-    function beside that of a half-space, y = x - z, under pressure and under shear along the wave; below (2, 2, m): of exp(-s)
-    and s exp(-s) in that of the body, s = z - x. across, across_below (m,): of exp(-y) + exp(-y - 2 z) beside the displacement
-    exp(-z) of a half-space, and of exp(-s) below, under shear across the wave, times the shear modulus of either."""
+    """Amplitudes at wavenumbers x = k t (m,). added (4, 2, m): of exp(-z), z exp(-z), exp(-y) and y exp(-y) in the film's
+    stress function beside that of a half-space, y = x - z, under pressure and under shear along the wave; below (2, 2, m): of
+    exp(-s) and s exp(-s) in that of the body, s = z - x. across, across_below (m,): of exp(-y) + exp(-y - 2 z) beside the
+    displacement exp(-z) of a half-space, and of exp(-s) below, under shear across the wave, times the shear modulus of
+    either."""
 
     x: np.ndarray
     added: np.ndarray
@@ -63,7 +64,12 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
     half_space = np.stack([_weigh((1.0, 1.0), x), _weigh((0.0, -1.0), x)], axis=-1)  # F to F''' at the interface (4, m, 2)
     equations[:, 0, :4], equations[:, 1, :4] = top[0].T, top[1].T
     for row, (film, body_below, given) in enumerate(
-        zip(_continuous(bottom, body.nu, 1.0), _continuous(under, body.nu_below, m), _continuous(half_space, body.nu, 1.0))
+        zip(
+            _continuous(bottom, body.nu, 1.0),
+            _continuous(under, body.nu_below, m),
+            _continuous(half_space, body.nu, 1.0),
+            strict=True,
+        )
     ):
         scale = 1.0 if row < 2 else 1.0 / (1.0 + m)
         equations[:, 2 + row, :4], equations[:, 2 + row, 4:] = scale * film.T, -scale * body_below.T
@@ -95,9 +101,7 @@ def _sum(functions: np.ndarray, amplitudes: np.ndarray) -> np.ndarray:
 def _decaying(z) -> np.ndarray:
     """exp(-z) and z exp(-z) and their three derivatives: (4, 2, m)."""
     down = np.exp(-z)
-    return np.stack(
-        [[down, z * down], [-down, (1.0 - z) * down], [down, (z - 2.0) * down], [-down, (3.0 - z) * down]]
-    )
+    return np.stack([[down, z * down], [-down, (1.0 - z) * down], [down, (z - 2.0) * down], [-down, (3.0 - z) * down]])
 
 
 def _film(z, x) -> np.ndarray:

@@ -40,9 +40,6 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import kernel, unpack
-from stiction.engine.regime import Regime, columns
-from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
 from stiction.contact.layered.asperity import (
     EDGED,
     PLAIN,
@@ -53,6 +50,9 @@ from stiction.contact.layered.asperity import (
     pulled_off,
     touch,
 )
+from stiction.engine.compiled import kernel, unpack
+from stiction.engine.regime import Regime, columns
+from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
 from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
 from stiction.laws.joining import Law, normal_states
 from stiction.laws.piece import NormalPiece

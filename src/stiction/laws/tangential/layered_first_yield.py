@@ -11,8 +11,8 @@ N_f(s,q)=Y_f\quad\text{or}\quad N_s(s,q)=Y_s,\qquad T=q\,\pi a^2,\qquad Y_f=n_HY
 $$
 
 whichever comes first. $N$ is a norm in $(s,q)$ that depends on $a/t$ and the elastic constants; it is tabulated once for each
-pair of materials, over 61 directions and 27 radii, to 0.2 % in the mean and 3 % at worst, where another place becomes the first.
-Its largest over all directions around the axis is exact: the worst place may lie beside the plane of symmetry.
+pair of materials, over 61 directions and 27 radii, to 0.2 % in the mean and 3 % at worst, where another place becomes the
+first. Its largest over all directions around the axis is exact: the worst place may lie beside the plane of symmetry.
 
 What it says of films: a soft film yields in the middle of the surface that is dragged; a stiff one is bent by its load, and
 yields where it meets the body below the axis ($a\approx t$), or, on wider contacts, where it is stretched over the body as a
@@ -75,7 +75,7 @@ RECORD = TangentialLaw(
     ),
     tangential_resistance=tangential_resistance,
     layered=True,
-    verified="stresses: Hamilton's for like materials, waves solved as six equations, equilibrium; first yield by a denser search",
+    verified="stresses: Hamilton's for like materials, plane waves, equilibrium; first yield by a denser search of space",
     needs=("hardness_group", "nu", "hardness_to_yield"),
     accuracy=1e-3,
     limits=(Limit("hamilton_1983", {}, ("friction_force",), 1e-9),),
@@ -83,6 +83,6 @@ RECORD = TangentialLaw(
         "Hertz": "the traction is in proportion to the pressure of a sphere that is pressed",
         "no adhesion": "adhesion changes the pressure and its stresses",
     },
-    notes="Of a coated asperity, the largest shear force without yield anywhere in film or body. A film law that takes film and "
-    "body as two half-spaces gets Hamilton's force for each. The counterbody is taken not to yield.",
+    notes="Of a coated asperity, the largest shear force without yield anywhere in film or body. A film law that takes film "
+    "and body as two half-spaces gets Hamilton's force for each. The counterbody is taken not to yield.",
 )

@@ -2,8 +2,8 @@ r"""Tangential force at which an adhesive contact on a film peels: the energy ba
 
 *Assumes*: the edge of an adhesive contact is a crack in mixed mode, which peels where $G_N+\zeta\,G_T=\gamma$, as in
 [`savkoor_briggs_1977`](#savkoor_briggs_1977); the contact stays round. *Source*: [savkoor_briggs_1977] for the balance;
-[mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, in place of which the layered contact's own is solved
-(`contact/layered/shear`). With the stiffnesses $S$, $S_T$ and their derivatives by the radius,
+[mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, in place of which the layered contact's own is
+solved (`contact/layered/shear`). With the stiffnesses $S$, $S_T$ and their derivatives by the radius,
 
 $$
 G_N=\frac{(P_H-P)^2}{4\pi a}\frac{S'}{S^2},\qquad G_T=\frac{T^2}{4\pi a}\frac{S_T'}{S_T^2}=\frac{\beta T^2}{32\pi a^3}(1-e),
@@ -76,6 +76,6 @@ RECORD = TangentialLaw(
     takes=("peeling",),
     accuracy=1e-4,
     limits=(Limit("savkoor_briggs_1977", {}, ("friction_force",), 1e-9),),
-    notes="Slip resistance alone: no yield. `peeling` is zeta in G_N + zeta G_T = gamma, as of savkoor_briggs_1977. Asperities that "
-    "are no longer elastic resist nothing. A film law that takes film and body as two half-spaces gets the half-space's force of each.",
+    notes="Slip resistance alone: no yield. `peeling` is zeta in G_N + zeta G_T = gamma, as of savkoor_briggs_1977. Asperities "
+    "that are no longer elastic resist nothing. A film law that takes film and body as two half-spaces gets that law's force.",
 )

@@ -4,9 +4,9 @@ Under the load P and a shear force T the edge of a contact on the radius a relea
 
     G = (P_H - P)^2 S'/(4 pi a S^2) + zeta T^2 S_T'/(4 pi a S_T^2),    S_T = 8 a/beta,    S_T'/S_T^2 = (1 - e) beta/(8 a^2),
 
-S_T the tangential stiffness and e = d ln beta/d ln a. In equilibrium G is the work of adhesion: where T grows at the same P, the
-contact shrinks, up to the largest T at which there is such a radius. With c = (P_H - P)/L, L the pull that JKR's contact has on that
-radius, this is the largest of T^2 = 32 pi n_g u^6/(theta zeta K beta (1 - e)) (1 - c^2) over c from 0 to 1.
+S_T the tangential stiffness and e = d ln beta/d ln a. In equilibrium G is the work of adhesion: where T grows at the same P,
+the contact shrinks, up to the largest T at which there is such a radius. With c = (P_H - P)/L, L the pull that JKR's contact
+has on that radius, this is the largest of T^2 = 32 pi n_g u^6/(theta zeta K beta (1 - e)) (1 - c^2) over c from 0 to 1.
 """
 
 import math
@@ -114,8 +114,8 @@ def _fill(rows, root, curves, first, out):
 
 
 def peelings(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Where the curve starts, and its coefficients, columns (n,), for the JKR asperity of a film law that solves film and body as
-    one; and the coordinate (n,) at which the force vanishes, or the first. groups: complete, of contacts with a film."""
+    """Where the curve starts, and its coefficients, columns (n,), for the JKR asperity of a film law that solves film and body
+    as one; and the coordinate (n,) at which the force vanishes, or the first. groups: complete, of contacts with a film."""
     laws, first = len(groups), np.ascontiguousarray(piece.edges[:, 0])
     different, which = bodies_of(groups)
     shapes = np.array([shear_curve(one) for one in different])[which]

@@ -32,7 +32,8 @@ _STEP, _LEAST, _MOST = 1.06, 1e-9, 1e30
 
 @formula
 def _norms_at(p, table, angle, film_strength, film):
-    """N over the yield stress of the body at p = (a/t)^(1/2), in a direction of ANGLES: of film or body, whichever is larger."""
+    """N over the yield stress of the body at p = (a/t)^(1/2), in a direction of ANGLES: of film or body, whichever is
+    larger."""
     place = min((1.0 + (p - 1.0) / (p + 1.0)) * _PER_PLACE, 2.0 * _PER_PLACE - 1e-9) if p < 1e15 else 2.0 * _PER_PLACE - 1e-9
     at = int(place)
     share = place - at
@@ -66,8 +67,8 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
     @kernel
     def fill(rows, scale, root, film_strength, film, which, tables, place, out):
-        """place[i]: the coordinate where the load alone yields, what ln(1 + p) counts p in, and 1 over ln(1 + p) there; out[i]: the
-        square of the traction at the knots."""
+        """place[i]: the coordinate where the load alone yields, what ln(1 + p) counts p in, and 1 over ln(1 + p) there;
+        out[i]: the square of the traction at the knots."""
         for i in range(scale.size):
             row, table = unpack(rows[i], parameters), tables[which[i]]
             low = high = _LEAST
@@ -102,8 +103,8 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def strengths(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """For the elastic piece of a film law that solves film and body as one: where the load alone yields, what `strength_at` counts
-    the coordinate in, 1 over its ln(1 + p) there, and the coefficients, columns (n,); and the
+    """For the elastic piece of a film law that solves film and body as one: where the load alone yields, what `strength_at`
+    counts the coordinate in, 1 over its ln(1 + p) there, and the coefficients, columns (n,); and the
     coordinates (n, k) of its bends. groups: complete, of contacts with a film."""
     laws = len(groups)
     different, which = bodies_of(groups)

@@ -14,7 +14,8 @@ PIECES = 56
 
 @lru_cache(maxsize=1)
 def to_coefficients() -> np.ndarray:
-    """From values at the PIECES + 1 knots to the PIECES + 3 coefficients of the B-splines (a matrix): not-a-knot at both ends."""
+    """From values at the PIECES + 1 knots to the PIECES + 3 coefficients of the B-splines (a matrix): not-a-knot at both
+    ends."""
     knots = np.arange(-3.0, PIECES + 4.0)
     basis = BSpline(knots, np.eye(PIECES + 3), 3)
     third = basis.derivative(3)
