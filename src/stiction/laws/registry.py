@@ -143,7 +143,8 @@ class RoughSurface(Record):
     carried, not a number where that is not known: curve then takes separations (n, H), too, and does not adhere; or
     area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation.
     of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
-    found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it.
+    found. on_film: a theory in closed form of surfaces with a film, which it cannot do without; others know none.
+    up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it.
     regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
     that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
     """
@@ -154,6 +155,7 @@ class RoughSurface(Record):
     default_film: str = ""
     film_by_option: Mapping[str, str] = field(default_factory=dict)
     takes_surface_moments: bool = False
+    on_film: bool = False
     up_to_full_contact: bool = False
     regimes: Callable | None = None
     curve: Callable | None = None

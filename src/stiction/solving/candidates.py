@@ -26,7 +26,7 @@ def candidates(subject: Subject) -> list[Candidate]:
     a coated contact those with their own film law, or the one that suits all; and every other film law by itself."""
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
-    found = [Candidate(key, Choice(key)) for key in models]
+    found = [Candidate(key, Choice(key)) for key, model in models.items() if subject.has_film or not model.on_film]
     found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
     if not subject.has_film:
         return found

@@ -239,7 +239,7 @@ class ClosedForm(Problem):
 
     @property
     def effects(self) -> list[str]:
-        return ["plasticity"] if "hardness_group" in self.record.needs else []
+        return ["plasticity"] * ("hardness_group" in self.record.needs) + ["the film"] * self.record.on_film
 
     def on_branch(self, branch: str) -> "ClosedForm":
         return self

@@ -29,7 +29,9 @@ from scipy.special import erf
 
 from stiction.surfaces.boundary_elements.operators import components
 
-__all__ = ["MapSlopes", "by_moments", "by_ranks", "by_top_slopes", "map_slopes"]
+__all__ = ["MapSlopes", "by_moments", "by_ranks", "by_top_slopes", "map_slopes", "width_by_moments",
+    "widened",
+]
 
 _BINS = 1024
 _POWER = 1.207
@@ -96,7 +98,12 @@ def widened(pressure, c):
 
 def by_moments(pressure: float, slopes: MapSlopes) -> float:
     """(2): share of the area in contact; pressure: mean, over E* h', > 0. Gaussian isotropic surfaces."""
-    return float(widened(pressure, 0.601 - 0.066 * math.log(slopes.alpha)))
+    return float(widened(pressure, width_by_moments(slopes.alpha)))
+
+
+def width_by_moments(alpha):
+    """c of (2)."""
+    return 0.601 - 0.066 * np.log(alpha)
 
 
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
