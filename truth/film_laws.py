@@ -54,7 +54,7 @@ LAWS = {
     ("ogilvy_1993", ""): Choice(PLAIN, film="ogilvy_1993"),
 }
 DEPENDS_ON_RADIUS = {"sequential"}
-MODULI = (0.1, 0.2, 0.5, 0.8, 1.25, 2.0, 5.0, 10.0)
+MODULI = (0.005, 0.01, 0.03, 0.1, 0.2, 0.5, 0.8, 1.25, 2.0, 5.0, 10.0, 30.0, 100.0)
 WIDTHS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0)
 RADII = (1e-3, 1e-2, 1e-1)  # thickness over radius
 BY_MODULUS, BY_THICKNESS = (0.1, 0.32, 1.0, 3.2, 10.0), (0.15, 0.5, 1.5, 5.0)

@@ -38,7 +38,6 @@ from stiction.laws.film.shared.layered_rows import coefficients
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
 from stiction.laws.sources import Source
-from stiction.surfaces.boundary_elements.area_estimates import widened, width_by_moments
 from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, require_gaussian
 
 # a k, with the powers of area and modulus.
@@ -137,6 +136,8 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
+    from stiction.surfaces.boundary_elements.area_estimates import widened, width_by_moments  # slow to import
+
     density = groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     c = width_by_moments(bandwidth(density))

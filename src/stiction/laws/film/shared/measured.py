@@ -11,15 +11,24 @@ import math
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["MAP_COLUMNS", "ON_A_SPHERE", "ON_MAPS", "SPHERE_COLUMNS", "OnMaps", "OnSphere", "on_a_sphere", "on_maps"]
+__all__ = [
+    "MAP_COLUMNS", "MEASURED", "MEASURED_ON_MAPS", "ON_A_SPHERE", "ON_MAPS", "SPHERE_COLUMNS", "OnMaps", "OnSphere", "on_a_sphere", "on_maps",
+    "summary",
+]  # fmt: skip
 
 ON_A_SPHERE, ON_MAPS = (Path(__file__).with_name(f"measured_on_{name}.csv") for name in ("a_sphere", "maps"))
 SPHERE_COLUMNS = ("law", "options", "thickness_over_radius", "n_E", "a_over_t", "area", "load")
 MAP_COLUMNS = ("law", "options", "n_E", "n_E_to", "thickness", "thickness_to", "mean", "rms", "count")
+# In the summary of a law: moduli and widths, and the thickness over the radius where that counts.
+_SHOWN = (0.1, 0.5, 2.0, 10.0), (0.1, 0.5, 1.0, 2.0, 5.0, 20.0)
+_SHOWN_RADIUS = 1e-3
+# Ends of what was measured, on a sphere and on maps.
+MEASURED = {"n_E": (0.005, 100.0), "a_over_t": (0.05, 20.0)}
+MEASURED_ON_MAPS = {"n_E": (0.1, 10.0), "thickness_over_shortest_wave": (0.15, 5.0)}
 _MARGIN = 1.001  # of a table's ends, for rounding
 
 
@@ -62,6 +71,23 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
         here = (n_E >= low / _MARGIN) & (n_E <= high * _MARGIN) & (thickness >= thin / _MARGIN) & (thickness <= thick * _MARGIN)
         out[:, here] = [[mean], [rms]]
     return OnMaps(*out)
+
+
+def summary(law: str) -> list[dict[str, Any]]:
+    """A law's errors on a sphere for tables: for each of its options, at every n_E and a/t that is shown, the errors of the area
+    at given load and of the load at given approach. Nothing where it was
+    not measured."""
+    found = []
+    for key, options in _sphere():
+        if key == law:
+            chosen = dict([options.split(" ", 1)]) if options else {}
+            n_E, width = np.meshgrid(*map(np.array, _SHOWN), indexing="ij")
+            sphere = on_a_sphere(law, chosen, n_E, width, np.full(n_E.shape, _SHOWN_RADIUS))
+            assert sphere is not None
+            found.append(
+                {"options": options, "n_E": _SHOWN[0], "a_over_t": _SHOWN[1], "area": sphere.area - 1.0, "load": sphere.load - 1.0}
+            )
+    return found
 
 
 def _of(table: Mapping, law: str, options: Mapping[str, str]):
