@@ -98,8 +98,7 @@ def thickness_over_wave(groups: Groups) -> np.ndarray:
 def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
     """E_P at a/t over the modulus of the bodies without film. curve: its coefficients (n, TERMS), n_E: (n,), a_over_t: (n, ...)."""
     more = a_over_t.ndim - 1
-    root = np.sqrt(a_over_t)
-    z = np.where(np.isfinite(root), (root - 1.0) / (root + 1.0), 1.0) if np.isinf(root).any() else (root - 1.0) / (root + 1.0)
+    z = 1.0 - 2.0 / (np.sqrt(a_over_t) + 1.0)
     sums = np.zeros_like(z)
     for term in range(TERMS - 1, -1, -1):
         sums = sums * z + curve[(slice(None), term, *(None,) * more)]
