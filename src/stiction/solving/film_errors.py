@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from stiction.laws.film.shared.measured import MEASURED, MEASURED_ON_MAPS, OnMaps, on_a_sphere, on_maps
-from stiction.laws.rough_surface.rough_on_film import thickness_over_wave
 from stiction.solving.problem import Problem
 
 __all__ = ["as_attributes", "film_errors", "in_words", "off_by", "read_film_errors"]
@@ -70,6 +69,8 @@ def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, Any]]
     groups = problem.groups.resolved()
     if groups.roughness_parameter is None or groups.film_aspect is None:
         return None, {}
+    from stiction.laws.rough_surface.rough_on_film import thickness_over_wave  # which a bare contact does without
+
     thickness = thickness_over_wave(groups)
     near = {"n_E": _ends(groups.n_E), "thickness_over_shortest_wave": _ends(thickness)}
     return on_maps(law, problem.options, groups.n_E, thickness), near

@@ -21,7 +21,6 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
-from stiction.laws.rough_surface.rough_on_film import STIFF, thickness_over_wave
 from stiction.solving.problem import Problem
 
 # Pull-off force of a sphere over gamma R at the most (Derjaguin, Muller & Toporov 1975); JKR's is 3/4 of it.
@@ -59,6 +58,8 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
     if groups.sharpness is not None and groups.has_film and groups.film_aspect is not None:
         found["thickness_over_radius"] = groups.film_aspect * groups.sharpness
     if groups.has_film and groups.film_aspect is not None and groups.roughness_parameter is not None:
+        from stiction.laws.rough_surface.rough_on_film import STIFF, thickness_over_wave  # which a bare contact does without
+
         whole = groups.resolved()
         found["stiff_film_over_wave"] = np.where(whole.n_E >= STIFF, thickness_over_wave(whole), np.nan)
     return found

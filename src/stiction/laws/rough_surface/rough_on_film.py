@@ -161,7 +161,7 @@ RECORD = RoughSurface(
     up_to_full_contact=True,
     verified="maps solved by boundary elements on a film, elastic and with hardness; closed limits of no film and of nothing but film",
     needs=(
-        "hardness_group", "roughness_parameter", "n_E", "n_H", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu",
+        "hardness_group", "roughness_parameter", "nu", "n_E", "n_H", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu",
         "counter_nu",
     ),
     validity=(

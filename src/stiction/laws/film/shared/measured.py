@@ -56,7 +56,8 @@ def on_a_sphere(
     if found is None:
         return None
     radii, places, table = found
-    given = [np.log(np.asarray(one, dtype=float)) for one in (n_E, a_over_t, thickness_over_radius)]
+    with np.errstate(divide="ignore"):  # of no contact
+        given = [np.log(np.asarray(one, dtype=float)) for one in (n_E, a_over_t, thickness_over_radius)]
     values = [_between(table[..., column], [*places, radii], given) for column in range(2)]
     return OnSphere(*(np.exp(one) for one in values))
 
