@@ -15,7 +15,7 @@ from stiction.laws.claims import Validity
 from stiction.laws.proportion import OUT_OF_PROPORTION
 from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.quantities.dimensions import aligned
-from stiction.solving.problem import Problem
+from stiction.solving.problem import Problem, lost_in_rounding
 from stiction.solving.state import state_of
 
 # A theory that ends at full contact ends there to rounding.
@@ -57,6 +57,20 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
 def doubts_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[Doubt]:
     """Every doubt about these normalised results: of the records that answer, and of the rules for all of them."""
     return without_repeats(doubts_about(problem.subject, _rules_for(problem), _known(problem, results)))
+
+
+def doubts_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Doubt]:
+    """The doubt, if there is one, that normalised loads asked for are lost in rounding; arrays of one shape."""
+    lost = lost_in_rounding(carried, asked)
+    if not lost.any():
+        return []
+    where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
+    off = np.abs(carried[lost] / asked[lost] - 1.0).max()
+    why = (
+        f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the "
+        f"load that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
+    )
+    return [Doubt(why, kind="impossible")]  # for the load asked for, nothing was found
 
 
 # What a point of a curve may be: as its model claims; outside of a range; not possible at all.

@@ -9,16 +9,17 @@ from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
-from stiction.laws.validity import Doubt, with_doubts
+from stiction.laws.validity import with_doubts
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
 from stiction.quantities.units import axis, from_series
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice, without_old_names
+from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.method_spread import with_measured
-from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_problem, with_surface_moments
+from stiction.solving.problem import Problem, as_asked, make_problem, with_surface_moments
 from stiction.solving.results import as_dataset, as_variables, summary_of, with_shares
 
 if TYPE_CHECKING:
@@ -129,19 +130,11 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
 def _with_carried(data: "xarray.Dataset", carried: np.ndarray, asked: np.ndarray, beside: tuple | None) -> "xarray.Dataset":
     """The dataset with the doubt that loads asked for are lost in rounding, where any are, and with the loads that are carried
     beside those asked for, where these are a coordinate."""
-    lost = lost_in_rounding(carried, asked)
-    if not lost.any():
-        return data
-    if beside is not None:
+    doubts = doubts_of_rounding(carried, asked)
+    if doubts and beside is not None:
         dims, values, attributes = beside
         data["load_carried"] = (dims, values, attributes | {"long_name": "net normal load that is carried"})
-    where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
-    off = np.abs(carried[lost] / asked[lost] - 1.0).max()
-    why = (
-        f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the "
-        f"load that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
-    )
-    return with_doubts(data, [Doubt(why)])
+    return with_doubts(data, doubts)
 
 
 def convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:

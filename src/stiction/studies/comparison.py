@@ -17,7 +17,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving import film_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import doubtful_points, doubts_of_results
+from stiction.solving.conditions import doubtful_points, doubts_of_results, doubts_of_rounding
 from stiction.solving.inversion import Unreachable, separations_at
 from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
@@ -144,7 +144,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         at_load = _at_working_load(problem, situation.target, answer)
     if at_load or situation.target is None:  # of a load that is not carried there is nothing to doubt
         judged = at_load or {name: table[None, :] for name, table in curve.items()}
-        answer.outside = doubts_of_results(problem, judged)
+        answer.outside = answer.outside + doubts_of_results(problem, judged)
         answer.film_off = film_errors.off_by(problem, judged)
         answer.film_errors = film_errors.as_attributes(problem, judged)["measured_error"]
         answer.adhesion = _largest(state_of(problem, at_load).get("adhesion_share")) if at_load else np.inf
@@ -189,7 +189,9 @@ def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[st
         if problem.needs_load:
             return problem.at_load(wanted)
         h = separations_at(problem, wanted).h
-        return {"mean_separation": h} | as_asked(problem.at(h), wanted)
+        results = problem.at(h)
+        answer.outside = doubts_of_rounding(results["load"], wanted)
+        return {"mean_separation": h} | as_asked(results, wanted)
     except Unreachable as error:
         high, low = (problem.subject.show(load * unit, "load", 4) for load in (error.high, error.low))
         answer.why_not = f"{TOO_MUCH} {high}" if wanted.item() > error.high else f"carries loads above {low}"
