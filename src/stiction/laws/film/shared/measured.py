@@ -17,7 +17,7 @@ import numpy as np
 
 __all__ = [
     "MAP_COLUMNS", "MEASURED", "MEASURED_ON_MAPS", "ON_A_SPHERE", "ON_MAPS", "SPHERE_COLUMNS", "OnMaps", "OnSphere", "on_a_sphere", "on_maps",
-    "summary",
+    "summary", "summary_on_maps",
 ]  # fmt: skip
 
 ON_A_SPHERE, ON_MAPS = (Path(__file__).with_name(f"measured_on_{name}.csv") for name in ("a_sphere", "maps"))
@@ -75,9 +75,8 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
 
 
 def summary(law: str) -> list[dict[str, Any]]:
-    """A law's errors on a sphere for tables: for each of its options, at every n_E and a/t that is shown, the errors of the area
-    at given load and of the load at given approach. Nothing where it was
-    not measured."""
+    """A law's errors on a sphere for tables: for each of its options, at every n_E and a/t that is shown, the relative errors of
+    the area at given load and of the load at given approach. Nothing where it was not measured."""
     found = []
     for key, options in _sphere():
         if key == law:
@@ -87,6 +86,19 @@ def summary(law: str) -> list[dict[str, Any]]:
             assert sphere is not None
             found.append(
                 {"options": options, "n_E": _SHOWN[0], "a_over_t": _SHOWN[1], "area": sphere.area - 1.0, "load": sphere.load - 1.0}
+            )
+    return found
+
+
+def summary_on_maps(law: str) -> list[tuple[str, float, float]]:
+    """For each of a law's options, the geometric mean of its area over that of all solved maps at given load, and the root mean
+    square of the logarithm. Nothing where it was not measured."""
+    found = []
+    for (key, options), rows in _maps().items():
+        if key == law:
+            mean, rms, count = np.array(rows)[:, 4:].T
+            found.append(
+                (options, float(np.exp(np.average(np.log(mean), weights=count))), float(np.average(rms**2, weights=count) ** 0.5))
             )
     return found
 
