@@ -79,7 +79,7 @@ def check(contact: st.Contact, **laws) -> None:
         assert does == (name not in named), (name, named)
 
 
-@pytest.mark.parametrize("model", of_kind(RoughSurface))
+@pytest.mark.parametrize("model", [key for key, one in of_kind(RoughSurface).items() if one.of_map is None])
 def test_of_a_contact(model):
     check(BARE.replace(coating=FILM) if of_kind(RoughSurface)[model].on_film else BARE, model=model)
 

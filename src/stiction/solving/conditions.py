@@ -26,6 +26,11 @@ def _any(problem: Problem) -> bool:
     return True
 
 
+def _by_numbers(problem: Problem) -> bool:
+    """The contact of a map does not depend on the asperities that are found in it: its own record says what it needs."""
+    return problem.record.of_map is None
+
+
 def _of_asperities(problem: Problem) -> bool:
     """Theories that hold up to full contact know that contacts act on each other."""
     return not problem.record.up_to_full_contact
@@ -38,19 +43,19 @@ def _does_not_adhere(problem: Problem) -> bool:
 _FEW = "so few make no average: from one contact to the next their number alone scatters by 1/sqrt(n)"
 
 RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
-    *((rule, _any) for rule in OUT_OF_PROPORTION),
+    *((rule, _by_numbers) for rule in OUT_OF_PROPORTION),
     (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area is above the nominal one", "impossible"), _any),
     (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
     (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),
     (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
     (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),
-    (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _any),
-    (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _any),
-    (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _any),
-    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _any),
-    (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _any),
-    (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _any),
+    (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _by_numbers),
+    (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _by_numbers),
+    (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _by_numbers),
+    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _by_numbers),
+    (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _by_numbers),
+    (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _by_numbers),
 )  # fmt: skip
 
 

@@ -9,7 +9,8 @@ from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
-from stiction.laws.validity import with_doubts
+from stiction.laws.registry import RoughSurface, find
+from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
@@ -69,6 +70,8 @@ def solve(
         raise InputError(error.field, error.value, error.allowed + doubts) from None
     if measured is None:
         return data
+    if find(choice.model, RoughSurface).of_map is not None:
+        return with_doubts(data, map(Doubt, measured.doubts)).assign_attrs(measured.solvable.attributes())
 
     def solved(other: Contact, loads: Any) -> "xarray.Dataset":
         return _at_points(other, None, loads, choice, heights, threads)
@@ -114,17 +117,25 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     tables = with_shares(problem, tables)
     variables = as_variables(subject, tables, factors, dims)
     variables |= {} if found is None else convergence(found, dims)
-    if "mean_separation" in tables:
+    if "mean_separation" in tables and not problem.needs_load:
         variables |= pull_off_variables(problem, factors, found)
     coords = problem.coords | point_coordinates(point)
     if given in getattr(point, "dims", ()):
         coords[given] = (given, point.values, variables.pop(given)[2])
     data = as_dataset(variables, coords).assign_attrs(summary_of(subject, problem, tables))
     if found is None or carried is None:
-        return data
+        return _with_interruption(data)
     kept = as_variables(subject, {"load": carried}, factors, dims)["load"] if given in data.coords else None
     data = _with_carried(data, carried, wanted, kept)
     return data.assign_attrs(convergence=f"all separations converged in at most {found.evaluations} evaluations")
+
+
+def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
+    """The dataset with the doubt that not all loads were solved, where a solution was interrupted."""
+    missing = int(np.isnan(data["contact_area"].values).sum())
+    if not missing:
+        return data
+    return with_doubts(data, [Doubt(f"interrupted: {missing} of {data['contact_area'].size} loads were not solved")])
 
 
 def _with_carried(data: "xarray.Dataset", carried: np.ndarray, asked: np.ndarray, beside: tuple | None) -> "xarray.Dataset":
