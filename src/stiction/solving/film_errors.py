@@ -65,7 +65,8 @@ def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
     return row | {"error": _ends(found.mean - 1.0), "rms": float(np.nanmax(found.rms))}
 
 
-def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, Any]]:
+def _on_maps(problem: Problem, law: str, beyond: bool = False) -> tuple[OnMaps | None, dict[str, Any]]:
+    """What was measured, and near what; beyond: where nothing was measured, the nearest."""
     groups = problem.groups.resolved()
     if groups.roughness_parameter is None or groups.film_aspect is None:
         return None, {}
@@ -73,7 +74,10 @@ def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, Any]]
 
     thickness = thickness_over_wave(groups)
     near = {"n_E": _ends(groups.n_E), "thickness_over_shortest_wave": _ends(thickness)}
-    return on_maps(law, problem.options, groups.n_E, thickness), near
+    n_E = groups.n_E
+    if beyond:
+        n_E, thickness = (np.clip(one, *ends) for one, ends in zip((n_E, thickness), MEASURED_ON_MAPS.values(), strict=True))
+    return on_maps(law, problem.options, n_E, thickness), near
 
 
 def _ranges(ranges: Mapping[str, tuple[float, float]]) -> str:
@@ -106,8 +110,8 @@ def off_by(problem: Problem, results: Mapping[str, np.ndarray]) -> float:
         return 0.0
     width = a_over_t(problem, results)
     if width is None:
-        found, _ = _on_maps(problem, law)
-        return 0.0 if found is None or np.isnan(found.rms).all() else float(np.nanmax(found.rms)) / math.log(2.0)
+        found, _ = _on_maps(problem, law, beyond=True)
+        return 0.0 if found is None else float(np.nanmax(found.rms)) / math.log(2.0)
     n_E = np.broadcast_to(np.clip(problem.groups.n_E, *MEASURED["n_E"])[:, None], width.shape)
     sphere = on_a_sphere(law, problem.options, n_E, np.clip(width, *MEASURED["a_over_t"]), _over_radius(problem))
     if sphere is None or "load_elastic" not in results:
