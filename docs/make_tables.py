@@ -162,7 +162,7 @@ def section(model: dict) -> str:
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
     lines += [f"- In the limit: {departure}" for departure in model.get("departures", ())]
     lines += [f"- Only with asperity laws marked {trait}: {why}" for trait, why in model.get("wants", {}).items()]
-    lines += [f"- On a sphere, area at given load and load at given approach are off by: {one}" for one in model.get("measured_error", ())]
+    lines += [f"- On a sphere, area at given load and load at given approach are off by: {one}" for one in off_by(model)]
     lines += [f"- Marked: {', '.join(model['traits'])}"] if model.get("traits") else []
     lines += more(record)
     lines += [f"- Valid for: {rule}" for rule in model["validity"] or ["no range is stated"]]
@@ -170,6 +170,11 @@ def section(model: dict) -> str:
     lines += [f"- Options, the default first: {'; '.join(options)}"] if options else []
     lines += [f"- Note: {model['notes']}"] if model["notes"] else []
     return "\n".join(lines)
+
+
+def off_by(model: dict) -> list[str]:
+    """What was measured of a film law, in words."""
+    return model.get("measured_error", [])
 
 
 def more(record: Record) -> list[str]:
@@ -248,7 +253,8 @@ def film_errors_on_a_sphere() -> str:
             name = f"{link(model)}{', ' * bool(one['options'])}{one['options']}"
             for at, n_E in enumerate(one["n_E"]):
                 pairs = zip(one["area"][at], one["load"][at], strict=True)
-                rows.append((name if not at else "", f"{n_E:g}", *(f"{_percent(area)}, {_percent(load)}" for area, load in pairs)))
+                cells = (f"{_percent(area)}, {_percent(load)}" for area, load in pairs)
+                rows.append((name if not at else "", f"{n_E:g}", *cells))
             widths = one["a_over_t"]
     return table(("film law", "E_f/E_s", *(f"a/t = {width:g}" for width in widths)), rows)
 

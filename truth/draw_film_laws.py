@@ -1,6 +1,6 @@
 """Draws the pictures of docs/which-film-law.md: what film laws make of a sphere on a film, beside the exact solution.
 
-    python truth/draw_film_laws.py
+python truth/draw_film_laws.py
 """
 
 import math
@@ -65,7 +65,8 @@ def main() -> None:
     moduli = Figure(figsize=(12, 4.4), layout="constrained")
     for axes, n_E in zip(moduli.subplots(1, len(MODULI)), MODULI, strict=True):
         draw(axes, every[n_E], 0)
-        axes.set(title=f"E_f/E_s = {n_E:g}", xlabel="contact radius a over thickness t", ylim=(0.5 * min(n_E, 1), 2 * max(n_E, 1)))
+        ends = 0.5 * min(n_E, 1.0), 2.0 * max(n_E, 1.0)
+        axes.set(title=f"E_f/E_s = {n_E:g}", xlabel="contact radius a over thickness t", ylim=ends)
         if n_E == MODULI[0]:
             axes.set_ylabel("modulus 3PR/(4a^3) over the body's")
             axes.legend(fontsize=7)

@@ -5,8 +5,8 @@
 writes what records and results say of film laws, into the package, in a minute; rough surfaces are those of films.csv, which
 films.py makes. Everything is elastic, without adhesion, on one body against a rigid one.
 
-measured_on_a_sphere.csv: nu = 0.3 of film and body. For every law with its options, modulus of the film over that of the body and
-contact radius over thickness: area over the exact one at the exact load, load over the exact one at the exact approach.
+measured_on_a_sphere.csv: nu = 0.3 of film and body. For every law with its options, modulus of the film over that of the body
+and contact radius over thickness: area over the exact one at the exact load, load over the exact one at the exact approach.
 thickness_over_radius: empty where it does not count.
 
 measured_on_maps.csv: sums over asperities with the moments of the map (McCool), where the area is no more than a fifth of the
@@ -16,8 +16,10 @@ many solutions there are in the bin.
 """
 
 import csv
+import itertools
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 
 import films
@@ -122,10 +124,9 @@ def on_maps() -> Iterator[list]:
             area = problem.at(np.nan_to_num(separations_at(problem, load[:, None], refuse=False).h))["contact_area"][:, 0]
         off = np.log(math.pi * density * area / solved["area"])
         asked = np.full(len(off), True) if problem.needs_load else solved["area"] <= MOST_AREA
-        for low, high in zip(BY_MODULUS, BY_MODULUS[1:], strict=False):
-            for thin, thick in zip(BY_THICKNESS, BY_THICKNESS[1:], strict=False):
-                here = off[asked & _within(solved["modulus"], low, high) & _within(solved["thickness"], thin, thick)]
-                yield [key, options, low, high, thin, thick, math.exp(here.mean()), float(np.sqrt(np.mean(here**2))), len(here)]
+        for (low, high), (thin, thick) in itertools.product(pairwise(BY_MODULUS), pairwise(BY_THICKNESS)):
+            here = off[asked & _within(solved["modulus"], low, high) & _within(solved["thickness"], thin, thick)]
+            yield [key, options, low, high, thin, thick, math.exp(here.mean()), float(np.sqrt(np.mean(here**2))), len(here)]
 
 
 def _within(values: np.ndarray, low: float, high: float) -> np.ndarray:

@@ -46,7 +46,8 @@ def case_of(model, loads, folder):
 @pytest.mark.parametrize("tangential", (None, "bowden_tabor_1943"))
 @pytest.mark.parametrize("model", MODELS)
 def test_table_picture_and_json(model, tangential, tmp_path):
-    words = [case_of(model, '["0.1 N", "1 N", "10 N"]', tmp_path), "--model", model, *(["--tangential", tangential] if tangential else [])]
+    case = case_of(model, '["0.1 N", "1 N", "10 N"]', tmp_path)
+    words = [case, "--model", model, *(["--tangential", tangential] if tangential else [])]
     text = run(*words, "--out", tmp_path / "out")
     assert "contact area" in text and ("pull-off force" in text) == (model not in NO_SEPARATION)
     names = {path.name for path in (tmp_path / "out").iterdir()}

@@ -43,8 +43,8 @@ def exact_rows():
 
 
 def test_laws_whose_errors_are_in_closed_form():
-    """Half-spaces carry E a^3 4/(3R) at a^2/R. The body alone (ogilvy_1993): area (E_P/E_s)^(2/3), load D^(3/2)/(E_P/E_s) of what
-    it should be; the film alone (sequential, on asperities so blunt that it is not pressed through): E_f in place of E_s."""
+    """Half-spaces carry E a^3 4/(3R) at a^2/R. The body alone (ogilvy_1993): area (E_P/E_s)^(2/3), load D^(3/2)/(E_P/E_s) of
+    what it should be; the film alone (sequential, on asperities so blunt that it is not pressed through): E_f in place of E_s."""
     n_E, width, load, approach = exact_rows()
     for law, modulus in (("ogilvy_1993", n_E * load), ("sequential", load)):
         found = at(law, n_E, width)
@@ -197,7 +197,8 @@ def test_its_cost():
 
 def test_in_a_comparison():
     data = st.compare(coated(thickness=500e-9, interfacial_shear_strength="100 MPa"), load="0.1 N")
-    rows = {name: json.loads(data["measured_error"].sel(model=name).item()) for name in ("layered", "ogilvy_1993", "rough_on_film")}
+    laws = ("layered", "ogilvy_1993", "rough_on_film")
+    rows = {name: json.loads(data["measured_error"].sel(model=name).item()) for name in laws}
     assert rows["layered"][0]["error"][1] == pytest.approx(0.0, abs=5e-3)
     assert rows["ogilvy_1993"][0]["error"][1] < -0.2 and rows["rough_on_film"][0]["rms"] < 0.1
     assert float(data["cost"].sel(model="layered")) < float(data["cost"].sel(model="halling_1979"))

@@ -242,9 +242,7 @@ def test_nothing_is_recommended_where_a_contact_sticks_and_no_model_that_knows_i
     assert slight.attrs["recommended"] != "none"
 
 
-@pytest.mark.parametrize(
-    ("load", "recommended", "share"), (("1 N", ("rough_on_film",), 0), ("1 kN", ("none",), 1))
-)
+@pytest.mark.parametrize(("load", "recommended", "share"), (("1 N", ("rough_on_film",), 0), ("1 kN", ("none",), 1)))
 def test_validity_is_that_at_the_working_load(load, recommended, share):
     """The film law of the paper is for contact spots that are smaller than the film is thick: so they are under a light load
     and not under a heavy one, and the curves, pressed to a mean separation of -2 sigma, go through both. Silver is pressed flat

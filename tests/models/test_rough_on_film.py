@@ -35,7 +35,7 @@ def share_of(pressure, hardness, density, **film):
 
 
 def test_equations():
-    """The sphere of another solution of the integral equation, another sum over the spectrum, bisection: 0.2 % of the sphere."""
+    """The sphere of another solution of the integral equation, another sum over the spectrum, bisection: to 0.2 %."""
     rows = read("rough_on_film.csv")
     film = {name: column(rows, name) for name in ("n_E", "film_nu", "nu", "film_aspect")}
     found = share_of(*(column(rows, name) for name in ("pressure", "hardness", "density")), **film)
@@ -136,7 +136,7 @@ def test_a_solution_again(films):
 
 
 def test_doubts():
-    """Thin stiff films, and moduli with which nothing was compared; a bare contact, tension and another film law are refused."""
+    """Thin stiff films, and moduli with which nothing was compared; a bare contact, tension and a film law are refused."""
     film = {"n_E": 8.0, "n_H": 1.0, "tau": 1.0, "film_aspect": 0.05, "roughness_parameter": 0.06}
 
     def quantities(**more):
@@ -160,8 +160,8 @@ def test_many_contacts_are_each_by_itself():
     """Chunks and broadcasting: the same numbers one by one."""
     rng = np.random.default_rng(3)
     given = groups(
-        roughness_parameter=rng.uniform(0.035, 0.3, 50), hardness_group=rng.uniform(1.0, 50.0, 50), n_H=rng.uniform(0.2, 2.0, 50),
-        n_E=10.0 ** rng.uniform(-1, 1, 50), film_aspect=10.0 ** rng.uniform(-1, 1, 50), tau=1.0,
+        roughness_parameter=rng.uniform(0.035, 0.3, 50), hardness_group=rng.uniform(1.0, 50.0, 50),
+        n_H=rng.uniform(0.2, 2.0, 50), n_E=10.0 ** rng.uniform(-1, 1, 50), film_aspect=10.0 ** rng.uniform(-1, 1, 50), tau=1.0,
     )  # fmt: skip
     load = rng.uniform(0.0, 2.0, (50, 7))
     whole = area_at_load(load, given)

@@ -24,7 +24,8 @@ HURST = 0.8
 def spectrum(density):
     """Wavevectors times sqrt(R sigma), the shares of the mean square gradient, and Nayak's alpha.
 
-    Nayak's summits, R = sigma = 1: 1/R = (8/3) sqrt(m4/pi), N = m4/(6 pi sqrt(3) m2), sigma^2 = m0 - (1 + 16/pi - 27^(1/2)) m2^2/m4.
+    Nayak's summits, R = sigma = 1: 1/R = (8/3) sqrt(m4/pi), N = m4/(6 pi sqrt(3) m2),
+    sigma^2 = m0 - (1 + 16/pi - sqrt(27)) m2^2/m4.
     """
     m4 = 9 * math.pi / 64
     m2 = m4 / (6 * math.pi * math.sqrt(3) * density)

@@ -1,8 +1,8 @@
 r"""The area law of a rough surface with the modulus that a sphere as wide as its spots feels on the film: this project's own.
 
-*Assumes*: a Gaussian isotropic surface, frictionless and without adhesion; a film bonded to its body; pressure nowhere above the
-film's hardness, without hardening. *Source*: this project's own (grade B: its evidence are solved maps). The bare area law $F$ is
-that of moments in `surfaces/boundary_elements/area_estimates.py`, $p$ the mean pressure,
+*Assumes*: a Gaussian isotropic surface, frictionless and without adhesion; a film bonded to its body; pressure nowhere above
+the film's hardness, without hardening. *Source*: this project's own (grade B: its evidence are solved maps). The bare area law
+$F$ is that of moments in `surfaces/boundary_elements/area_estimates.py`, $p$ the mean pressure,
 
 $$
 \frac{A_\mathrm{el}}{A_n}=F\!\left(\frac p{E_\mathrm{eff}h'}\right),\qquad
@@ -18,8 +18,8 @@ $$
 \left(\frac A{A_n}\right)^{3.5}=\left(\frac{A_\mathrm{el}}{A_n}\right)^{3.5}+\left(\frac p{H_f}\right)^{3.5},\qquad A\le A_n
 $$
 
-*Spectrum*: of sigma, R and N only the moments are known; their surface is taken as self-affine, $S\propto k^{-2-2H}$ with $H=0.8$
-between two waves that give it these moments. A spectrum that was measured is taken in its place by `area_of_waves`.
+*Spectrum*: of sigma, R and N only the moments are known; their surface is taken as self-affine, $S\propto k^{-2-2H}$ with
+$H=0.8$ between two waves that give it these moments. A spectrum that was measured is taken in its place by `area_of_waves`.
 
 *Limit*: the bare area law, for a film of no thickness with the modulus of the bodies, for one without end with the film's own.
 *Check*: where film and bodies are alike, $p=0.05\,E^*h'$ and $F=G$ of Nayak's $\alpha=6.93$ ($NR\sigma=0.05$) as `by_moments`
@@ -62,8 +62,8 @@ class Waves(NamedTuple):
 def waves_of_moments(density: np.ndarray) -> Waves:
     """The self-affine surface that has the moments of N R sigma (n,), in units of sqrt(R sigma).
 
-    Between k_l and k_s = z k_l its integrals M_n of k^(n + 1) k^(-2 - 2 H) give Nayak's alpha = (3/2) M_0 M_4/M_2^2, which is z,
-    and m4/m2 = (3/4) M_4/M_2, which is 6 pi sqrt(3) N (Nayak 1971).
+    Between k_l and k_s = z k_l its integrals M_n of k^(n + 1) k^(-2 - 2 H) give Nayak's alpha = (3/2) M_0 M_4/M_2^2, from
+    which z follows, and m4/m2 = (3/4) M_4/M_2, which is 6 pi sqrt(3) N (Nayak 1971).
     """
     log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
     t, weight = np.polynomial.legendre.leggauss(_WAVES)
@@ -96,7 +96,7 @@ def thickness_over_wave(groups: Groups) -> np.ndarray:
 
 
 def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
-    """E_P at a/t over the modulus of the bodies without film. curve: its coefficients (n, TERMS), n_E: (n,), a_over_t: (n, ...)."""
+    """E_P at a/t (n, ...) over the modulus of the bodies without film. curve: its coefficients (n, TERMS); n_E: (n,)."""
     more = a_over_t.ndim - 1
     z = 1.0 - 2.0 / (np.sqrt(a_over_t) + 1.0)
     sums = np.zeros_like(z)
@@ -109,7 +109,7 @@ def area_of_waves(
     pressure: np.ndarray, bare: Callable[[np.ndarray], np.ndarray], waves: Waves, thickness: np.ndarray, groups: Groups
 ) -> np.ndarray:
     """Elastic area over the nominal one (n, H). pressure: mean, over E* h' of the bodies without film, (n, H), >= 0; bare: the
-    area law, of arrays like it; thickness: of one film (n,), in the unit of the waves; groups: complete, for film and bodies."""
+    area law, of arrays like it; thickness: of one film (n,), in the unit of the waves; groups: complete, of film and bodies."""
     curve, n_E = coefficients(groups)[:, 0], np.broadcast_to(groups.n_E, len(pressure))
     k = np.broadcast_to(waves.wavevector, (len(pressure), np.shape(waves.wavevector)[-1]))[:, None, :]
     share = np.broadcast_to(waves.share, k[:, 0].shape)[:, None, :]
@@ -159,16 +159,16 @@ RECORD = RoughSurface(
     takes_surface_moments=True,
     on_film=True,
     up_to_full_contact=True,
-    verified="maps solved by boundary elements on a film, elastic and with hardness; closed limits of no film and of nothing but film",
+    verified="maps solved by boundary elements on a film, elastic and with hardness; closed limits of no film and nothing else",
     needs=(
-        "hardness_group", "roughness_parameter", "nu", "n_E", "n_H", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu",
-        "counter_nu",
+        "hardness_group", "roughness_parameter", "nu", "n_E", "n_H", "film_aspect", "films", "coated_share", "layer_nu",
+        "coated_nu", "counter_nu",
     ),
     validity=(
         Validity("n_E", 0.1, 10.0, "films with which it was compared with solved maps", "fit"),
         Validity("stiff_film_over_wave", 0.15, math.inf, "under a thin film five times as stiff as the bodies its area is off"),
     ),
-    notes="The hardness is the film's, wherever it is: a soft film that a hard body confines bears more, and under a hard film the "
-    "body may yield first; neither is counted. Of sigma, R and N the spectrum is taken as self-affine with a Hurst exponent "
+    notes="The hardness is the film's, wherever it is: a soft film that a hard body confines bears more, and under a hard film "
+    "the body may yield first; neither is counted. Of sigma, R and N the spectrum is taken as self-affine with a Hurst exponent "
     "of 0.8.",
 )  # fmt: skip

@@ -29,9 +29,7 @@ from scipy.special import erf
 
 from stiction.surfaces.boundary_elements.operators import components
 
-__all__ = ["MapSlopes", "by_moments", "by_ranks", "by_top_slopes", "map_slopes", "width_by_moments",
-    "widened",
-]
+__all__ = ["MapSlopes", "by_moments", "by_ranks", "by_top_slopes", "map_slopes", "widened", "width_by_moments"]
 
 _BINS = 1024
 _POWER = 1.207

@@ -1,9 +1,9 @@
 """How far film laws were found from the truth, elastic: near a modulus and a thickness, as data.
 
-Two tables, made by `python truth/film_laws.py`: each law on one sphere against the exact solution of a sphere on a film; and sums
-over asperities of rough surfaces (and the area law of a surface on a film) against these surfaces solved by layered boundary
-elements. Ratios, interpolated as their logarithms over logarithms. Laws of films that flow are not in them: what squeezes a film
-out is solved nowhere here.
+Two tables, made by `python truth/film_laws.py`: each law on one sphere against the exact solution of a sphere on a film; and
+sums over asperities of rough surfaces (and the area law of a surface on a film) against these surfaces solved by layered
+boundary elements. Ratios, interpolated as their logarithms over logarithms. Laws of films that flow are not in them: what
+squeezes a film out is solved nowhere here.
 """
 
 import csv
@@ -16,8 +16,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 __all__ = [
-    "MAP_COLUMNS", "MEASURED", "MEASURED_ON_MAPS", "ON_A_SPHERE", "ON_MAPS", "SPHERE_COLUMNS", "OnMaps", "OnSphere", "on_a_sphere", "on_maps",
-    "summary", "summary_on_maps",
+    "MAP_COLUMNS", "MEASURED", "MEASURED_ON_MAPS", "ON_A_SPHERE", "ON_MAPS", "SPHERE_COLUMNS", "OnMaps", "OnSphere",
+    "on_a_sphere", "on_maps", "summary", "summary_on_maps",
 ]  # fmt: skip
 
 ON_A_SPHERE, ON_MAPS = (Path(__file__).with_name(f"measured_on_{name}.csv") for name in ("a_sphere", "maps"))
@@ -41,8 +41,8 @@ class OnSphere(NamedTuple):
 
 
 class OnMaps(NamedTuple):
-    """Area over that of solved maps at the same load: geometric mean, and root mean square of its logarithm; arrays alike, not a
-    number outside of what was measured."""
+    """Area over that of solved maps at the same load: geometric mean, and root mean square of its logarithm; arrays alike, not
+    a number outside of what was measured."""
 
     mean: np.ndarray
     rms: np.ndarray
@@ -75,8 +75,8 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
 
 
 def summary(law: str) -> list[dict[str, Any]]:
-    """A law's errors on a sphere for tables: for each of its options, at every n_E and a/t that is shown, the relative errors of
-    the area at given load and of the load at given approach. Nothing where it was not measured."""
+    """A law's errors on a sphere for tables: for each of its options, at every n_E and a/t that is shown, the relative errors
+    of the area at given load and of the load at given approach. Nothing where it was not measured."""
     found = []
     for key, options in _sphere():
         if key == law:
@@ -84,9 +84,8 @@ def summary(law: str) -> list[dict[str, Any]]:
             n_E, width = np.meshgrid(*map(np.array, _SHOWN), indexing="ij")
             sphere = on_a_sphere(law, chosen, n_E, width, np.full(n_E.shape, _SHOWN_RADIUS))
             assert sphere is not None
-            found.append(
-                {"options": options, "n_E": _SHOWN[0], "a_over_t": _SHOWN[1], "area": sphere.area - 1.0, "load": sphere.load - 1.0}
-            )
+            off = {"area": sphere.area - 1.0, "load": sphere.load - 1.0}
+            found.append({"options": options, "n_E": _SHOWN[0], "a_over_t": _SHOWN[1]} | off)
     return found
 
 
@@ -97,9 +96,8 @@ def summary_on_maps(law: str) -> list[tuple[str, float, float]]:
     for (key, options), rows in _maps().items():
         if key == law:
             mean, rms, count = np.array(rows)[:, 4:].T
-            found.append(
-                (options, float(np.exp(np.average(np.log(mean), weights=count))), float(np.average(rms**2, weights=count) ** 0.5))
-            )
+            whole = np.exp(np.average(np.log(mean), weights=count)), np.sqrt(np.average(rms**2, weights=count))
+            found.append((options, *map(float, whole)))
     return found
 
 
