@@ -44,7 +44,7 @@ def exact_rows():
 
 def test_laws_whose_errors_are_in_closed_form():
     """Half-spaces carry E a^3 4/(3R) at a^2/R. The body alone (ogilvy_1993): area (E_P/E_s)^(2/3), load D^(3/2)/(E_P/E_s) of
-    what it should be; the film alone (sequential, on asperities so blunt that it is not pressed through): E_f in place of E_s."""
+    what it should be; the film alone (sequential, while it is not pressed through): E_f in place of E_s."""
     n_E, width, load, approach = exact_rows()
     for law, modulus in (("ogilvy_1993", n_E * load), ("sequential", load)):
         found = at(law, n_E, width)

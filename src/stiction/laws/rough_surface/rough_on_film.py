@@ -169,6 +169,5 @@ RECORD = RoughSurface(
         Validity("stiff_film_over_wave", 0.15, math.inf, "under a thin film five times as stiff as the bodies its area is off"),
     ),
     notes="The hardness is the film's, wherever it is: a soft film that a hard body confines bears more, and under a hard film "
-    "the body may yield first; neither is counted. Of sigma, R and N the spectrum is taken as self-affine with a Hurst exponent "
-    "of 0.8.",
+    "the body may yield first; neither is counted. Of sigma, R and N the spectrum is taken as self-affine, Hurst exponent 0.8.",
 )  # fmt: skip

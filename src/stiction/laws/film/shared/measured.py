@@ -96,8 +96,8 @@ def summary_on_maps(law: str) -> list[tuple[str, float, float]]:
     for (key, options), rows in _maps().items():
         if key == law:
             mean, rms, count = np.array(rows)[:, 4:].T
-            whole = np.exp(np.average(np.log(mean), weights=count)), np.sqrt(np.average(rms**2, weights=count))
-            found.append((options, *map(float, whole)))
+            whole, scatter = np.exp(np.average(np.log(mean), weights=count)), np.sqrt(np.average(rms**2, weights=count))
+            found.append((options, float(whole), float(scatter)))
     return found
 
 
@@ -114,19 +114,19 @@ def _between(table: np.ndarray, places: list[np.ndarray], given: list[np.ndarray
     """Linear between the places along each axis; held beyond the ends of the last one, not a number beyond those of others."""
     shape = np.broadcast_shapes(*(np.shape(one) for one in given))
     left, share, inside = [], [], np.ones(shape, dtype=bool)
-    for axis, (place, one) in enumerate(zip(places, given, strict=True)):
+    for number, (axis, one) in enumerate(zip(places, given, strict=True)):
         one = np.broadcast_to(one, shape)
-        if axis < len(places) - 1:
-            inside &= (one >= place[0] - math.log(_MARGIN)) & (one <= place[-1] + math.log(_MARGIN))
-        at = np.clip(np.searchsorted(place, one) - 1, 0, max(len(place) - 2, 0))
+        if number < len(places) - 1:
+            inside &= (one >= axis[0] - math.log(_MARGIN)) & (one <= axis[-1] + math.log(_MARGIN))
+        at = np.clip(np.searchsorted(axis, one) - 1, 0, max(len(axis) - 2, 0))
         left.append(at)
-        width = place[np.minimum(at + 1, len(place) - 1)] - place[at]
-        share.append(np.clip(np.divide(one - place[at], width, out=np.zeros(shape), where=width > 0.0), 0.0, 1.0))
+        width = axis[np.minimum(at + 1, len(axis) - 1)] - axis[at]
+        share.append(np.clip(np.divide(one - axis[at], width, out=np.zeros(shape), where=width > 0.0), 0.0, 1.0))
     total = np.zeros(shape)
     for corner in np.ndindex(*(2,) * len(places)):
-        at = tuple(np.minimum(one + step, len(p) - 1) for one, step, p in zip(left, corner, places, strict=True))
+        place = tuple(np.minimum(one + step, len(p) - 1) for one, step, p in zip(left, corner, places, strict=True))
         weight = np.prod([s if step else 1.0 - s for s, step in zip(share, corner, strict=True)], axis=0)
-        total += np.where(weight > 0.0, weight * table[at], 0.0)
+        total += np.where(weight > 0.0, weight * table[place], 0.0)
     return np.where(inside, total, np.nan)
 
 
