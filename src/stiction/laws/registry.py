@@ -148,6 +148,7 @@ class RoughSurface(Record):
     area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation; with
     it, or None, area_on_map(load, groups, map), the same where the contact has a map (a HeightMap) that stands for both faces,
     and way(map or None) -> words, how the area is then found.
+    on_film: a theory in closed form of surfaces with a film, which it cannot do without; others know none.
     of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
     found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it. adheres:
     a theory without an asperity law that knows the attraction of the surfaces; of a sum its asperity law says that.
@@ -163,6 +164,7 @@ class RoughSurface(Record):
     default_film: str = ""
     film_by_option: Mapping[str, str] = field(default_factory=dict)
     takes_surface_moments: bool = False
+    on_film: bool = False
     up_to_full_contact: bool = False
     adheres: bool = False
     regimes: Callable | None = None

@@ -317,7 +317,9 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
     beta = problem.groups.pressure_coefficient
     if beta is None or "pressure_coefficient" not in (*tangential.needs, *tangential.takes):
         return error
-    friction, load = (np.asarray(results[name], dtype=float).reshape(len(problem.groups), -1) for name in ("friction_force", "load"))
+    friction, load = (
+        np.asarray(results[name], dtype=float).reshape(len(problem.groups), -1) for name in ("friction_force", "load")
+    )
     of_load = np.reshape(beta, (-1, 1)) * load
     solved = (friction - of_load) * np.exp(-error.reshape(load.shape)) + of_load
     return np.log(friction / solved).ravel()

@@ -160,7 +160,8 @@ class ClosedForm(Problem):
     @property
     def effects(self) -> list[str]:
         plasticity = "hardness_group" in self.record.needs
-        return [name for name, there in (("adhesion", self.adheres), ("plasticity", plasticity)) if there]
+        known = ("adhesion", self.adheres), ("plasticity", plasticity), ("the film", self.record.on_film)
+        return [name for name, there in known if there]
 
     def on_branch(self, branch: str) -> "ClosedForm":
         return self

@@ -133,7 +133,9 @@ def _drawn(found: Designing) -> np.ndarray:
     plan = found.plan
     counts = [len(one.entries) for one in plan.options]
     ways = int(np.prod(counts)) if counts else 1
-    centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(-1, len(counts))
+    centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(
+        -1, len(counts)
+    )
     if not plan.free:
         return centres[:: max(1, ways // 20_000)]
     each = 2 ** max(2, int(np.ceil(np.log2(max(4.0, 256.0 / ways)))))
@@ -170,7 +172,9 @@ def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) 
             break
 
 
-def _judged(found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> tuple[np.ndarray, np.ndarray]:
+def _judged(
+    found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell
+) -> tuple[np.ndarray, np.ndarray]:
     answers = _ask(found, shares, tell)
     return answers.wishes[:, number], _beyond(answers.wishes, answers.worst, number, ceiling)
 
@@ -267,7 +271,11 @@ def _dataset(found: Designing) -> "xarray.Dataset":
     data = xarray.Dataset(_columns(found, best, "design"), coords={"design": np.arange(len(best))})
     if len(found.plan.wishes) == 2:
         front = found.front()
-        chosen = front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))] if front.size else front
+        chosen = (
+            front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))]
+            if front.size
+            else front
+        )
         more = {f"front_{name}": column for name, column in _columns(found, chosen, "front").items()}
         data = data.merge(xarray.Dataset(more, coords={"front": np.arange(len(chosen))}))
     _, wishes, worst, _ = found.archive.table()
@@ -301,7 +309,9 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
     _, _, worst, _ = found.archive.table()
     plan = found.plan
     unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
-    said = "" if worst[best[0]] <= TOLERANCE else f"no design keeps the limits; the nearest is beyond them by {worst[best[0]]:.3g}"
+    said = (
+        "" if worst[best[0]] <= TOLERANCE else f"no design keeps the limits; the nearest is beyond them by {worst[best[0]]:.3g}"
+    )
     return {
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",

@@ -90,7 +90,9 @@ class Space:
 
     def way(self, shares: np.ndarray) -> np.ndarray:
         """Which entries of the lists designs take (n, lists)."""
-        return np.column_stack([one.index(shares[:, at]) for at, one in enumerate(self.plan.options)] or [np.zeros(len(shares), int)])
+        return np.column_stack(
+            [one.index(shares[:, at]) for at, one in enumerate(self.plan.options)] or [np.zeros(len(shares), int)]
+        )
 
     def answers(self, shares: np.ndarray) -> Answers:
         """What is known of designs (n, d). Those that are refused are far beyond all limits."""
@@ -167,7 +169,10 @@ class Space:
         shape = (len(some), len(next(iter(self._sampled().values()))) if self.plan.uncertain else 1, load.sizes.get("load", 1))
         groups = subject.all_groups()
         tables = {name: self._table(name, solved, groups, shape, subject) for name in self.names}
-        wishes = [_wished(wish, tables[wish.quantity], target) for wish, target in zip(self.plan.wishes, self.plan.targets, strict=True)]
+        wishes = [
+            _wished(wish, tables[wish.quantity], target)
+            for wish, target in zip(self.plan.wishes, self.plan.targets, strict=True)
+        ]
         broken = [_beyond(limit.low, limit.high, tables[limit.quantity]) for limit in self.plan.limits]
         broken.append(_as_table(*solved.doubts[:1], _outside(solved, self.plan.validity), shape))
         return Answers(

@@ -109,7 +109,9 @@ def _dataset(found: Fitting) -> "xarray.Dataset":
 def _parameters(one: Fitted) -> dict[str, tuple]:
     along = ("parameter",)
     free = [x.free for x in one.parameters]
-    ends = np.array([[float(f.at(np.asarray(end))) for end in (p.low, p.high)] for f, p in zip(free, one.profiles, strict=True)])
+    ends = np.array(
+        [[float(f.at(np.asarray(end))) for end in (p.low, p.high)] for f, p in zip(free, one.profiles, strict=True)]
+    )
     points = max(len(p.shares) for p in one.profiles)
     rise, value = np.full((2, len(free), points), np.nan)
     for at, (f, p) in enumerate(zip(free, one.profiles, strict=True)):

@@ -147,7 +147,9 @@ def _solved(plan, one, content, arrays, numbers, names) -> tuple[Pointwise, dict
         warnings.simplefilter("ignore", InputDoubt)
         case = case_of(with_numbers(content, {**first, **along, **arrays}), {})
         keep = ["contact_area" if name == "contact_resistance" else name for name in names]
-        solved = solve_pointwise(case.subject, one.forward.choice, separation=case.separation, load=case.load, keep=[*keep, "load"])
+        solved = solve_pointwise(
+            case.subject, one.forward.choice, separation=case.separation, load=case.load, keep=[*keep, "load"]
+        )
     coords = {}
     for array in arrays.values():
         for name, value in getattr(array, "coords", {}).items():
@@ -168,5 +170,3 @@ def _of(solved: Pointwise, name: str, resistance: Any, sets: int) -> tuple[tuple
         size = np.broadcast_to(np.asarray(resistance, dtype=float).reshape(-1), (sets,)).reshape(-1, *[1] * len(order))
         ordered = np.divide(size, ordered, where=ordered > 0.0, out=np.full(ordered.shape, np.nan))
     return tuple(order), ordered
-
-

@@ -80,7 +80,11 @@ RECORD = RoughSurface(
     needs=("hardness_group", "roughness_parameter"),
     validity=(
         Validity(
-            "roughness_parameter", LEAST_DENSITY, float(density_of_bandwidth(WIDEST_BAND)), "no such surfaces were solved", "fit"
+            "roughness_parameter",
+            LEAST_DENSITY,
+            float(density_of_bandwidth(WIDEST_BAND)),
+            "no such surfaces were solved",
+            "fit",
         ),
     ),
     notes=(

@@ -30,7 +30,17 @@ from scipy.special import erf
 
 from stiction.surfaces.boundary_elements.operators import components
 
-__all__ = ["WIDEST_BAND", "MapSlopes", "by_moments", "by_ranks", "by_top_slopes", "map_slopes", "of_moments", "with_hardness"]
+__all__ = [
+    "WIDEST_BAND",
+    "MapSlopes",
+    "by_moments",
+    "by_ranks",
+    "by_top_slopes",
+    "map_slopes",
+    "of_moments",
+    "width_by_moments",
+    "with_hardness",
+]
 
 _BINS = 1024
 _POWER = 0.783
@@ -83,7 +93,9 @@ def _of_differences(heights, size):
     inner = (slice(2, -2), slice(2, -2))
     slope_y, slope_x = (np.moveaxis(_at_points(np.moveaxis(heights, axis, 0), pitch[axis], _FIRST), 0, axis) for axis in (0, 1))
     xy = float(np.mean(slope_y[:, 2:-2] * slope_x[2:-2, :]))
-    bend_y, bend_x = (np.moveaxis(_at_points(np.moveaxis(heights, axis, 0), pitch[axis] ** 2, _SECOND), 0, axis) for axis in (0, 1))
+    bend_y, bend_x = (
+        np.moveaxis(_at_points(np.moveaxis(heights, axis, 0), pitch[axis] ** 2, _SECOND), 0, axis) for axis in (0, 1)
+    )
     laplacian = float(np.mean(np.square(bend_y[:, 2:-2] + bend_x[2:-2, :])))
     return math.sqrt(xx + yy), 1.5 * float(np.var(heights[inner])) * laplacian / (xx + yy) ** 2, _lay(xx, yy, xy)
 
@@ -143,7 +155,12 @@ def with_hardness(elastic, pressure, hardness):
 
 def of_moments(pressure, alpha):
     """(2): share of the area in contact; pressure: mean, over E* h', >= 0; alpha: Nayak's. Gaussian isotropic surfaces."""
-    return widened(pressure, 0.617 - 0.041 * np.log(alpha))
+    return widened(pressure, width_by_moments(alpha))
+
+
+def width_by_moments(alpha):
+    """c of (2)."""
+    return 0.617 - 0.041 * np.log(alpha)
 
 
 def by_moments(pressure: float, slopes: MapSlopes) -> float:
