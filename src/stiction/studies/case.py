@@ -35,7 +35,7 @@ from stiction.studies.uncertain import (
     with_ranges,
 )
 
-__all__ = ["Case", "json_schema", "parse_case", "read_case"]
+__all__ = ["Case", "as_case", "json_schema", "parse_case", "read_case"]
 
 _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
 
@@ -185,10 +185,21 @@ def read_case(path, *, ranges: bool | None = None) -> Case:
     for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
     are no rough surface: sigma and R swapped, a metre of roughness.
     """
-    content = read_content(path)
-    if ranges is not None and isinstance(content.get("uncertainty", {}), Mapping):
-        content = {**content, "uncertainty": {**content.get("uncertainty", {}), "ranges": ranges}}
-    return parse_case(content, Path(path).parent)
+    return parse_case(_with(read_content(path), ranges), Path(path).parent)
+
+
+def as_case(given: Any, ranges: bool | None = None) -> Case:
+    """The case that is given: by the path of its file, as its tables, or as it is. ranges: as `read_case` has it, of the first
+    two. Raises InputError."""
+    if isinstance(given, Case):
+        return given
+    return parse_case(_with(given, ranges)) if isinstance(given, Mapping) else read_case(given, ranges=ranges)
+
+
+def _with(content: Mapping, ranges: bool | None) -> Mapping:
+    if ranges is None or not isinstance(content.get("uncertainty", {}), Mapping):
+        return content
+    return {**content, "uncertainty": {**content.get("uncertainty", {}), "ranges": ranges}}
 
 
 def read_content(path) -> dict[str, Any]:
