@@ -23,8 +23,8 @@ def compare(
     """Every applicable model on one contact: friction of each, their spread at the working load, and which to trust.
 
     A contact that states an interfacial_shear_strength gets a friction coefficient from models of contact only, too.
-    With --out: compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4), compare.png and spread.png: what is due to the
-    inputs, to the methods and to the models, each apart. Where the case names scans, also the spread of each model over the
+    With --out: compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4), compare.png and spread.png: what is due to
+    the inputs, to the methods and to the models, each apart. Where the case names scans, also the spread of each model over the
     methods of finding asperities; where numbers are uncertain, the band of each. A working load presses: it is above 0 N; where
     the middle one of the case is not, the nearest that is stands in, and without any there are only curves.
     """

@@ -25,11 +25,12 @@ def uncertainty_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """The friction coefficient over load with its band over what is uncertain; and where they are known, beside it, what it
     differs by."""
     spreads = "spread_factor" in data
-    figure = Figure(figsize=(11.5 if spreads else 7.0, 5.2), layout="constrained")
-    panels = figure.subplots(1, 2 if spreads else 1, squeeze=False)[0]
-    _band(panels[0], data)
+    figure = Figure(figsize=(12.5 if spreads else 7.0, 5.2), layout="constrained")
+    places = [["band", "spreads"], ["band", "factors"]] if spreads else [["band"]]
+    panels = figure.subplot_mosaic(places, height_ratios=[3, 1] if spreads else None)
+    _band(panels["band"], data)
     if spreads:
-        _spreads(panels[1], data)
+        _spreads(panels["spreads"], panels["factors"], data)
     figure.suptitle(heading(data, title), fontsize=11)
     return figure
 
@@ -77,36 +78,41 @@ def _scales(axes: Axes, x: np.ndarray, values: np.ndarray) -> None:
 def spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """What friction at the working load differs by, each apart: from where to where, and one bar of three colours."""
     figure = Figure(figsize=(7.5, 4.6), layout="constrained")
-    _spreads(figure.subplots(), data)
+    _spreads(*figure.subplots(2, 1, height_ratios=[3, 1]), data)
     figure.suptitle(title or "How far may this friction be trusted?", fontsize=11)
     return figure
 
 
-def _spreads(axes: Axes, data: "xarray.Dataset") -> None:
-    """Lines from low to high, one below the other, on an axis of mu; below them the bar: its lengths are the logarithms of the
-    factors, as long as the lines above."""
+def _spreads(axes: Axes, below: Axes, data: "xarray.Dataset") -> None:
+    """Bars from low to high, one below the other, on an axis of mu; and below them one bar of three colours, of the factors."""
     told = {str(name): data.sel(spread=name) for name in data["spread"].values}
     known = {name: one for name, one in told.items() if np.isfinite(float(one["spread_factor"]))}
     axes.set_xlabel(f"static friction coefficient ${QUANTITIES[_MU].latex}$ at the working load")
     if not known:
         say(axes, "nothing is uncertain")
+        below.set_axis_off()
         return
-    rows = len(known) + 1
     for at, (name, one) in enumerate(known.items()):
         low, high = float(one["spread_low"]), float(one["spread_high"])
-        axes.barh(rows - at, high - low, left=low, height=0.45, color=COLOURS[name], label=name)
-        text = f"{MEANINGS[name]}: {low:.3g} to {high:.3g}, a factor {float(one['spread_factor']):.3g}"
-        axes.annotate(text, (low, rows - at + 0.26), fontsize=8, va="bottom")
+        axes.barh(-at, high - low, left=low, height=0.4, color=COLOURS[name])
+        text = f"{MEANINGS[name]}: {low:.3g} to {high:.3g}"
+        axes.annotate(text, (0.02, -at + 0.24), xycoords=("axes fraction", "data"), fontsize=8, va="bottom")
     nominal = float(data.attrs["spread_around"])
     axes.axvline(nominal, color="black", linewidth=1.0)
-    left = start = min(float(one["spread_low"]) for one in known.values())
-    for name, one in known.items():
-        width = left * (float(one["spread_factor"]) - 1.0)
-        axes.barh(1, width, left=left, height=0.45, color=COLOURS[name])
-        left += width
-    axes.annotate("the factors one after another", (start, 1.26), fontsize=8, va="bottom")
-    axes.set_xscale("log")
-    ends = [start, left, nominal, *(float(one["spread_high"]) for one in known.values())]
-    axes.set(xlim=(min(ends) / 1.3, max(ends) * 1.6), ylim=(0.5, rows + 0.8), yticks=[])
-    finish(axes)
-    axes.grid(False, axis="y")
+    ends = [nominal, *(float(one[f"spread_{end}"]) for one in known.values() for end in ("low", "high"))]
+    axes.set(xscale="log", xlim=(min(ends) / 1.2, max(ends) * 1.2), ylim=(0.4 - len(known), 0.7), yticks=[])
+    _factors(below, {name: float(one["spread_factor"]) for name, one in known.items()})
+    for panel in (axes, below):
+        finish(panel)
+        panel.grid(False, axis="y")
+
+
+def _factors(axes: Axes, factors: dict[str, float]) -> None:
+    """One bar: the factors one after another, each as long as its logarithm."""
+    left = 1.0
+    for name, factor in factors.items():
+        axes.barh(0.0, left * (factor - 1.0), left=left, height=0.6, color=COLOURS[name], label=f"{name}: {factor:.3g}")
+        left *= factor
+    axes.set(xscale="log", xlim=(1.0, max(1.1 * left, 1.2)), ylim=(-0.5, 1.2), yticks=[])
+    axes.set_xlabel("by what factor it differs, one after another")
+    axes.legend(fontsize=8, ncols=3, loc="upper left", framealpha=0.9)
