@@ -26,7 +26,7 @@ def uncertainty_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     differs by."""
     spreads = "spread_factor" in data
     figure = Figure(figsize=(12.5 if spreads else 7.0, 5.2), layout="constrained")
-    places = [["band", "spreads"], ["band", "factors"]] if spreads else [["band"]]
+    places: Any = [["band", "spreads"], ["band", "factors"]] if spreads else [["band"]]
     panels = figure.subplot_mosaic(places, height_ratios=[3, 1] if spreads else None)
     _band(panels["band"], data)
     if spreads:
@@ -78,7 +78,8 @@ def _scales(axes: Axes, x: np.ndarray, values: np.ndarray) -> None:
 def spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """What friction at the working load differs by, each apart: from where to where, and one bar of three colours."""
     figure = Figure(figsize=(7.5, 4.6), layout="constrained")
-    _spreads(*figure.subplots(2, 1, height_ratios=[3, 1]), data)
+    above, below = figure.subplots(2, 1, height_ratios=[3, 1])
+    _spreads(above, below, data)
     figure.suptitle(title or "How far may this friction be trusted?", fontsize=11)
     return figure
 

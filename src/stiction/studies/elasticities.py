@@ -106,7 +106,7 @@ def _slopes(found: Draws, name: str, inputs: int) -> tuple[np.ndarray, np.ndarra
     """Extrapolated slope of ln y over ln x (inputs, *shape), and how far that is from the narrower difference."""
     table = found.tables[name]
     y = table.reshape(inputs, len(_STENCIL), *table.shape[1:])
-    positive = (y > 0.0).all(axis=1)
+    positive = np.asarray(np.all(y > 0.0, axis=1))
     logs = np.log(np.where(positive[:, None], y, 1.0))
     wide, narrow = (logs[:, 3] - logs[:, 0]) / (2.0 * _WIDTH), (logs[:, 2] - logs[:, 1]) / _WIDTH
     slope = np.where(positive, narrow + (narrow - wide) / 3.0, np.nan)

@@ -53,8 +53,8 @@ def sobol_indices(values: np.ndarray) -> Indices:
     rest = [one[:, good] for one, good in zip(values, known, strict=True)]
     whole = np.concatenate(rest, axis=1)
     if min(one.shape[1] for one in rest) < 2 or not known.mean() >= 0.5:
-        nothing = np.full((2, columns), np.nan)
-        return Indices(nothing[0], *nothing, nothing[0], *nothing, 0)
+        nothing = np.full(columns, np.nan)
+        return Indices(nothing, nothing, nothing, nothing, nothing, nothing, 0)
     estimate, points = _estimated(whole)
     each = np.array([_estimated(one)[0] for one in rest])
     wide = _T * each.std(axis=0, ddof=1) / np.sqrt(len(each))
@@ -116,4 +116,5 @@ def effects(points: np.ndarray, values: np.ndarray) -> Effects:
     rest = np.maximum(count - 1, 1)
     deviation = np.sqrt(np.where(known, (each - middle) ** 2, 0.0).sum(axis=0) / rest)
     scatter = np.sqrt(np.where(known, (np.abs(each) - size) ** 2, 0.0).sum(axis=0) / rest)
-    return Effects(size, scatter / np.sqrt(np.maximum(count, 1)), middle, np.where(enough, deviation, np.nan))
+    error = np.where(enough, scatter / np.sqrt(np.maximum(count, 1)), np.nan)
+    return Effects(size, error, middle, np.where(enough, deviation, np.nan))

@@ -10,7 +10,7 @@ from stiction.studies.recommendation import COST_UNIT
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["SPREADS", "ends_of_band", "ends_of_models", "spreads_of_comparison", "with_spreads"]
+__all__ = ["SPREADS", "ends_of_band", "ends_of_models", "spreads_of_comparison", "weights_of_models", "with_spreads"]
 
 # What a result may differ by.
 SPREADS = ("inputs", "methods", "models")
@@ -55,13 +55,27 @@ def ends_of_band(band: "xarray.DataArray") -> list[float]:
 
 def ends_of_models(data: "xarray.Dataset", coverage: float) -> list[float]:
     """Between which friction coefficients at the working load this share of the weight of the models is, of the family that is
-    recommended; nothing where there are none. The weights are those of the recommendation."""
+    recommended; nothing where there are none."""
+    names, weights = weights_of_models(data)
+    if not names:
+        return []
+    mu = data[_MU].sel(model=names).values
+    order = np.argsort(mu)
+    below = np.cumsum(weights[order])
+    ends = ((1.0 - coverage) / 2.0, (1.0 + coverage) / 2.0)
+    return [float(mu[order][min(int(np.searchsorted(below, share - 1e-12)), mu.size - 1)]) for share in ends]
+
+
+def weights_of_models(data: "xarray.Dataset", little: float = 0.0) -> tuple[list[str], np.ndarray]:
+    """Names and weights (models,), which sum to 1, of the models of the family that a comparison recommends; without those that
+    have less of the weight than `little`. None where no model is recommended. The weights are those of the recommendation."""
+    if data.attrs.get("recommended", "none") == "none":
+        return [], np.empty(0)
     mu, cost = data[_MU].values, data["cost"].values
     counted = np.isfinite(mu) & np.isfinite(cost) & (data["family_of_curve"].values == data.attrs["family"])
     if not counted.any():
-        return []
-    order = np.argsort(mu[counted])
-    weights = np.exp(-(cost[counted] - cost[counted].min()) / COST_UNIT)[order]
-    below = np.cumsum(weights) / weights.sum()
-    ends = ((1.0 - coverage) / 2.0, (1.0 + coverage) / 2.0)
-    return [float(mu[counted][order][int(np.searchsorted(below, share - 1e-12))]) for share in ends]
+        return [], np.empty(0)
+    weights = np.exp(-(cost[counted] - cost[counted].min()) / COST_UNIT)
+    kept = weights >= little * weights.sum()
+    names = data["model"].values[counted][kept].tolist()
+    return names, weights[kept] / weights[kept].sum()
