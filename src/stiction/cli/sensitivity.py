@@ -1,5 +1,7 @@
 """`stiction sensitivity`: which input should be measured better."""
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -68,10 +70,9 @@ def _write(out: Path, data: "xarray.Dataset") -> list[str]:
         from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture
         from stiction.report.sensitivity_pictures import sensitivity_figure
 
-        along = {"sensitivity.csv": "input", "elasticities.csv": "number"}
-        files = {
-            name: lambda path, dim=dim: write_csv(data[[one for one in data.data_vars if dim in data[one].dims]], path)
-            for name, dim in along.items()
+        files: dict[str, Callable[[Path], None]] = {
+            name: partial(write_csv, data[[one for one in data.data_vars if dim in data[one].dims]])
+            for name, dim in (("sensitivity.csv", "input"), ("elasticities.csv", "number"))
             if dim in data.dims
         }
         files |= {

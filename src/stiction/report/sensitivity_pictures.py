@@ -95,7 +95,7 @@ def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         if np.isfinite(size[at]):
             axes.annotate(str(one["input"].values[at]), (size[at], deviation[at]), fontsize=8, xytext=(4, 4),
                           textcoords="offset points")  # fmt: skip
-    axes.set_xlim(0.0, 1.35 * max(float(np.nanmax(size)), 1e-9))
+    axes.set_xlim(0.0, 1.6 * max(float(np.nanmax(size)), 1e-9))
     axes.set(xlabel=f"mean size of its effect on ln {_symbol(name)}, from end to end", ylabel="deviation: it depends on others")
     axes.set_ylim(bottom=0.0)
     axes.set_title("effects of Morris", fontsize=10)

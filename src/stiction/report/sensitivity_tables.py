@@ -21,8 +21,10 @@ _HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", 
 
 
 def results_of(data: "xarray.Dataset", end: str) -> list[str]:
-    """The results of which there are such tables, by how their names end, friction first."""
-    return [name for name in _HEADS if f"{name}_{end}" in data]
+    """The results of which there are such tables, by how their names end, friction first; those of which nothing is known left
+    out, but for the first."""
+    there = [name for name in _HEADS if f"{name}_{end}" in data]
+    return there[:1] + [name for name in there[1:] if np.isfinite(data[f"{name}_{end}"].values).any()]
 
 
 def head_of(name: str) -> str:
@@ -51,14 +53,14 @@ def ranked(one: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
 
 
 def indices_table(data: "xarray.Dataset") -> Table:
-    """Sobol indices and Morris effects of friction (or the first result there is) at the working load, and of the others the total
-    indices; the most important input first."""
+    """Sobol indices and Morris effects of friction (or the first result there is) at the working load, and of the others the
+    total indices; the most important input first."""
     one, (first, *others) = at_working_load(data), results_of(data, "total_order")
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column(f"input, {of_point(data, working_place(data))}", no_wrap=True)
-    heads = [f"{_HEADS[first]}: total", "95 %", "first", "effect", *(f"{_HEADS[name]}: total" for name in others)]
+    table.add_column(f"{of_point(data, working_place(data))}\n", overflow="fold")
+    heads = [f"{_HEADS[first]}\ntotal", "\n95 %", "\nfirst", "\neffect", *(f"{_HEADS[name]}\ntotal" for name in others)]
     for head in heads:
-        table.add_column(head, justify="right")
+        table.add_column(head, justify="right", no_wrap=True)
     for at in ranked(one, first, "total_order", "input"):
         row = one.isel(input=int(at))
         low, high = (float(row[f"{first}_total_order_{end}"]) for end in ("low", "high"))
