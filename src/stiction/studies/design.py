@@ -22,7 +22,9 @@ __all__ = ["Archive", "Designing", "design", "plan_of_design", "run_design"]
 # Told how many designs were asked, and the best so far in words.
 Tell = Callable[[int, str], None]
 _FRONT = 12  # designs between the two ends of a front that are searched
-_POPULATION = 32
+_POPULATION = 24
+_WAYS = 12  # ways to choose from lists that are searched side by side
+_QUIET, _ALIKE = 8, 1e-10  # generations without gain, and spread of a population, at which a search ends
 _SHOWN = 200  # designs of a front at most
 _REFINED = 3  # ways to choose from lists whose numbers are refined
 
@@ -132,10 +134,12 @@ def _drawn(found: Designing) -> np.ndarray:
 
     plan = found.plan
     counts = [len(one.entries) for one in plan.options]
-    ways = int(np.prod(counts)) if counts else 1
+    if not counts:
+        return qmc.Sobol(len(plan.free), rng=plan.seed).random(256)
     centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(-1, len(counts))
+    ways = len(centres)
     if not plan.free:
-        return centres[:: max(1, ways // 20_000)]
+        return centres
     each = 2 ** max(2, int(np.ceil(np.log2(max(4.0, 256.0 / ways)))))
     points = qmc.Sobol(len(plan.free), rng=plan.seed).random(each)
     some = centres[:: max(1, ways // 512)]
@@ -144,35 +148,45 @@ def _drawn(found: Designing) -> np.ndarray:
 
 def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
     """Differential evolution (Storn & Price 1997) of one wish, designs that keep the limits before all that do not (Deb 2000), on
-    from the best that are known. ceiling: of the other wish."""
+    from the best that are known: for the best ways to choose from lists side by side. ceiling: of the other wish."""
     if not found.plan.free and found.archive.count:
         return  # every design was asked
     rng = np.random.default_rng([found.plan.seed, found.archive.count])
-    members = _seeds(found, number, ceiling)
-    size, d = members.shape
+    members = _seeds(found, number, ceiling, rng)
     goal, broken = _judged(found, number, ceiling, members, tell)
     quiet = 0
     for _ in range(found.plan.effort if ceiling is None else max(1, found.plan.effort // 3)):
-        one, two, three = (members[rng.permutation(size)] for _ in range(3))
-        leader = members[np.lexsort((goal, broken))[0]]
-        scale = rng.uniform(0.4, 0.9, (size, 1))
-        base = np.where(rng.random((size, 1)) < 0.5, leader, three)
-        mutant = base + scale * (one - two)
-        mutant = np.where((mutant < 0.0) | (mutant > 1.0), rng.random((size, d)), mutant)
-        cross = (rng.random((size, d)) < 0.8) | (np.arange(d) == rng.integers(0, d, (size, 1)))
-        trial = np.where(cross, mutant, members)
+        trial = _trials(members, goal, broken, rng)
+        trial[..., found.space.named] = members[..., found.space.named]
         now, beyond = _judged(found, number, ceiling, trial, tell)
         better = (beyond < broken) | ((beyond == broken) & (now <= goal))
         gain = bool(((beyond < broken) | (now < goal - 1e-9 * np.abs(goal)))[better].any())
         members[better], goal[better], broken[better] = trial[better], now[better], beyond[better]
         quiet = 0 if gain else quiet + 1
-        if quiet > 5 or (broken.max() <= 0.0 and np.ptp(goal) <= 1e-10 * np.abs(goal).max()):
+        if quiet > _QUIET or (broken.max() <= 0.0 and (np.ptp(goal, axis=1) <= _ALIKE * np.abs(goal).max(axis=1)).all()):
             break
 
 
+def _trials(members: np.ndarray, goal: np.ndarray, broken: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """New designs (ways, size, d) from differences of old ones, about the best of their way or any other."""
+    ways, size, d = members.shape
+    one, two, three = (rng.permuted(np.tile(np.arange(size), (ways, 1)), axis=1) for _ in range(3))
+    one, two, three = (np.take_along_axis(members, at[..., None], axis=1) for at in (one, two, three))
+    leader = np.array([np.lexsort((g, b))[0] for g, b in zip(goal, broken, strict=True)])
+    best = members[np.arange(ways), leader][:, None, :]
+    base = np.where(rng.random((ways, size, 1)) < 0.5, best, three)
+    mutant = base + rng.uniform(0.4, 0.9, (ways, size, 1)) * (one - two)
+    mutant = np.where(mutant < 0.0, 0.5 * base, np.where(mutant > 1.0, 0.5 * (1.0 + base), mutant))
+    cross = (rng.random(members.shape) < 0.8) | (np.arange(d) == rng.integers(0, d, (ways, size, 1)))
+    return np.where(cross, mutant, members)
+
+
 def _judged(found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> tuple[np.ndarray, np.ndarray]:
-    answers = _ask(found, shares, tell)
-    return answers.wishes[:, number], _beyond(answers.wishes, answers.worst, number, ceiling)
+    """Of designs (ways, size, d) the wish, and how far beyond limits and ceiling they are (ways, size)."""
+    answers = _ask(found, shares.reshape(-1, shares.shape[-1]), tell)
+    broken = _beyond(answers.wishes, answers.worst, number, ceiling)
+    goal = answers.wishes[:, number].reshape(shares.shape[:2]).copy()  # which changes, unlike what is kept
+    return goal, broken.reshape(shares.shape[:2])
 
 
 def _beyond(wishes: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
@@ -182,22 +196,19 @@ def _beyond(wishes: np.ndarray, worst: np.ndarray, number: int, ceiling: float |
     return np.where(total <= 0.5 * TOLERANCE, 0.0, total)
 
 
-def _seeds(found: Designing, number: int, ceiling: float | None) -> np.ndarray:
-    """The best that are known, not more than a third of them alike in what is taken from lists, and some at random."""
+def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> np.ndarray:
+    """For the best ways to choose from lists the best designs that are known, and some at random (ways, size, d)."""
     shares, wishes, worst, _ = found.archive.table()
     order = np.lexsort((wishes[:, number], _beyond(wishes, worst, number, ceiling)))
-    size = max(_POPULATION, 8 * found.space.dimension)
-    taken: list[int] = []
-    ways: dict[tuple, int] = {}
-    for at in order[: 50 * size]:
-        key = tuple(found.space.way(shares[at][None, :])[0])
-        if ways.get(key, 0) < max(4, size // 3):
-            ways[key] = ways.get(key, 0) + 1
-            taken.append(int(at))
-        if len(taken) == 3 * size // 4:
-            break
-    rng = np.random.default_rng([found.plan.seed, 1 + found.archive.count])
-    return np.concatenate([shares[taken], rng.random((size - len(taken), found.space.dimension))])
+    size = max(_POPULATION, 6 * found.space.dimension)
+    _, first, which = np.unique(found.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
+    members = []
+    for way in np.argsort(first)[:_WAYS]:
+        known = shares[order[which.ravel() == way][: size // 2]]
+        some = rng.random((size - len(known), found.space.dimension))
+        some[:, found.space.named] = known[0, found.space.named]
+        members.append(np.concatenate([known, some]))
+    return np.array(members)
 
 
 def _refined(found: Designing, number: int, tell: Tell) -> None:

@@ -88,9 +88,17 @@ class Space:
             found[free.path] = float(free.at(np.asarray(share)))
         return found
 
+    @property
+    def named(self) -> list[int]:
+        """Which of the unknowns are taken from lists of what is no number."""
+        return [at for at, one in enumerate(self.plan.options) if not one.is_number]
+
     def way(self, shares: np.ndarray) -> np.ndarray:
-        """Which entries of the lists designs take (n, lists)."""
-        return np.column_stack([one.index(shares[:, at]) for at, one in enumerate(self.plan.options)] or [np.zeros(len(shares), int)])
+        """Which entries of the lists designs (n, d) take (n, lists): of the lists of what is no number, or where there are none
+        of all."""
+        some = self.named or range(len(self.plan.options))
+        columns = [self.plan.options[at].index(shares[:, at]) for at in some]
+        return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
 
     def answers(self, shares: np.ndarray) -> Answers:
         """What is known of designs (n, d). Those that are refused are far beyond all limits."""
@@ -114,11 +122,9 @@ class Space:
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
         """Masks of designs that take the same of what is no number."""
-        way = self.way(shares)
-        named = [at for at, one in enumerate(self.plan.options) if not one.is_number]
-        if not named:
+        if not self.named:
             return [np.ones(len(shares), dtype=bool)]
-        _, group = np.unique(way[:, named], axis=0, return_inverse=True)
+        _, group = np.unique(self.way(shares), axis=0, return_inverse=True)
         return [group.ravel() == at for at in range(group.max() + 1)]
 
     def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[Any, Any]:
