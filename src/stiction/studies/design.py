@@ -31,7 +31,8 @@ _REFINED = 3  # ways to choose from lists whose numbers are refined
 
 @dataclass
 class Archive:
-    """Every design that was asked for: shares (n, d), wishes (n, w), how far beyond its limits each is (n,), and what is known."""
+    """Every design that was asked for: shares (n, d), wishes (n, w), how far beyond its limits each is (n,), and what is
+    known."""
 
     shares: list[np.ndarray] = field(default_factory=list)
     wishes: list[np.ndarray] = field(default_factory=list)
@@ -83,9 +84,9 @@ def design(case: Any, *, tell: Tell = lambda count, text: None) -> "xarray.Datas
     case: path of a case file with a table [design], or its tables as a dict. tell: told how many designs were asked, and the
     best so far.
 
-    Returns a labelled dataset: over `design` the best one for each way to choose from lists, the best of all first, with what is
-    chosen, what is wished and limited, `broken`, by how much the limits are broken, over their size, and `kept`; with two wishes
-    also over `front` the designs of which none is better in both. Raises InputError.
+    Returns a labelled dataset: over `design` the best one for each way to choose from lists, the best of all first, with what
+    is chosen, what is wished and limited, `broken`, by how much the limits are broken, over their size, and `kept`; with two
+    wishes also over `front` the designs of which none is better in both. Raises InputError.
     """
     return run_design(plan_of_design(case), tell, keep_on_interrupt=False).data()
 
@@ -136,7 +137,9 @@ def _drawn(found: Designing) -> np.ndarray:
     counts = [len(one.entries) for one in plan.options]
     if not counts:
         return qmc.Sobol(len(plan.free), rng=plan.seed).random(256)
-    centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(-1, len(counts))
+    centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(
+        -1, len(counts)
+    )
     ways = len(centres)
     if not plan.free:
         return centres
@@ -147,8 +150,8 @@ def _drawn(found: Designing) -> np.ndarray:
 
 
 def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
-    """Differential evolution (Storn & Price 1997) of one wish, designs that keep the limits before all that do not (Deb 2000), on
-    from the best that are known: for the best ways to choose from lists side by side. ceiling: of the other wish."""
+    """Differential evolution (Storn & Price 1997) of one wish, designs that keep the limits before all that do not (Deb
+    2000), on from the best that are known: for the best ways to choose from lists side by side. ceiling: of the other wish."""
     if not found.plan.free and found.archive.count:
         return  # every design was asked
     rng = np.random.default_rng([found.plan.seed, found.archive.count])
@@ -181,7 +184,9 @@ def _trials(members: np.ndarray, goal: np.ndarray, broken: np.ndarray, rng: np.r
     return np.where(cross, mutant, members)
 
 
-def _judged(found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> tuple[np.ndarray, np.ndarray]:
+def _judged(
+    found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell
+) -> tuple[np.ndarray, np.ndarray]:
     """Of designs (ways, size, d) the wish, and how far beyond limits and ceiling they are (ways, size)."""
     answers = _ask(found, shares.reshape(-1, shares.shape[-1]), tell)
     broken = _beyond(answers.wishes, answers.worst, number, ceiling)
@@ -251,8 +256,8 @@ def _best_ways(found: Designing, number: int) -> list[int]:
 
 
 def _search_front(found: Designing, tell: Tell) -> None:
-    """Designs between the best for either wish: the first wish, where the other is held below a ceiling (Haimes, Lasdon & Wismer
-    1971), for a row of ceilings."""
+    """Designs between the best for either wish: the first wish, where the other is held below a ceiling (Haimes, Lasdon &
+    Wismer 1971), for a row of ceilings."""
     front = found.front()
     if not front.size or not found.plan.free:
         return
@@ -264,7 +269,8 @@ def _search_front(found: Designing, tell: Tell) -> None:
 
 
 def _front(wishes: np.ndarray, worst: np.ndarray) -> np.ndarray:
-    """Numbers of those within the tolerance of which none is at least as good in both wishes and better in one, by the first."""
+    """Numbers of those within the tolerance of which none is at least as good in both wishes and better in one, by the
+    first."""
     kept = np.flatnonzero((worst <= TOLERANCE) & np.isfinite(wishes).all(axis=1))
     order = kept[np.lexsort((wishes[kept, -1], wishes[kept, 0]))]
     lowest = np.minimum.accumulate(np.concatenate([[np.inf], wishes[order, -1]]))[:-1]
@@ -278,7 +284,11 @@ def _dataset(found: Designing) -> "xarray.Dataset":
     data = xarray.Dataset(_columns(found, best, "design"), coords={"design": np.arange(len(best))})
     if len(found.plan.wishes) == 2:
         front = found.front()
-        chosen = front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))] if front.size else front
+        chosen = (
+            front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))]
+            if front.size
+            else front
+        )
         more = {f"front_{name}": column for name, column in _columns(found, chosen, "front").items()}
         data = data.merge(xarray.Dataset(more, coords={"front": np.arange(len(chosen))}))
     _, wishes, worst, _ = found.archive.table()
@@ -289,17 +299,19 @@ def _dataset(found: Designing) -> "xarray.Dataset":
 
 def _columns(found: Designing, rows: np.ndarray, along: str) -> dict[str, tuple]:
     """What was chosen and what it gives, of some of the archive."""
-    shares, _, worst, known = (one[rows] if not isinstance(one, dict) else one for one in found.archive.table())
+    shares, _, worst, known = found.archive.table()
+    shares, worst = shares[rows], worst[rows]
     columns: dict[str, tuple] = {}
     for at, one in enumerate(found.plan.unknowns):
         name = "load" if one.path == LOAD else one.name
         if isinstance(one, Options):
             index = one.index(shares[:, at])
-            values = [one.entries[int(i)] for i in index] if one.is_number else [one.words[int(i)] for i in index]
+            entries = one.entries if one.is_number else one.words
+            values = np.array([entries[int(i)] for i in index])
             said = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
         else:
-            values, said = list(one.at(shares[:, at])), dict(QUANTITIES[one.quantity].attributes)
-        columns[name] = (along, np.array(values), said)
+            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes)
+        columns[name] = (along, values, said)
     for name, values in known.items():
         if name not in columns:
             columns[name] = (along, values[rows], dict(QUANTITIES[name].attributes))
@@ -312,7 +324,9 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
     _, _, worst, _ = found.archive.table()
     plan = found.plan
     unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
-    said = "" if worst[best[0]] <= TOLERANCE else f"no design keeps the limits; the nearest is beyond them by {worst[best[0]]:.3g}"
+    said = (
+        "" if worst[best[0]] <= TOLERANCE else f"no design keeps the limits; the nearest is beyond them by {worst[best[0]]:.3g}"
+    )
     return {
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",

@@ -66,8 +66,7 @@ class Space:
         case = case_of(self.plan.content, {})
         given = {name: value for name, value in case.choice.arguments().items() if name != "model"}
         choice = choice_of(case.choice.model, given, subject)
-        point = {"load": float(np.ravel(getattr(load, "values", load))[0])}
-        solved = solve_pointwise(subject, choice, **point)
+        solved = solve_pointwise(subject, choice, load=float(load.values.flat[0]))
         for name in [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
                 raise InputError("design", name, f"a result that {choice.model} gives here, or a group of the contact")
@@ -173,9 +172,12 @@ class Space:
         shape = (len(some), len(next(iter(self._sampled().values()))) if self.plan.uncertain else 1, load.sizes.get("load", 1))
         groups = subject.all_groups()
         tables = {name: self._table(name, solved, groups, shape, subject) for name in self.names}
-        wishes = [_wished(wish, tables[wish.quantity], target) for wish, target in zip(self.plan.wishes, self.plan.targets, strict=True)]
+        wishes = [
+            _wished(wish, tables[wish.quantity], target)
+            for wish, target in zip(self.plan.wishes, self.plan.targets, strict=True)
+        ]
         broken = [_beyond(limit.low, limit.high, tables[limit.quantity]) for limit in self.plan.limits]
-        broken.append(_as_table(*solved.doubts[:1], _outside(solved, self.plan.validity), shape))
+        broken.append(_as_table(solved.doubts[0], _outside(solved, self.plan.validity), shape))
         return Answers(
             np.column_stack([_worst(one) for one in wishes]),
             np.column_stack([_worst(one) for one in broken]),
