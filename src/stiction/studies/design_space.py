@@ -187,7 +187,8 @@ class Space:
     def _table(self, name: str, solved: Pointwise, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
         """A result or a group (designs, samples, loads)."""
         if name in solved.variables:
-            return _as_table(*solved.variables[name][:2], shape)
+            dims, values, _ = solved.variables[name]
+            return _as_table(dims, values, shape)
         if name in YIELDED:
             return self._yielded(name, solved, shape, subject)
         value = groups[name] if name in groups else subject.known(name)

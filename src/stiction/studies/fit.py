@@ -213,8 +213,8 @@ def _errors_said(one: Fitted) -> str:
         return f"no errors were given: all values have one, {one.errors[0]:.3g} in SI units, by their scatter about the fit"
     if one.scale > 1.0:
         return (
-            f"the scatter about the fit is {one.scale:.2g} times the errors that were given, more than chance allows: the model or "
-            "the errors are wrong; intervals are for errors so much larger"
+            f"the scatter about the fit is {one.scale:.2g} times the errors that were given, more than chance allows: the "
+            "model or the errors are wrong; intervals are for errors so much larger"
         )
     return "as they were given; the scatter about the fit agrees with them"
 
