@@ -55,7 +55,7 @@ DECIDES = {
     ],
     "what kind": [answer("a", 0.9, doubt("fit")), answer("b", 0.2, doubt("effect"))],
     "few asperities meet all alike": [answer("a", 0.2, doubt("statistics", 1e3)), answer("b", 0.9, EFFECT)],
-    "what cannot be so has no say": [answer("a", 0.9, EFFECT, grade="C"), answer("b", 0.2, IMPOSSIBLE, grade="A")],
+    "what cannot be so has no say": [answer("a", 0.9, doubt(), grade="B"), answer("b", 0.2, IMPOSSIBLE, grade="A")],
     "the stated strength": [answer("a", 0.9, doubt(), of_interface=True, grade="C"), answer("b", 0.2, grade="A")],
     "not where it cannot be so": [answer("a", 0.9), answer("b", 0.2, IMPOSSIBLE, of_interface=True)],
     "the grade of two": [answer("a", 0.9, grade="A"), answer("b", 0.2, grade="C")],
@@ -164,6 +164,22 @@ def said(subject, load):
             left = [line for line in one["outside_validity"].item().split("; ") if line]
             told[str(name)] = len(left), one["grade"].item(), mu, left
     return told, data
+
+
+def test_what_is_possible_by_leaving_out_the_most_is_not_recommended():
+    """Where adhesion presses PDMS flat, the one model left was that whose Tabor parameter is out by a factor of a thousand."""
+    far, near = doubt("effect", 16.0, "tabor_parameter"), doubt("effect", 2.0, "tabor_parameter")
+    flat = answer("b", 5.0, IMPOSSIBLE)
+    nothing = recommend([answer("a", 0.2, far, adhesion=9.0), flat])
+    assert nothing.best is None and "better founded" in nothing.reason and nothing.advice
+    assert recommend([answer("a", 0.2, far, adhesion=9.0), answer("b", 5.0, IMPOSSIBLE, near, far)]).best is not None
+    assert recommend([answer("a", 0.2, doubt("fit", 2.0)), flat]).best is not None
+
+
+def test_a_load_lost_in_rounding_is_no_answer():
+    data = compare(st.Indices(theta=1.0, lam=10.0), load=1e-18)
+    lost = [("lost here in the rounding" in text) for text in data["outside_validity"].values]
+    assert any(lost) and np.isinf(data["cost"].values[lost]).all()
 
 
 def test_the_middle_of_those_that_are_within():

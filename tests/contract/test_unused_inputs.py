@@ -79,7 +79,7 @@ def check(contact: st.Contact, **laws) -> None:
         assert does == (name not in named), (name, named)
 
 
-@pytest.mark.parametrize("model", of_kind(RoughSurface))
+@pytest.mark.parametrize("model", [key for key, one in of_kind(RoughSurface).items() if one.of_map is None])
 def test_of_a_bare_contact(model):
     check(BARE, model=model)
 

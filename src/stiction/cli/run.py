@@ -156,7 +156,11 @@ def _print_run(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:
     terminal.print(run_summary(case, data), "", _table(case, data, all_rows), "")
     if not all_rows and not case.is_several and (text := rows_shown(data)):
         terminal.print(Text(text, style="dim"), "", sep="\n")
-    if case.measured is not None:
+    if "point_spacing" in data:
+        from stiction.report.surface_tables import map_notes
+
+        terminal.print(*map_notes(data), "", sep="\n")
+    elif case.measured is not None:
         from stiction.report.surface_tables import roughness_notes, roughness_table
 
         terminal.print(roughness_table(case.measured, data), *roughness_notes(case.measured), "", sep="\n")

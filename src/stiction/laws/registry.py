@@ -146,6 +146,8 @@ class RoughSurface(Record):
     found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it.
     regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
     that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
+    of_map(surface, contact, pressures, **own options) -> boundary_elements.curve.MapCurve: it solves the contact of a measured
+    HeightMap itself, with the film if there is one, at nominal pressures [Pa]; then it is neither a sum nor in closed form.
     """
 
     kind, keyword = "rough surface", "model"
@@ -159,6 +161,7 @@ class RoughSurface(Record):
     curve: Callable | None = None
     separation_near: Callable | None = None
     area_at_load: Callable | None = None
+    of_map: Callable | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

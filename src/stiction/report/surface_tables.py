@@ -113,6 +113,22 @@ def roughness_notes(measured: "Measured") -> list[Text]:
     return [Text(line, style="dim") for line in lines]
 
 
+def map_notes(data: "xarray.Dataset") -> list[Text]:
+    """What was done to the maps whose contact was solved, how well they are resolved, and both areas at the last load."""
+    last = data.isel({name: -1 for name in data["load"].dims})
+    every = int(last["point_spacing"])
+    lines = [
+        *data.attrs["scans"].splitlines(),
+        f"solved: {'every point' if every == 1 else f'every {every}th point along rows and columns'}, "
+        f"{float(last['points_in_shortest_wave']):.3g} points of the map in its shortest waves, "
+        f"{float(last['longest_waves_on_a_side']):.3g} of its longest on a side, gradient {float(last['map_gradient']):.3g}",
+        f"at {shown(float(last['load']), 'load', 3)}: area {shown(float(last['contact_area']), 'contact_area', 3)}, "
+        f"{shown(float(last['contact_area_pixels']), 'contact_area', 3)} counted in points; "
+        f"{float(last['load_share_plastic']):.1%} of the load on points that bear the hardness",
+    ]
+    return [Text(line, style="dim") for line in lines]
+
+
 def _table(*more: str) -> Table:
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("method", no_wrap=True)

@@ -62,7 +62,7 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
     presliding = find(choice.presliding, Presliding) if choice.presliding else None
     tangential = _tangential(choice.tangential or model.tangential)
     if not model.asperity:
-        _refuse_parts(choice, model, tangential, coated)
+        _refuse_parts(choice, model, tangential, coated and model.of_map is None)
         return Chosen(model, None, tangential, None, None, _options(choice, model, tangential), _ignored(choice, coated))
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
@@ -115,5 +115,8 @@ def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw
         raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
     if choice.presliding:
         raise InputError("presliding", choice.presliding, f"nothing: {model.key} knows no single asperities")
+    if model.of_map is not None and choice.film:
+        raise InputError("film", choice.film, f"nothing: {model.key} solves the film of the contact itself")
     if tangential is not None and not tangential.interfacial:
-        raise InputError("tangential", tangential.key, f"a law of the interface: {model.key} knows no single asperities")
+        why = "no single asperities" if model.of_map is None else "patches of contact of any shape, and no spheres"
+        raise InputError("tangential", tangential.key, f"a law of the interface: {model.key} knows {why}")

@@ -72,7 +72,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         **laws,
         **problem.options,
         "options": " ".join(problem.options),
-        "heights": problem.heights.key,
+        "heights": problem.heights_taken,
         "grade": max(record.grade for record in records),
         "sources": " ".join(used),
         **as_attributes(doubts_of_results(problem, tables)),

@@ -68,12 +68,16 @@ class Answer:
 
     @property
     def cost(self) -> float:
-        """How ill founded it is, 0 at the best, infinite where it cannot be so. The same limit said twice counts once."""
-        if self.impossible:
-            return math.inf
+        """How ill founded it is, 0 at the best, infinite where it cannot be so."""
+        return math.inf if self.impossible else self.cost_if_possible
+
+    @property
+    def cost_if_possible(self) -> float:
+        """The same of what its authors claim, whether or not the result can be so. The same limit said twice counts once."""
         worst: dict[str, float] = {}
         for doubt in self.outside:
-            worst[doubt.quantity] = max(worst.get(doubt.quantity, 0.0), self.cost_of(doubt))
+            if doubt.kind != "impossible":
+                worst[doubt.quantity] = max(worst.get(doubt.quantity, 0.0), self.cost_of(doubt))
         return COST_OF_GRADE[self.grade] + sum(worst.values())
 
     def cost_of(self, doubt: Doubt) -> float:
@@ -122,6 +126,8 @@ def recommend(answers: list[Answer]) -> Recommendation:
         return Recommendation(None, f"no model holds: {_why_none(able)}", advice=_advice(able))
     if all(map(_knows_nothing_of_the_pull, possible)):
         return Recommendation(None, f"no model holds: {_PULLED}; of the others {_why_none(able)}", advice=_MORE_THAN_THE_PULL)
+    if _share_of(possible, able) < _LITTLE:
+        return Recommendation(None, f"no model holds: {_BETTER_FOUNDED} {_why_none(able)}", advice=_advice(able))
     stated = any(one.of_interface for one in possible)
     family = sorted((one for one in possible if one.of_interface == stated), key=lambda one: (one.mu, one.candidate.name))
     weights = _weights(family)
@@ -132,6 +138,16 @@ def recommend(answers: list[Answer]) -> Recommendation:
     others = [one for one in possible if one.of_interface != stated]
     aside = _set_aside([one for one, weight in zip(family, weights, strict=True) if weight <= _LITTLE], able)
     return Recommendation(best, _reason(best, family, weights, others), low, high, FAMILIES[stated], set_aside=aside)
+
+
+# Said where only models are possible that owe it to what they leave out.
+_BETTER_FOUNDED = "the models that are possible leave out too much to be believed; of those that are better founded"
+
+
+def _share_of(possible: list[Answer], able: list[Answer]) -> float:
+    """The share of the weight that the possible answers would have, were those counted whose result cannot be so."""
+    weights = np.exp(-np.array([one.cost_if_possible for one in able]) / COST_UNIT)
+    return float(weights[[one in possible for one in able]].sum() / weights.sum())
 
 
 # Said where a contact sticks and the models that know it say what cannot be.

@@ -217,7 +217,9 @@ def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> Heig
         steps[0] = 1
     heights = np.ascontiguousarray(surface.heights[:: steps[0], :: steps[1]])
     size = tuple(n * k * pitch for n, k, pitch in zip(heights.shape, steps, surface.pitch, strict=True))
-    return surface.with_heights(heights, f"every {steps[0]}th row and {steps[1]}th column", (size[0], size[1]))
+    fewer = surface.with_heights(heights, f"every {steps[0]}th row and {steps[1]}th column", (size[0], size[1]))
+    whole = not any(count % step for count, step in zip(surface.heights.shape, steps, strict=True))
+    return fewer if whole else fewer.alone()
 
 
 def _labelled(xarray, surface, keys, cutoffs, numbers, words) -> "xarray.Dataset":
