@@ -16,7 +16,9 @@ if TYPE_CHECKING:
 
 @app.command()
 def design(
-    case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file with a table [design]: choices, wishes, limits.")],
+    case: Annotated[
+        Path, typer.Argument(metavar="CASE.toml", help="Case file with a table [design]: choices, wishes, limits.")
+    ],
     out: Out = None,
     json: Json = False,
 ) -> None:

@@ -22,13 +22,17 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     """The best for each choice from the lists; the front of two wishes, or how the search went."""
     figure = Figure(figsize=(11.0, 4.8), layout="constrained")
     left, right = figure.subplots(1, 2)
-    wishes = [one.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for one in data.attrs["wishes"].split("\n")]
+    wishes = [
+        one.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for one in data.attrs["wishes"].split("\n")
+    ]
     _bars(left, data, wishes[0])
     if len(wishes) == 2:
         _front(right, data, wishes)
     else:
         _search(right, data, wishes[0])
-    figure.suptitle("\n".join(filter(None, [data.attrs.get("case", ""), "; ".join(data.attrs["wishes"].split("\n"))])), fontsize=11)
+    figure.suptitle(
+        "\n".join(filter(None, [data.attrs.get("case", ""), "; ".join(data.attrs["wishes"].split("\n"))])), fontsize=11
+    )
     return figure
 
 
@@ -76,7 +80,13 @@ def _search(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
     axes.plot(1 + np.flatnonzero(there), value[there], color=ORANGE, linewidth=1.8, drawstyle="steps-post")
     axes.set_xscale("log")
     axes.set_xlabel("designs asked")
-    off = "distance from the target: " if " next to " in data.attrs["wishes"] else "less of " if "most " in data.attrs["wishes"] else ""
+    off = (
+        "distance from the target: "
+        if " next to " in data.attrs["wishes"]
+        else "less of "
+        if "most " in data.attrs["wishes"]
+        else ""
+    )
     axes.set_ylabel(("-" if off == "less of " else "") + ("" if off == "less of " else off) + _axis(wish))
     axes.set_title("best design so far that keeps all limits", fontsize=9)
     finish(axes)

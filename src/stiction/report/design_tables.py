@@ -71,5 +71,7 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 def design_rows(data: "xarray.Dataset", along: str) -> tuple[list[str], list[list[Any]]]:
     """Heads and rows for a file, in SI units."""
     columns = columns_of(data, along)
-    heads = [f"{name} [{unit}]" if (unit := data[one].attrs.get("units", "1")) != "1" else name for name, one in columns.items()]
+    heads = [
+        f"{name} [{unit}]" if (unit := data[one].attrs.get("units", "1")) != "1" else name for name, one in columns.items()
+    ]
     return heads, [[data[one].values[at].item() for one in columns.values()] for at in range(data.sizes[along])]

@@ -68,7 +68,9 @@ def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
     """Heads and rows of the table of free numbers, for a file."""
     keys = ["unit", "value", "low", "high", "open_low", "open_high", "standard_error"]
     names = data["parameter"].values.tolist()
-    rows = [[name, *(data[key].values[at].item() for key in keys), *data["correlation"].values[at]] for at, name in enumerate(names)]
+    rows = [
+        [name, *(data[key].values[at].item() for key in keys), *data["correlation"].values[at]] for at, name in enumerate(names)
+    ]
     return ["parameter", *keys, *(f"correlation with {name}" for name in names)], rows
 
 

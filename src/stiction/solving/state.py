@@ -58,6 +58,11 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
         found["rms_slope"] = groups.sharpness * np.sqrt(slope_squared)
     if groups.sharpness is not None and groups.has_film and groups.film_aspect is not None:
         found["thickness_over_radius"] = groups.film_aspect * groups.sharpness
+    if groups.has_film and groups.film_aspect is not None and groups.roughness_parameter is not None:
+        from stiction.laws.rough_surface.rough_on_film import STIFF, thickness_over_wave  # which a bare contact does without
+
+        whole = groups.resolved()
+        found["stiff_film_over_wave"] = np.where(whole.n_E >= STIFF, thickness_over_wave(whole), np.nan)
     return found
 
 

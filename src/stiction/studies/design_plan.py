@@ -46,15 +46,19 @@ class Wish(Input):
 
     @property
     def words(self) -> str:
-        return f"{self.quantity} next to {self.value}" if self.target else f"{'least' if self.minimise else 'most'} {self.quantity}"
+        return (
+            f"{self.quantity} next to {self.value}"
+            if self.target
+            else f"{'least' if self.minimise else 'most'} {self.quantity}"
+        )
 
 
 class Design(Input):
     """What is chosen, and what is wished of it.
 
     wish: one wish, or a list of two. choose: numbers of the contact and load with their ends, or lists of which one is taken.
-    limits: results with the ends between which they must be. validity: "claimed" where no range of validity may be left but those
-    that are about statistics, "possible" where none may be that makes a result impossible, "any".
+    limits: results with the ends between which they must be. validity: "claimed" where no range of validity may be left but
+    those that are about statistics, "possible" where none may be that makes a result impossible, "any".
     """
 
     wish: Any = Field(description='a wish, { minimise = "friction_coefficient" }, or a list of two')
@@ -121,14 +125,18 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
 
     table = content.get("design")
     if not isinstance(table, Mapping):
-        raise InputError("design", table, 'a table [design] with wish = { minimise = "friction_coefficient" } and [design.choose]')
+        raise InputError(
+            "design", table, 'a table [design] with wish = { minimise = "friction_coefficient" } and [design.choose]'
+        )
     try:
         design = Design(**table)
     except InputError as error:
         raise InputError(f"design.{error.field}", error.value, error.allowed) from None
     plain, several = opened(without_studies(content), folder)
     for path, one in several.items():
-        raise InputError(".".join(path), f"{one.values.size} numbers", "one number; of several one is chosen under [design.choose]")
+        raise InputError(
+            ".".join(path), f"{one.values.size} numbers", "one number; of several one is chosen under [design.choose]"
+        )
     plain = as_numbers(plain)
     free, options = _unknowns(design, plain)
     wishes, targets = _wishes(design)
@@ -155,7 +163,7 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
     for name, entry in flat(design.choose, "design.choose", lambda table: bool(table.keys() & {"low", "high"})):
         where = f"design.choose.{name}"
         path = _path(name, content, where)
-        if any(path == one.path for one in (*free, *options)):
+        if path in [one.path for one in free] + [one.path for one in options]:
             raise InputError(where, name, "each once")
         if isinstance(entry, list):
             options.append(_options(path, entry, where))
@@ -164,7 +172,9 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
         else:
             free.append(read_free(path, entry, where))
     if not free and not options:
-        raise InputError("design.choose", None, 'something to choose, e.g. coating.thickness = { low = "50 nm", high = "1 um" }')
+        raise InputError(
+            "design.choose", None, 'something to choose, e.g. coating.thickness = { low = "50 nm", high = "1 um" }'
+        )
     if len(free) > _MOST_FREE:
         raise InputError("design.choose", f"{len(free)} numbers with ends", f"{_MOST_FREE} at most")
     ways = int(np.prod([float(len(one.entries)) for one in options if not one.is_number] or [1.0]))
@@ -184,7 +194,9 @@ def _path(name: str, content: Mapping, where: str) -> tuple[str, ...]:
     named = {"coating.material", "coating.bodies", "material", "bodies", "first", "second"}
     film = isinstance(contact, Mapping) and "coating" in contact
     if table != "contact" or name not in named or (last in ("material", "bodies") and not film):
-        raise InputError(where, name, f"a number of the contact, first, second{', coating.material, coating.bodies' if film else ''}")
+        raise InputError(
+            where, name, f"a number of the contact, first, second{', coating.material, coating.bodies' if film else ''}"
+        )
     return (table, "coating", last) if last in ("material", "bodies") else (table, last)
 
 
@@ -229,7 +241,9 @@ def _limit(name: str, entry: Any) -> Limit:
     _check_quantity(name, where)
     if not isinstance(entry, Mapping) or not entry or entry.keys() - {"low", "high"}:
         unit = QUANTITIES[name].unit
-        raise InputError(where, entry, f'a table with low, high or both, e.g. {{ high = "1 {unit}" }}' if unit else "low, high or both")
+        raise InputError(
+            where, entry, f'a table with low, high or both, e.g. {{ high = "1 {unit}" }}' if unit else "low, high or both"
+        )
     low, high = (read_end(entry[end], name, f"{where}.{end}") if end in entry else np.nan for end in ("low", "high"))
     if np.isfinite(low) and np.isfinite(high) and low > high:
         raise InputError(where, [entry["low"], entry["high"]], "the low end first")

@@ -54,11 +54,12 @@ def fit(case: Any, data: Any, *, progress: Progress = lambda text: iter) -> "xar
     case: path of a case file with a table [fit], or its tables as a dict. data: path of a CSV file, see
     `stiction.studies.measurements.read_measurements`. progress: from a text, what wraps a list of steps.
 
-    Returns a labelled dataset: over `parameter` the best value, the 95 % interval `low`, `high` by the profile of the likelihood,
-    whether it is open at an end, `standard_error`, and `correlation`; `profile_value` and `profile_rise` of chi square; over `row`
-    what was measured, what the model says, and residuals; over `model` Akaike's criterion, weights, and errors of values left
-    out; and predictions with bands, `predicted_...`, `..._low`, `..._high`, over the points of [solve] and the numbers of
-    [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Raises InputError.
+    Returns a labelled dataset: over `parameter` the best value, the 95 % interval `low`, `high` by the profile of the
+    likelihood, whether it is open at an end, `standard_error`, and `correlation`; `profile_value` and `profile_rise` of chi
+    square; over `row` what was measured, what the model says, and residuals; over `model` Akaike's criterion, weights, and
+    errors of values left out; and predictions with bands, `predicted_...`, `..._low`, `..._high`, over the points of [solve]
+    and the numbers of [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Raises
+    InputError.
     """
     return run_fit(plan_of_fit(case, data), progress, keep_on_interrupt=False).data()
 
@@ -109,7 +110,9 @@ def _dataset(found: Fitting) -> "xarray.Dataset":
 def _parameters(one: Fitted) -> dict[str, tuple]:
     along = ("parameter",)
     free = [x.free for x in one.parameters]
-    ends = np.array([[float(f.at(np.asarray(end))) for end in (p.low, p.high)] for f, p in zip(free, one.profiles, strict=True)])
+    ends = np.array(
+        [[float(f.at(np.asarray(end))) for end in (p.low, p.high)] for f, p in zip(free, one.profiles, strict=True)]
+    )
     points = max(len(p.shares) for p in one.profiles)
     rise, value = np.full((2, len(free), points), np.nan)
     for at, (f, p) in enumerate(zip(free, one.profiles, strict=True)):
@@ -210,8 +213,8 @@ def _errors_said(one: Fitted) -> str:
         return f"no errors were given: all values have one, {one.errors[0]:.3g} in SI units, by their scatter about the fit"
     if one.scale > 1.0:
         return (
-            f"the scatter about the fit is {one.scale:.2g} times the errors that were given, more than chance allows: the model or "
-            "the errors are wrong; intervals are for errors so much larger"
+            f"the scatter about the fit is {one.scale:.2g} times the errors that were given, more than chance allows: the "
+            "model or the errors are wrong; intervals are for errors so much larger"
         )
     return "as they were given; the scatter about the fit agrees with them"
 

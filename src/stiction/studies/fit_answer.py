@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -22,8 +23,8 @@ _AT_END = 1e-3  # of the way between the ends
 @dataclass(frozen=True)
 class Fitted:
     """A model and its best free numbers. scale: what the errors were multiplied by, where none were given or the scatter is
-    larger; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers. profiles: of each number,
-    none where they were not asked for."""
+    larger; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers. profiles: of each
+    number, none where they were not asked for."""
 
     name: str
     forward: Forward
@@ -67,7 +68,9 @@ def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
     errors, stated = _errors(data)
     best = search(_residuals(forward, errors), _start(forward))
     if not np.isfinite(forward.values(best.shares)).all():
-        raise InputError("fit.free", "its ends", f"ends between which {forward.choice.model} carries the loads that were measured")
+        raise InputError(
+            "fit.free", "its ends", f"ends between which {forward.choice.model} carries the loads that were measured"
+        )
     return _scaled(name, forward, best, (errors, stated), with_profiles)
 
 
@@ -111,7 +114,9 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
         return data.error, True
     if len(data.quantities) > 1:
         missing = data.quantity[int(np.flatnonzero(~there)[0])]
-        raise InputError("--data", f"{missing} without errors", f"a column {missing}_error, where several quantities were measured")
+        raise InputError(
+            "--data", f"{missing} without errors", f"a column {missing}_error, where several quantities were measured"
+        )
     size = np.abs(data.value).max()
     return np.full(len(data), 0.05 * size if size > 0.0 else 1.0), False
 
@@ -131,7 +136,7 @@ def _given(content, path):
     from stiction.studies.places import subject_table
 
     try:
-        found = case_of(content, {}).subject
+        found: Any = case_of(content, {}).subject
     except InputError:
         return None
     for name in path[1:] if path[0] == subject_table(content) else ("",):
@@ -232,5 +237,7 @@ def _ways(one: Fitted, group: Sequence[int]) -> str:
     ways = []
     for place in (inside[0], inside[-1]):
         values = one.at(profile.others[place])
-        ways.append(", ".join(f"{one.parameters[at].name} = {one.parameters[at].free.show(float(values[at]), 3)}" for at in group))
+        ways.append(
+            ", ".join(f"{one.parameters[at].name} = {one.parameters[at].free.show(float(values[at]), 3)}" for at in group)
+        )
     return " and ".join(f"({way})" for way in ways)

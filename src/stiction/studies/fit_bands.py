@@ -12,11 +12,11 @@ from stiction.studies.fit_answer import Fitted
 from stiction.studies.fit_model import Parameter
 from stiction.studies.fit_plan import RESISTANCE, FitPlan
 from stiction.studies.fit_search import CONFIDENCE, finite
-from stiction.studies.places import subject_table, with_numbers
+from stiction.studies.places import with_numbers
 
 __all__ = ["Bands", "draws_of", "predicted"]
 
-_DRAWS, _TRIED = 512, 4096
+_DRAWS, _TRIED = 1024, 4096
 _AT_ONCE = 256  # sets of trials at a time
 _MOST = 400_000  # of predicted points times draws
 _SET = "set"
@@ -53,8 +53,9 @@ def draws_of(one: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     weights /= weights.sum()
     effective = float(1.0 / (weights**2).sum())
     at = (np.arange(_DRAWS) + 0.5) / _DRAWS
-    chosen = np.searchsorted(np.cumsum(weights), at, side="right")
-    return sets[np.minimum(chosen, len(sets) - 1)], effective
+    mixed = np.random.default_rng(seed).permutation(len(sets))  # every eighth Sobol point is from the same corner
+    chosen = np.searchsorted(np.cumsum(weights[mixed]), at, side="right")
+    return sets[mixed[np.minimum(chosen, len(sets) - 1)]], effective
 
 
 _DEGREES = 4.0  # of freedom of Student's distribution: its tails are wider than those of any likelihood
@@ -147,7 +148,9 @@ def _solved(plan, one, content, arrays, numbers, names) -> tuple[Pointwise, dict
         warnings.simplefilter("ignore", InputDoubt)
         case = case_of(with_numbers(content, {**first, **along, **arrays}), {})
         keep = ["contact_area" if name == "contact_resistance" else name for name in names]
-        solved = solve_pointwise(case.subject, one.forward.choice, separation=case.separation, load=case.load, keep=[*keep, "load"])
+        solved = solve_pointwise(
+            case.subject, one.forward.choice, separation=case.separation, load=case.load, keep=[*keep, "load"]
+        )
     coords = {}
     for array in arrays.values():
         for name, value in getattr(array, "coords", {}).items():
@@ -168,5 +171,3 @@ def _of(solved: Pointwise, name: str, resistance: Any, sets: int) -> tuple[tuple
         size = np.broadcast_to(np.asarray(resistance, dtype=float).reshape(-1), (sets,)).reshape(-1, *[1] * len(order))
         ordered = np.divide(size, ordered, where=ordered > 0.0, out=np.full(ordered.shape, np.nan))
     return tuple(order), ordered
-
-

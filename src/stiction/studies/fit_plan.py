@@ -30,7 +30,7 @@ class Fit(Input):
     free: dict[str, Any] = Field(description="a table of numbers of the case, each with its low and high end")
     models: list[str] = Field(default_factory=list, description="a list of names of models, as `stiction compare` shows them")
     predict: dict[str, Any] = Field(default_factory=dict, description="a table of numbers of the contact, one or several")
-    specific_contact_resistance: str | None = Field(None, description="text with a unit, e.g. \"1e-12 ohm m^2\"")
+    specific_contact_resistance: str | None = Field(None, description='text with a unit, e.g. "1e-12 ohm m^2"')
 
 
 @dataclass(frozen=True)
@@ -65,14 +65,18 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
         raise InputError(f"fit.{error.field}", error.value, error.allowed) from None
     plain, several = opened(without_studies(given), folder)
     for path, one in several.items():
-        raise InputError(".".join(path), f"{one.values.size} numbers", "one number in [contact]; several go under [fit.predict]")
+        raise InputError(
+            ".".join(path), f"{one.values.size} numbers", "one number in [contact]; several go under [fit.predict]"
+        )
     plain = as_numbers(plain)
     free = _free(fit, plain)
     measured = read_measurements(data, plain)
     resistance = None
     if fit.specific_contact_resistance is not None:
         resistance = read_end(fit.specific_contact_resistance, RESISTANCE[1], ".".join(RESISTANCE))
-    plan = FitPlan(plain, given, folder, str(given.get("title", "")), free, tuple(fit.models), fit.predict, resistance, measured)
+    plan = FitPlan(
+        plain, given, folder, str(given.get("title", "")), free, tuple(fit.models), fit.predict, resistance, measured
+    )
     _check(plan)
     return plan
 
