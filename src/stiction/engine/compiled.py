@@ -96,7 +96,7 @@ class _KernelCache(NullCache):
             return None
         try:
             return CompileResult._rebuild(target_context, *pickle.loads(made))
-        except ImportError:  # compiled by a version of this package that has a module which this one has not
+        except ImportError:  # the same code, compiled when a part of it stood in a module that is no more
             return None
 
     def save_overload(self, sig: Any, data: Any) -> None:

@@ -71,6 +71,10 @@ class Sum(Problem):
         parts = [self._scattered(h[at : at + _AT_ONCE], law[at : at + _AT_ONCE])[..., _LOAD].sum(axis=0) for at in pieces]
         return np.concatenate(parts) if parts else np.empty(0)
 
+    def loads_by_regime(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """Net load per asperity (regimes, k) at pairs (k,) of separation and law."""
+        return self._scattered(h, law)[..., _LOAD]
+
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
 
@@ -151,11 +155,13 @@ class ClosedForm(Problem):
 
     @property
     def adheres(self) -> bool:
-        return False
+        return self.record.adheres
 
     @property
     def effects(self) -> list[str]:
-        return ["plasticity"] if "hardness_group" in self.record.needs else []
+        plasticity = "hardness_group" in self.record.needs
+        known = ("adhesion", self.adheres), ("plasticity", plasticity), ("the film", self.record.on_film)
+        return [name for name, there in known if there]
 
     def on_branch(self, branch: str) -> "ClosedForm":
         return self
@@ -188,7 +194,8 @@ class ClosedForm(Problem):
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         if not (load >= 0.0).all():
-            raise InputError("load", float(load.min()), f">= 0: {self.record.key} knows no adhesion")
+            unknown = "says nothing of tension" if self.adheres else "knows no adhesion"
+            raise InputError("load", float(load.min()), f">= 0: {self.record.key} {unknown}")
         return self._results(load, self._area(load))
 
     @property

@@ -187,6 +187,21 @@ class Measured:
         }
 
 
+def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap") -> Measured:
+    """What a map says of the roughness of a contact whose map is to be solved, with the asperities that were found in it."""
+    key = asperities.method
+    return Measured(
+        by_method={key: found},
+        method=key,
+        failures={},
+        history={"first": surface.history},
+        notes={key: asperities.note},
+        counts={key: asperities.count},
+        mean_heights={key: asperities.mean_height},
+        solvable=SolvableMaps({"first": surface}),
+    )
+
+
 def roughness_of(scan: Any) -> Roughness:
     """The roughness in a scan of the first body that the user holds, or in a table of scans like that of a case file; it knows
     what was measured. Raises InputError."""

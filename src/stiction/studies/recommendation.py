@@ -21,6 +21,8 @@ from stiction.solving.measured_error import MeasuredErrors
 # The cost of leaving a range by a factor of two: an effect that is left out weighs more than an assumption strained.
 COST_OF_A_DOUBLING = {"effect": 3.0, "assumption": 1.0, "fit": 0.5, "statistics": 0.0}
 COST_OF_GRADE = {"A": 0.0, "B": 0.1, "C": 0.5}
+# Of a film law that was found off by a factor of two in area near this contact.
+COST_OF_FILM = 0.5
 COST_UNIT = 0.5
 # The cost of a measured error of the contact area by a factor of e; where others were measured near this contact and a model
 # was not, it is taken for this wrong.
@@ -45,7 +47,8 @@ class Answer:
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
     takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
     over the load. measured: its error on solved surfaces near this contact and load; beside_measured: that of others is known.
-    why_not: why it says nothing, or nothing of friction.
+    film_off: by how many factors of two its film law was found off near this contact, and film_errors: what was measured of it,
+    as JSON. why_not: why it says nothing, or nothing of friction.
     """
 
     candidate: Candidate
@@ -60,6 +63,8 @@ class Answer:
     adhesion: float = math.inf
     measured: MeasuredErrors | None = None
     beside_measured: bool = False
+    film_off: float = 0.0
+    film_errors: str = "[]"
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
 
@@ -89,10 +94,11 @@ class Answer:
 
     @property
     def cost_of_error(self) -> float:
-        """What its measured error costs."""
+        """What its measured error costs; where there is none near, that of its film law."""
         if self.measured is not None and self.measured.known:
             return COST_OF_ERROR * float(np.nanmax(self.measured.expected))
-        return COST_OF_ERROR * NOT_MEASURED if self.beside_measured else 0.0
+        unknown = COST_OF_ERROR * NOT_MEASURED if self.beside_measured else 0.0
+        return unknown + COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS)
 
     def cost_of(self, doubt: Doubt) -> float:
         """What one doubt costs."""

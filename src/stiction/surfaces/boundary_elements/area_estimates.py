@@ -39,6 +39,7 @@ __all__ = [
     "first_crossing",
     "map_slopes",
     "of_moments",
+    "width_by_moments",
     "with_hardness",
 ]
 
@@ -156,7 +157,12 @@ def with_hardness(elastic, pressure, hardness):
 
 def of_moments(pressure, alpha):
     """(2): share of the area in contact; pressure: mean, over E* h', >= 0; alpha: Nayak's. Gaussian isotropic surfaces."""
-    return widened(pressure, 0.617 - 0.041 * np.log(alpha))
+    return widened(pressure, width_by_moments(alpha))
+
+
+def width_by_moments(alpha):
+    """c of (2)."""
+    return 0.617 - 0.041 * np.log(alpha)
 
 
 def by_moments(pressure: float, slopes: MapSlopes) -> float:
