@@ -6,7 +6,7 @@ import gc
 
 # isort: off
 # In the order of the help.
-from stiction.cli import (
+from stiction.cli import (  # noqa: F401
     run,
     sweep,
     sensitivity,
