@@ -93,6 +93,34 @@ def test_friction_of_an_interface_is_exact(contact):
     assert "friction_force" not in bare
 
 
+def test_friction_of_the_pressure_of_every_point(contact, rough):
+    """The lesser of alpha p and tau_0, and growth to p^2 + 9 tau_0^2 = H^2, summed here over the solver's own pressures."""
+    weak = contact.replace(interfacial_shear_strength=25e6, pressure_coefficient=0.15)
+    first, second = contact.first, contact.second
+    modulus = 1.0 / sum((1.0 - one.poissons_ratio**2) / one.youngs_modulus for one in (first, second))
+    (one,) = solve_map(rough.heights - rough.heights.mean(), rough.size, modulus=modulus, loads=[40e-3 / 3.0], periodic=True,
+                       hardness=second.hardness)  # fmt: skip
+    pressure, point = one.pressure, one.nominal_area / one.pressure.size
+    found = st.solve(weak, load="40 mN", model=MODEL, shear="lesser")
+    edge = 3.0 * 25e6 * (one.area_pixels - one.area)  # what pixels at edges can make of it
+    assert abs(float(found["friction_force"]) - 3.0 * np.minimum(0.15 * pressure, 25e6).sum() * point) <= edge
+    plain = st.solve(weak, load="40 mN", model=MODEL, tangential="bowden_tabor_1943")
+    assert float(found["friction_force"]) < float(plain["friction_force"])
+    strong = contact.replace(interfacial_shear_strength=60e6)
+    grown = st.solve(strong, load="40 mN", model=MODEL, shear="junction_growth")
+    bearing = math.sqrt(second.hardness**2 - 9.0 * 60e6**2)
+    expected = 3.0 * 60e6 * np.maximum(pressure > 0.0, pressure / bearing).sum() * point
+    assert abs(float(grown["friction_force"]) - expected) <= 3.0 * 60e6 * (one.area_pixels - one.area)
+    assert float(grown["friction_force"]) > 1.2 * 60e6 * float(grown["contact_area"])
+    for changes, given, message in (
+        ({}, {"shear": "lesser"}, "pressure_coefficient"),
+        ({"interfacial_shear_strength": second.hardness / 3.0}, {"shear": "junction_growth"}, "grow without end|without end"),
+        ({"pressure_coefficient": 0.1}, {"shear": "junction_growth"}, "under one strength"),
+    ):
+        with pytest.raises(st.InputError, match=message):
+            st.solve(contact.replace(**changes), load="2 mN", model=MODEL, **given)
+
+
 def test_no_pressure_is_above_the_hardness_unless_asked_for(contact):
     found = st.solve(contact, load="40 mN", model=MODEL)
     free = st.solve(contact, load="40 mN", model=MODEL, yielding="none")

@@ -9,9 +9,11 @@ from stiction.contact.contact import Contact
 from stiction.laws.joining import resistances
 from stiction.laws.registry import select_options
 from stiction.quantities.errors import InputError
+from stiction.solving.point_shear import POINT_SHEARS, points_of
 from stiction.solving.problem_base import Problem, with_coefficient
 
 if TYPE_CHECKING:
+    from stiction.laws.registry import TangentialLaw
     from stiction.surfaces.boundary_elements.curve import MapCurve
     from stiction.surfaces.boundary_elements.solve import MapContact
     from stiction.surfaces.heightmap import HeightMap
@@ -146,27 +148,22 @@ class OnMap(Problem):
         return float(measured.mean_heights[measured.method])
 
     def _friction(self, one: "MapContact") -> float:
-        """The tangential force of the whole contact, normalised: of the pressure and the area of every point, those that flow
-        and those that do not."""
+        """The tangential force of the whole contact, normalised."""
         assert self.chosen.tangential is not None and one.pressure is not None
-        factors = self.contact.scales().factors()
         whole = self.contact.nominal_area / one.nominal_area
-        pixel = one.nominal_area / one.pressure.size
-        pressure = one.pressure[one.pressure > 0.0]
-        hardness = float(pressure.max()) if one.plastic_area > 0.0 else np.inf
+        of_points = POINT_SHEARS.get(self.options.get("shear", ""))
+        if of_points is not None:
+            return of_points(self.contact, self.chosen.tangential.key, one) * whole / self.contact.scales().factors()["N"]
+        return self._by_law(self.chosen.tangential, one, whole)
+
+    def _by_law(self, tangential: "TangentialLaw", one: "MapContact", whole: float) -> float:
+        """Of the pressure and the area of every point, those that flow and those that do not."""
+        factors = self.contact.scales().factors()
         total = 0.0
-        for state, some in (("elastic", pressure[pressure < hardness]), ("plastic", pressure[pressure >= hardness])):
-            if some.size:
-                area = np.full(some.size, pixel * _of_pixels(one, state))
-                loads, areas = some * pixel * whole / factors["N"], area * whole / factors["m^2"]
-                total += float(resistances(self.chosen.tangential, self.groups, loads[None], areas[None], state).sum())
+        for state, pressure, area in points_of(one):
+            loads, areas = (
+                pressure * area.counted * whole / factors["N"],
+                np.full(pressure.size, area.real * whole / factors["m^2"]),
+            )
+            total += float(resistances(tangential, self.groups, loads[None], areas[None], state).sum())
         return total
-
-
-def _of_pixels(one: "MapContact", state: str) -> float:
-    """What is in contact of a pixel that is counted: the excess at the edges is taken off the points that do not flow, as far
-    as these have it."""
-    elastic, wanted = one.area_pixels - one.plastic_area, one.area - one.plastic_area
-    if elastic > 0.0 and wanted > 0.0:
-        return 1.0 if state == "plastic" else wanted / elastic
-    return one.area / one.area_pixels

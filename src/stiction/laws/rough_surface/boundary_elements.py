@@ -15,7 +15,9 @@ The hardness is that of the softer body, where there is a film that of the film 
 each has half of the thickness. The substrate does not yield.
 
 *Friction*: a law of the interface, of the pressure of every point. Where $\tau=\tau_0+\alpha p$ the sum is exact,
-$T=\tau_0A+\alpha P$. *Area*: $A=A_\text{px}-\frac{\pi-1+\ln2}{24}S\,\Delta x$, $S$ the length of the edges of points in
+$T=\tau_0A+\alpha P$. With `shear` the strength of a point is the lesser of $\alpha p$ and $\tau_0$ ([orowan_1943]), or points
+that flow under pressure and shear grow until $p^2+9\tau_0^2=H^2$ ([tabor_1959]): $T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$
+over the points. *Area*: $A=A_\text{px}-\frac{\pi-1+\ln2}{24}S\,\Delta x$, $S$ the length of the edges of points in
 contact. *Check*: Hertz, Westergaard, Johnson, Greenwood & Higginson, and the library ContactMechanics (tests).
 """
 
@@ -59,7 +61,7 @@ def _film(material: Material, thickness: float, substrate: Material) -> Film:
 
 
 def of_map(
-    surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str
+    surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str, shear: str
 ) -> "MapCurve":  # fmt: skip
     """Contacts of the map at nominal pressures [Pa]. Raises InputError for a map or a pressure that cannot be solved."""
     from stiction.surfaces.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
@@ -79,13 +81,21 @@ RECORD = RoughSurface(
         Source("stanley_kato_1997", "", "displacements by Fourier transforms"),
         Source("almqvist_2007", "", "pressures between 0 and the hardness"),
         Source("nogi_kato_1997", "", "compliance of a film; checked by the boundary conditions of a wave, not against print"),
+        Source("love_1929", "", "displacement under a point of a map that ends"),
+        Source("orowan_1943", "", "shear = lesser; reconstructed, not compared with print"),
+        Source("tabor_1959", "", "shear = junction_growth; reconstructed, not compared with print"),
         Source("yastrebov_2017", "", "the area that pixels add"),
     ),
     of_map=of_map,
     takes_surface_moments=True,
+    accuracy=limits.TOLERANCE,
     up_to_full_contact=True,
     verified="Hertz, Westergaard, Johnson, Greenwood & Higginson; a quadratic program of few points; ContactMechanics",
-    own_options={"points": ("all", "sampled"), "yielding": ("at_hardness", "none")},
+    own_options={
+        "points": ("all", "sampled"),
+        "yielding": ("at_hardness", "none"),
+        "shear": ("law", "lesser", "junction_growth"),
+    },
     validity=(
         Validity("points_in_shortest_wave", limits.LEAST_PIXELS, inf, "the area is not converged in points"),
         Validity("longest_waves_on_a_side", limits.LEAST_WAVES, inf, "the map is no sample of its surface", "statistics"),
