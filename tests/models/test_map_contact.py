@@ -14,13 +14,17 @@ from stiction import cli
 from stiction.laws.validity import doubts_of
 from stiction.solving.choice import Choice
 from stiction.surfaces.boundary_elements import kept
+from stiction.surfaces.boundary_elements.adhesive import solve_adhesive
+from stiction.surfaces.boundary_elements.bodies import Bodies
 from stiction.surfaces.boundary_elements.compliance import Compliance, Film
+from stiction.surfaces.boundary_elements.curve import curve_of_map
 from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.boundary_elements.telling import telling
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import filter_period, level
 from stiction.surfaces.targets import SelfAffine
+from tables import read
 
 SIDE, POINTS = 20e-6, 64
 BODIES = {"first": "hardened_steel_52100", "second": "silver", "interfacial_shear_strength": 20e6}
@@ -53,6 +57,19 @@ def area(contact):
 
 def elastic(rough, **more):
     return st.Contact(first=ELASTIC, second=ELASTIC, roughness=rough, nominal_area=SIDE**2, **more)
+
+
+def test_a_wave_in_one_direction_is_westergaards():
+    """By the curve that the model solves; a profile has no asperities, so that no contact has this roughness."""
+    points, bodies = 512, Bodies(1e9)
+    heights = 1e-8 * np.cos(2.0 * math.pi * np.arange(points) / points) * np.ones((4, 1))
+    surface = HeightMap(heights, (SIDE * 4 / points, SIDE), periodic=True)
+    rows = [{name: float(value) for name, value in row.items()} for row in read("boundary_elements.csv")]
+    whole = math.pi * 1e9 * 1e-8 / SIDE
+    curve = curve_of_map(surface, bodies, [row["share"] * whole for row in rows])
+    for one, row in zip(curve.contacts, rows, strict=True):
+        assert one.area_pixels / one.nominal_area == pytest.approx(row["area"], abs=2.0 / points)
+        assert one.pressure.max() == pytest.approx(row["largest"] * whole, rel=1e-3)
 
 
 def test_waves_in_full_contact_have_their_mean_planes_on_each_other():
@@ -220,6 +237,34 @@ def test_maps_that_cannot_be_solved_get_a_line(rough):
         st.solve(elastic(numbers), load="1 mN", model=MODEL)
     with pytest.raises(st.InputError, match="a map"):
         st.solve(st.Indices(theta=10.0, lam=10.0, nu=0.3), load=1e-3, model=MODEL)
+
+
+def test_adhesion_is_solved_if_asked_for(rough):
+    """As by the solver of maps that stick; of elastic bodies and one period only; what the map does not resolve is said."""
+    soft = elastic(rough, work_of_adhesion=0.05, interfacial_shear_strength=1e6)
+    asked = {"model": MODEL, "yielding": "none", "adhesion": "shortest_range"}
+    found = st.solve(soft, load=["1 mN", "-1 uN"], **asked)
+    near = 2.0 * (1.0 - 0.4**2) / 2e9
+    reach = math.sqrt(2.0 * SIDE / POINTS * near * 0.05)
+    assert float(found["adhesion_range"][0]) == pytest.approx(reach) and float(found["points_at_edge"][0]) == pytest.approx(2.0)
+    plain = solve_adhesive(rough.heights - rough.heights.mean(), rough.size, modulus=1.0 / near, loads=[1e-3, -1e-6], work=0.05,
+                           reach=reach)  # fmt: skip
+    assert_allclose(found["area_fraction"], [one.area / SIDE**2 for one in plain], rtol=1e-9)
+    assert float(found["friction_coefficient"][0]) == pytest.approx(1e6 * float(found["contact_area"][0]) / 1e-3)
+    bare = st.solve(soft, load="1 mN", model=MODEL, yielding="none")
+    assert float(found["contact_area"][0]) > float(bare["contact_area"])
+    said = {one.quantity for one in doubts_of(st.solve(soft, load="1 mN", **asked | {"adhesion": "atomic_range"}))}
+    assert "points_at_edge" in said and "adhesion_share" not in said
+    assert "range_tabor" in {one.quantity for one in doubts_of(found)}
+    alone = replace(rough, periodic=False)
+    for contact, changes, message in (
+        (soft, {"yielding": "at_hardness"}, "elastic bodies"),
+        (elastic(alone, work_of_adhesion=0.05), {}, "left_out, or one period"),
+        (elastic(rough), {}, "work_of_adhesion"),
+        (soft, {"shear": "junction_growth"}, "where faces adhere"),
+    ):
+        with pytest.raises(st.InputError, match=message):
+            st.solve(contact, load="1 mN", **asked | changes)
 
 
 def test_what_was_solved_is_read_and_what_differs_is_not(contact, rough):

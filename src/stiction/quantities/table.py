@@ -244,6 +244,12 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("solution_residual", "r", "r", "", _NOT_NEGATIVE, "",
      "gaps where there is contact, over the rms height difference of neighbouring points"),
     ("load_error", "e_P", r"e_P", "", _NOT_NEGATIVE, "", "relative error of the load that the pressures carry"),
+    ("adhesion_range", "rho", r"\rho", "m", _POSITIVE, "", "range of the attraction of the faces"),
+    ("range_tabor", "mu_rho", r"\mu_\rho", "", _NOT_NEGATIVE, "", "Tabor parameter with the range of attraction"),
+    ("points_at_edge", "n_e", r"n_\mathrm{e}", "", _POSITIVE, "",
+     "points along the length over which the edge of contact is pulled"),
+    ("attraction_residual", "r_w", r"r_w", "", _NOT_NEGATIVE, "",
+     "pressure left where faces do not touch, over the largest attraction"),
     ("point_spacing", "n_s", r"n_\mathrm{s}", "", _POSITIVE, "", "every how many-th point of the map is solved"),
     # of films
     ("load_share_beyond_film", "s_P", r"s_P", "", _SHARE, "",
@@ -346,6 +352,10 @@ _SHORT = {
     "solution_residual": "residual",
     "load_error": "error of the load",
     "point_spacing": "point spacing",
+    "adhesion_range": "range of attraction",
+    "range_tabor": "Tabor parameter of range",
+    "points_at_edge": "points at the edge",
+    "attraction_residual": "attraction left",
     "load_share_beyond_film": "load share with a > t",
     "friction_share_beyond_film": "friction share, a > t",
 }

@@ -9,6 +9,7 @@ from stiction.contact.contact import Contact
 from stiction.laws.joining import resistances
 from stiction.laws.registry import select_options
 from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
 from stiction.solving.point_shear import POINT_SHEARS, points_of
 from stiction.solving.problem_base import Problem, with_coefficient
 
@@ -25,6 +26,7 @@ _PLAIN = {
     "solution_residual": "residual",
     "load_error": "load_error",
 }
+_SOLVED = ("solution_residual", "load_error")  # of solutions without adhesion
 # Loads of a curve that has to be quick: how many; the heaviest as nominal pressure over modulus times gradient, and over the
 # hardness; the lightest over it.
 _FEW, _HEAVY, _OF_HARDNESS, _LIGHT = 5, 0.2, 0.3, 0.02
@@ -41,13 +43,18 @@ class OnMap(Problem):
 
     @property
     def adheres(self) -> bool:
-        return False
+        return self.options.get("adhesion", "left_out") != "left_out"
 
     @property
     def effects(self) -> list[str]:
         coated = isinstance(self.subject, Contact) and self.subject.has_film
         flows = self.options.get("yielding") != "none"
-        known = (("plasticity", flows), ("the film", coated), ("contacts that act on each other", True))
+        known = (
+            ("adhesion", self.adheres),
+            ("plasticity", flows),
+            ("the film", coated),
+            ("contacts that act on each other", True),
+        )
         return [name for name, there in known if there]
 
     @property
@@ -91,10 +98,9 @@ class OnMap(Problem):
         """The contacts of the map at normalised loads (m,)."""
         contact, surface = self.contact, self.surface()
         unit = contact.scales().factors()["N"]
-        if not (load > 0.0).all():
-            raise InputError(
-                "load", contact.show(float(load.min() * unit), "load"), f"above 0: {self.record.key} knows no adhesion"
-            )
+        if not self.adheres and not (load > 0.0).all():
+            allowed = f"above 0: {self.record.key} knows no adhesion, unless that is chosen"
+            raise InputError("load", contact.show(float(load.min() * unit), "load"), allowed)
         assert self.record.of_map is not None
         options = select_options(self.record, self.options)
         return self.record.of_map(surface, contact, load * unit / contact.nominal_area, **options)
@@ -113,8 +119,14 @@ class OnMap(Problem):
             "plane_separation": planes / factors["m"],
             "contact_stiffness": curve.array("stiffness") * whole / factors["N/m"],
             **{name: curve.array(own) for name, own in _PLAIN.items()},
-            **{name: np.full(load.size, value) for name, value in curve.of_map.items()},
+            **{
+                name: np.full(load.size, value) / factors.get(QUANTITIES[name].scale, 1.0)
+                for name, value in curve.of_map.items()
+            },
+            **curve.more,
         }
+        if self.adheres:
+            found = {name: table for name, table in found.items() if name not in ("contact_stiffness", *_SOLVED)}
         if not self.surface().periodic:
             found["load_at_ends"] = curve.array("load_at_ends")
         if self.friction:
@@ -149,11 +161,17 @@ class OnMap(Problem):
 
     def _friction(self, one: "MapContact") -> float:
         """The tangential force of the whole contact, normalised."""
-        assert self.chosen.tangential is not None and one.pressure is not None
+        assert self.chosen.tangential is not None
         whole = self.contact.nominal_area / one.nominal_area
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
+        if of_points is not None and one.pressure is None:
+            raise InputError("shear", self.options["shear"], "law, where faces adhere: pressures there are not all of contact")
         if of_points is not None:
             return of_points(self.contact, self.chosen.tangential.key, one) * whole / self.contact.scales().factors()["N"]
+        if one.pressure is None:  # of the whole load and area
+            factors = self.contact.scales().factors()
+            load, area = one.load * whole / factors["N"], one.area * whole / factors["m^2"]
+            return float(resistances(self.chosen.tangential, self.groups, np.array([[load]]), np.array([[area]])).item())
         return self._by_law(self.chosen.tangential, one, whole)
 
     def _by_law(self, tangential: "TangentialLaw", one: "MapContact", whole: float) -> float:
