@@ -182,6 +182,10 @@ Out = Annotated[
     Path | None, typer.Option("--out", parser=folder, metavar="FOLDER", help="Folder for the results; other files in it stay.")
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+Ranges = Annotated[
+    bool | None,
+    typer.Option("--ranges/--no-ranges", help="Numbers of materials vary within their ranges, whatever the case says of that."),
+]
 Reading = Annotated[str | None, typer.Option(help="corrected (default), or published: the 2015 paper to the letter.")]
 
 
@@ -213,6 +217,29 @@ def busy(text: str) -> Iterator[None]:
     """A line with a running clock on the terminal while something goes on, gone when it is done."""
     with _line(text):
         yield
+
+
+@contextmanager
+def telling_how_far(text: str) -> Iterator[Callable[[str], None]]:
+    """What tells how far something is: in a line on the terminal, else in a line at once and then now and then."""
+    with _line(text) as line:
+        if line is not None:
+            yield line.say
+            return
+        from time import monotonic
+
+        said = [-_EVERY]
+
+        def say(how_far: str) -> None:
+            if monotonic() - said[0] > _EVERY:
+                said[0] = monotonic()
+                print(how_far, file=sys.stderr, flush=True)
+
+        say(text)
+        yield say
+
+
+_EVERY = 10.0  # seconds between lines that nobody watches
 
 
 @contextmanager

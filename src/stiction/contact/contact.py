@@ -190,6 +190,10 @@ class Contact(Subject):
     def measured(self) -> Any:
         return self.roughness.measured
 
+    @property
+    def map(self) -> Any:
+        return self.roughness.map
+
     def as_numbers(self) -> "Contact":
         if self.measured is None:
             return self
