@@ -121,7 +121,7 @@ RECORD = RoughSurface(
         "adhesion": ("left_out", "atomic_range", "shortest_range"),
     },
     validity=(
-        Validity("points_in_shortest_wave", limits.LEAST_PIXELS, inf, "the area is not converged in points"),
+        Validity("points_in_shortest_wave", limits.LEAST_PIXELS, inf, "the area is not converged in points", "fit"),
         Validity("longest_waves_on_a_side", limits.LEAST_WAVES, inf, "the map is no sample of its surface", "statistics"),
         Validity("points_in_contact", limits.LEAST_CONTACT, inf, "so few points give a rough area only"),
         Validity("map_gradient", 0.0, limits.STEEPEST, "slopes are too steep for half-spaces"),
