@@ -239,6 +239,14 @@ def test_maps_that_cannot_be_solved_get_a_line(rough):
         st.solve(st.Indices(theta=10.0, lam=10.0, nu=0.3), load=1e-3, model=MODEL)
 
 
+def test_memory_is_asked_for_before_a_map_is_made_or_solved(contact, monkeypatch):
+    with pytest.raises(st.InputError, match="100000 x 100000 points"):
+        st.gaussian_surface((100_000, 100_000), (1e-3, 1e-3), SelfAffine(0.8, 1e-4, 1e-6, 1e-7), 1)
+    monkeypatch.setattr("stiction.surfaces.boundary_elements.memory.available_memory", lambda: 10**5)
+    with pytest.raises(st.InputError, match="64 x 64 points"):
+        st.solve(contact, load="1 mN", model=MODEL)
+
+
 def test_adhesion_is_solved_if_asked_for(rough):
     """As by the solver of maps that stick; of elastic bodies and one period only; what the map does not resolve is said."""
     soft = elastic(rough, work_of_adhesion=0.05, interfacial_shear_strength=1e6)
