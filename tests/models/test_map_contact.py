@@ -324,6 +324,7 @@ def test_a_comparison_has_it_as_one_more_row(contact):
     row = data.sel(model=MODEL)
     alone = st.solve(contact, load="2 mN", model=MODEL)
     assert float(row["friction_coefficient_at_load"]) == float(alone["friction_coefficient"])
+    assert data["model"].values[data["solved"].values].tolist() == [MODEL]
     solved = np.isfinite(row["load"].values)
     assert solved.sum() == 5 and solved[:5].all() and (row["doubtful"].values[~solved] == 1).all()
     assert (np.diff(row["contact_area"].values[:5]) > 0.0).all()

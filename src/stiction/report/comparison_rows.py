@@ -42,6 +42,7 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "why_not": one["why_not"].item() or None,
             "family": one["family_of_curve"].item() or None,
             "cost": one["cost"].item(),
+            "solved": one["solved"].item(),
             "command": run_command(data, str(name)),
         }
         row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
