@@ -52,7 +52,7 @@ def test_the_mean_asperity_by_hand(modulus):
 @pytest.mark.parametrize("traction", [0.0, 0.4, 2.0])
 def test_at_the_interface_by_a_search(traction):
     """Of like materials by Hamilton's stresses on the plane z = t; of unlike ones at all angles."""
-    x, y = np.meshgrid(np.linspace(-2.5, 2.5, 401), np.linspace(0.0, 2.5, 201))
+    x, y = np.meshgrid(np.linspace(-3.0, 3.0, 401), np.linspace(0.0, 3.0, 201))
     for radius in (0.7, 2.0, 8.0):
         whole = Stresses((Layer.of(1.0, 1.0, 0.3, 0.3),), CoatedBody(1.0, 0.3, 0.3), radius)
         _, _, zz, _, yz, xz = stress(x, y, np.full(x.shape, 1.0 / radius), traction, 0.3)
@@ -60,7 +60,7 @@ def test_at_the_interface_by_a_search(traction):
         assert tension == pytest.approx(1.5 * max(zz.max(), 0.0), rel=2e-2, abs=2e-3)
         assert shear == pytest.approx(1.5 * np.hypot(yz, xz).max(), rel=1e-2)
         stiff = Stresses((Layer.of(1.0, 9.0, 0.2, 0.3),), CoatedBody(9.0, 0.2, 0.3), radius)
-        r, at = np.linspace(0.0, 2.5, 301), np.array([1.0 / radius])
+        r, at = np.linspace(0.0, 3.0, 401), np.array([1.0 / radius])
         radial = stiff.in_film(r, at)
         fields = [cartesian(radial, np.full(r.size, theta), traction) for theta in np.linspace(0.0, math.pi, 25)]
         tension, shear = at_interface(stiff, traction)
