@@ -145,11 +145,17 @@ class RoughSurface(Record):
     where asperity is "": curve(h, groups, **own options) -> load and area (n, H) in closed form at the separations h (H,), and
     with it, or None, separation_near(load, groups, **own options) -> separations (n, H), about where the loads (n, H) are
     carried, not a number where that is not known: curve then takes separations (n, H), too, and does not adhere; or
-    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation.
+    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation; with
+    it, or None, area_on_map(load, groups, map), the same where the contact has a map (a HeightMap) that stands for both faces,
+    and way(map or None) -> words, how the area is then found.
+    on_film: a theory in closed form of surfaces with a film, which it cannot do without; others know none.
     of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
-    found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it.
+    found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it. adheres:
+    a theory without an asperity law that knows the attraction of the surfaces; of a sum its asperity law says that.
     regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
     that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
+    of_map(surface, contact, pressures, **own options) -> boundary_elements.curve.MapCurve: it solves the contact of a measured
+    HeightMap itself, with the film if there is one, at nominal pressures [Pa]; then it is neither a sum nor in closed form.
     """
 
     kind, keyword = "rough surface", "model"
@@ -158,11 +164,16 @@ class RoughSurface(Record):
     default_film: str = ""
     film_by_option: Mapping[str, str] = field(default_factory=dict)
     takes_surface_moments: bool = False
+    on_film: bool = False
     up_to_full_contact: bool = False
+    adheres: bool = False
     regimes: Callable | None = None
     curve: Callable | None = None
     separation_near: Callable | None = None
     area_at_load: Callable | None = None
+    area_on_map: Callable | None = None
+    way: Callable | None = None
+    of_map: Callable | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
