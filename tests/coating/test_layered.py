@@ -220,6 +220,27 @@ def test_where_it_yields(key):
     assert (before[:, 2] < load / area * before[:, 3] * 1.5).all()
 
 
+@pytest.mark.parametrize(("n_E", "n_H"), [(0.1, 0.1), (0.1, 10.0), (8.0, 0.1), (8.0, 10.0)])
+@pytest.mark.parametrize(("key", "share"), [("roy_chowdhury_ghosh_1994", 1.0), ("chang_etsion_bogy_1987", 0.454 + 0.41 * 0.3)])
+def test_a_plastic_asperity_bears_the_hardness_at_its_depth(key, share, n_E, n_H):
+    """Its mean pressure is the law's share of Bhattacharya and Nix's hardness: the film's where it is hardly pressed, the body's
+    where it is pressed through. So a soft film is squeezed out on its body, and a hard one is let down by it: it bears
+    less load on its way there."""
+    tau, n = 200.0, 60
+    eta = 0.02
+    lam = (eta * math.sqrt(1e9 / math.pi) / 18.0**0.25) ** 4
+    given = groups(theta=1e9 * np.ones(n), lam=lam, nu=0.3, n_E=n_E, n_H=n_H, tau=tau, film_aspect=tau).resolved()
+    last = parts_of(key, given)[-1]
+    assert last.state == "plastic"
+    w = np.geomspace(0.05 * tau, 60.0 * tau, n)
+    _, _, load, area = normal_states(last, coordinates(last, w)).T
+    c, power = (n_H / n_E, 2) if n_H < 1.0 else (1.0 / math.sqrt(n_E), 1)
+    chi = 1.0 + (n_H - 1.0) * np.exp(-c * (w / tau) ** power)
+    assert_allclose(load / area, share * eta * chi, rtol=2e-3)
+    assert load[-1] / area[-1] == pytest.approx(share * eta, rel=2e-3)
+    assert (np.diff(load) > 0.0).all() == (n_H < 1.0)
+
+
 BODIES = {"first": "hardened_steel_52100", "second": "tungsten", "work_of_adhesion": 0.05, "nominal_area": "1 mm^2"}
 ROUGH = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
 
