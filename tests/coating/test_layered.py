@@ -192,6 +192,37 @@ def test_pull_off():
     assert_allclose(loads.min(axis=1), -1.5 * math.pi * 0.7 / theta, rtol=5e-3)
 
 
+@pytest.mark.parametrize(("n_E", "aspect"), [(0.1, 0.5), (0.1, 2.0), (8.0, 0.5), (8.0, 2.0)])
+def test_pull_off_between_is_where_no_radius_is_stable(n_E, aspect, monkeypatch):
+    """Of films as thick as the contact is wide: the least load at which the energy of all, that of the load with it, has a least
+    anywhere over the radius, by trying loads. Elastic solutions by the table's own method."""
+    monkeypatch.syspath_prepend(str(REFERENCE))
+    independent = importlib.import_module("make_layered")
+    theta, nu = 3.0, 0.3
+    coarse, a = np.linspace(0.05, 5.0, 160), np.linspace(0.3, 5.0, 9000)  # over sqrt(R sigma)
+    load, approach, stiffness, _ = zip(*(independent.solve(1.0, n_E, nu, nu, one / aspect) for one in coarse), strict=True)
+    smooth = importlib.import_module("scipy.interpolate").CubicSpline
+    P, D = (smooth(coarse, one) for one in (n_E * np.array(load) * coarse**3, np.array(approach) * coarse**2))
+    S = smooth(coarse, np.array(stiffness) * 1.5 * n_E * coarse)(a)
+    stored = smooth(a, P(a) * D(a, 1)).antiderivative()(a)
+
+    def holds(pull):
+        w = D(a) + (pull - P(a)) / S
+        energy = stored + P(a) * (w - D(a)) + S * (w - D(a)) ** 2 / 2.0 - math.pi * a**2 / theta - pull * w
+        return ((energy[1:-1] < energy[:-2]) & (energy[1:-1] < energy[2:])).any()
+
+    low, high = -3.0 * math.pi / theta, 0.0
+    assert holds(high) and not holds(low)
+    for _ in range(30):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if holds(middle) else (middle, high)
+    piece = elastic(groups(theta=theta, nu=nu, film_aspect=aspect, **FILM | {"n_E": n_E}).resolved(), law_of("jkr"))
+    u = np.linspace(0.55, 2.2, 6000)
+    least = min(normal_states(piece, np.array([one]))[0, 2] for one in u)
+    assert least == pytest.approx(high, rel=5e-3)
+    assert abs(least / (-1.5 * math.pi / theta) - 1.0) > 0.01  # not the limit
+
+
 def test_other_adhesion():
     """DMT's is Hertz's less 2 pi gamma R; contact is made at w = 0 and lost where dw/du = 0."""
     given = random_contacts(np.random.default_rng(37), 50).resolved()
