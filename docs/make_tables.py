@@ -22,7 +22,7 @@ from stiction.laws.asperity.shared import letting_go as unloading
 from stiction.laws.claims import KINDS_OF_DOUBT
 from stiction.laws.film.shared.measured import summary, summary_on_maps
 from stiction.laws.finding import methods
-from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, records, text_of
+from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, records, text_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.material_tables import LISTED, with_range
 from stiction.solving.conditions import RULES
@@ -100,6 +100,8 @@ def asperities_of(model: dict) -> str:
 
 def friction_of(model: dict) -> str:
     """Which tangential laws a film law goes with."""
+    if getattr(record_of(model), "solved_as_one", False):
+        return "laws of the interface, and those of a film and its body as one"
     known = {"": "any that suits the asperity law", "interface": "laws of the interface"}
     return known.get(model["tangential"]) or f"its own, `{model['tangential']}`"
 
@@ -184,7 +186,10 @@ def more(record: Record) -> list[str]:
         lines.append("- Brings its own asperity law")
     if isinstance(record, FilmLaw) and record.tangential:
         others = "of the interface" if record.tangential == "interface" else f"`{record.tangential}`, which is built into it"
+        others += " and those of a film and its body as one" * record.solved_as_one
         lines.append(f"- Only with the tangential law{'s' if record.tangential == 'interface' else ''} {others}")
+    if isinstance(record, TangentialLaw) and record.layered:
+        lines.append("- Of a film and its body as one, with film laws that solve them so; else of half-spaces")
     if isinstance(record, AsperityMethod):
         lines += ["- Of maps only"] * (not record.of_profiles)
         lines += ["- May stand for the surface: it finds the summits of a Gaussian surface"] * record.of_summits

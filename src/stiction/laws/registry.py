@@ -84,13 +84,15 @@ class TangentialLaw(Record):
 
     tangential_resistance(piece, groups, **own options) -> TangentialResistance, or None for a piece that resists nothing.
     wants: trait of the asperity law that it cannot do without -> why. interfacial: it shears the interface, wherever that is:
-    of a coated asperity, the whole load and the outer contact area count, whichever body answers.
+    of a coated asperity, the whole load and the outer contact area count, whichever body answers. layered: it knows a film and
+    its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law.
     """
 
     kind = keyword = "tangential"
     tangential_resistance: Callable
     wants: Mapping[str, str] = field(default_factory=dict)
     interfacial: bool = False
+    layered: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,7 +102,8 @@ class FilmLaw(Record):
     regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
     of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
     `law` is not used. one_body: film and substrate are one, with the film's surface: where that has a work of adhesion of its
-    own, that of the bodies does not count, nor what `law` takes beside its needs. bares_substrate: a law of the interface
+    own, that of the bodies does not count, nor what `law` takes beside its needs. solved_as_one: its elastic asperity is a sphere
+    on the layered solid, so that tangential laws that know it (`layered`) go with it, too. bares_substrate: a law of the interface
     shears what is film of the contact, and the rest shears at the substrate's own strength. confined: the film may bear more
     than its own hardness, up to the substrate's.
     tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
@@ -116,6 +119,7 @@ class FilmLaw(Record):
     wants: Mapping[str, str] = field(default_factory=dict)
     own_asperity: bool = False
     one_body: bool = False
+    solved_as_one: bool = False
     bares_substrate: bool = False
     confined: bool = False
     tangential: str = ""
@@ -336,7 +340,10 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
         return ""
     if film.tangential != "interface":
         return f"{film.key} brings its own friction, {film.tangential}"
-    return "" if tangential.interfacial else f"{film.key} goes with laws of the interface only: its friction is there"
+    if tangential.interfacial or (film.solved_as_one and tangential.layered):
+        return ""
+    others = " and with those that know film and body as one" if film.solved_as_one else " only: its friction is there"
+    return f"{film.key} goes with laws of the interface{others}"
 
 
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:
