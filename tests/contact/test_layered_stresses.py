@@ -133,5 +133,3 @@ def test_a_wide_contact_leaves_the_body_hertzs_stresses_and_stretches_the_film()
     exact = stress(np.array([0.0, 0.5]), 0.0, np.array([0.3, 0.6])[:, None], 0.0, nu_below)
     assert_allclose(body[2], 1.5 * exact[2], atol=3e-3)
     assert_allclose(body[0], 1.5 * exact[0], atol=3e-3)
-
-

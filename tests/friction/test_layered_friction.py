@@ -53,10 +53,21 @@ def sums(given, tangential, asperity, film="layered", h=(2.0, 1.0, 0.0, -1.0)):
 def test_ends(key, asperity, parent):
     """No film, one of the body's own material, and one without end, in its own groups times n_E: the half-space's law."""
     rng, n = np.random.default_rng(5), 6
-    given = {"theta": 10.0 ** rng.uniform(0, 3, n), "lam": 10.0 ** rng.uniform(1, 4, n), "nu": 0.25, "n_E": 6.0, "n_H": 1.5, "tau": 1.0}
+    given = {
+        "theta": 10.0 ** rng.uniform(0, 3, n),
+        "lam": 10.0 ** rng.uniform(1, 4, n),
+        "nu": 0.25,
+        "n_E": 6.0,
+        "n_H": 1.5,
+        "tau": 1.0,
+    }
     none = groups(**given | {"tau": 0.0, "film_aspect": 0.0})
-    like = groups(**given | {"n_E": 1.0, "n_H": 1.0, "film_aspect": 10.0 ** rng.uniform(-2, 2, n), "film_nu": 0.25, "layer_nu": 0.25})
-    thick = groups(**given | {"tau": 1e9, "film_aspect": 1e9, "film_nu": 0.4, "layer_nu": 0.4, "film_K_beta": 8 / 3 * 1.6 / 0.6})
+    like = groups(
+        **given | {"n_E": 1.0, "n_H": 1.0, "film_aspect": 10.0 ** rng.uniform(-2, 2, n), "film_nu": 0.25, "layer_nu": 0.25}
+    )
+    thick = groups(
+        **given | {"tau": 1e9, "film_aspect": 1e9, "film_nu": 0.4, "layer_nu": 0.4, "film_K_beta": 8 / 3 * 1.6 / 0.6}
+    )
     for one, half_space, unit in ((none, none.substrate(), 1.0), (like, like.substrate(), 1.0), (thick, thick.film(), 6.0)):
         expected = unit * sums(half_space, parent, asperity, None)
         assert (expected > 0.0).all()
@@ -163,7 +174,9 @@ def test_what_they_go_with(key, asperity, parent):
     """With films that solve film and body as one, with bare contacts, and with films of half-spaces as the half-space's law."""
     given = groups(theta=20.0, lam=50.0, **FILM | {"n_E": 0.3, "n_H": 0.5})
     assert_allclose(sums(given, key, asperity, "sequential"), sums(given, parent, asperity, "sequential"), rtol=1e-12)
-    with pytest.raises(InputError, match="layered goes with laws of the interface and with those that know film and body as one"):
+    with pytest.raises(
+        InputError, match="layered goes with laws of the interface and with those that know film and body as one"
+    ):
         sums(given, parent, asperity)
     with pytest.raises(InputError, match="goes with laws of the interface only"):
         sums(given, key, asperity, "finkin_1969")
@@ -189,7 +202,9 @@ def test_a_stiff_film_cracks_under_little_load():
     film = {"youngs_modulus": "600 GPa", "poissons_ratio": 0.2, "hardness": "12 GPa"}
     coating = st.Coating(material=film, thickness="0.5 um", bodies="first")
     steel = "hardened_steel_52100"
-    coated = st.Contact(first=steel, second=steel, work_of_adhesion=0.0, nominal_area="1 mm^2", roughness=rough, coating=coating)
+    coated = st.Contact(
+        first=steel, second=steel, work_of_adhesion=0.0, nominal_area="1 mm^2", roughness=rough, coating=coating
+    )
     found = st.solve(coated, load="1 N", model=PLAIN, film="layered", tangential="layered_first_yield")
     assert 0.0 < float(found["friction_coefficient"]) < 10.0
     assert {"layered", "layered_first_yield"} <= {part for name in ("film", "tangential") for part in [found.attrs.get(name)]}

@@ -122,7 +122,9 @@ def shear(case):
         energy[i, j] += tail * (film[0] * (1 if i == j else -sign) + film[1] * (1 if i == j else sign))
         energy[j, i] = energy[i, j]
     whole = np.array([2.0**-n / math.gamma(n + 1.5) * math.sqrt(math.pi) / 2 for n in range(count)] + [0.0] * count)
-    stiffness = whole @ np.linalg.solve(energy, whole)  # 2/(pi (C_L + C_T)) on a half-space, in units of the film's shear modulus
+    stiffness = whole @ np.linalg.solve(
+        energy, whole
+    )  # 2/(pi (C_L + C_T)) on a half-space, in units of the film's shear modulus
     beta_film = 2 / (math.pi * stiffness)
     return 8.0 / 3.0 / (ratio * (1 - nu)) * beta_film  # mu = E'(1 - nu)/2, K = 4/3 E'_below
 
@@ -131,15 +133,33 @@ def main():
     rng = np.random.default_rng(21)
     here = Path(__file__)
     cases = [(0.2, 0.3, 0.3, 1.0), (5.0, 0.3, 0.3, 1.0)]
-    cases += [(round(10 ** rng.uniform(-1.5, 1.5), 3), *rng.uniform(0, 0.5, 2).round(3), round(10 ** rng.uniform(-0.7, 0.6), 3)) for _ in range(8)]
+    cases += [
+        (round(10 ** rng.uniform(-1.5, 1.5), 3), *rng.uniform(0, 0.5, 2).round(3), round(10 ** rng.uniform(-0.7, 0.6), 3))
+        for _ in range(8)
+    ]
     with here.with_name("layered_stresses.csv").open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
-        out.writerow(["ratio", "nu", "nu_below", "radius", "r", "theta", "z", "below", *(f"{part}_{name}" for part in "pq" for name in NAMES)])
+        out.writerow(
+            [
+                "ratio",
+                "nu",
+                "nu_below",
+                "radius",
+                "r",
+                "theta",
+                "z",
+                "below",
+                *(f"{part}_{name}" for part in "pq" for name in NAMES),
+            ]
+        )
         for case in cases:
             for below, share in ((0, rng.uniform(0.3, 1.0)), (0, 1.0), (1, 1.0), (1, rng.uniform(1.0, 2.0))):
                 place = round(rng.uniform(0.0, 1.3), 3), round(rng.uniform(0.0, 6.0), 3), round(share, 3) / case[3], below
                 out.writerow([*case, *place, *(f"{value:.10g}" for value in stresses(case, place).ravel())])
-    cases += [(round(10 ** rng.uniform(-2, 2), 3), *rng.uniform(0, 0.5, 2).round(3), round(10 ** rng.uniform(-1.5, 1.0), 3)) for _ in range(10)]
+    cases += [
+        (round(10 ** rng.uniform(-2, 2), 3), *rng.uniform(0, 0.5, 2).round(3), round(10 ** rng.uniform(-1.5, 1.0), 3))
+        for _ in range(10)
+    ]
     with here.with_name("layered_shear.csv").open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(["ratio", "nu", "nu_below", "radius", "K_beta"])

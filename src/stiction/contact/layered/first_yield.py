@@ -29,7 +29,9 @@ PARTS = 5
 # Directions in the plane of pressure and traction, arctan(q/s), of the tables; and z = (p - 1)/(p + 1), p = (a/t)^(1/2).
 ANGLES = np.linspace(0.0, np.pi / 2.0, 61)
 PLACES = np.linspace(-1.0, 1.0, 161)
-_SOLVED = np.concatenate([[-0.8, -0.65, -0.5, -0.4], np.linspace(-0.33, 0.33, 15), [0.42, 0.5, 0.58, 0.66, 0.74, 0.81, 0.87, 0.92]])
+_SOLVED = np.concatenate(
+    [[-0.8, -0.65, -0.5, -0.4], np.linspace(-0.33, 0.33, 15), [0.42, 0.5, 0.58, 0.66, 0.74, 0.81, 0.87, 0.92]]
+)
 _REACH = 12.0
 # Radii over that of the contact, crowded at its edge; shares of the film's thickness, and of depths below it.
 _RADII = np.concatenate([np.sin(np.linspace(0.0, np.pi / 2.0, 23)), 1.0 + 0.6 * np.linspace(0.0, 1.0, 9)[1:] ** 2])

@@ -95,9 +95,7 @@ def _sum(functions: np.ndarray, amplitudes: np.ndarray) -> np.ndarray:
 def _decaying(z) -> np.ndarray:
     """exp(-z) and z exp(-z) and their three derivatives: (4, 2, m)."""
     down = np.exp(-z)
-    return np.stack(
-        [[down, z * down], [-down, (1.0 - z) * down], [down, (z - 2.0) * down], [-down, (3.0 - z) * down]]
-    )
+    return np.stack([[down, z * down], [-down, (1.0 - z) * down], [down, (z - 2.0) * down], [-down, (3.0 - z) * down]])
 
 
 def _film(z, x) -> np.ndarray:

@@ -16,7 +16,12 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
     of adhesion, as the formulas take it. Raises InputError for bodies that cannot be."""
     laws = len(groups)
     n_E = np.where(groups.film_aspect > 0.0, groups.n_E, 1.0)
-    return np.log(np.broadcast_to(n_E, laws)), per_root(groups), np.broadcast_to(pull, laws), *coefficients(groups).reshape(laws, -1).T
+    return (
+        np.log(np.broadcast_to(n_E, laws)),
+        per_root(groups),
+        np.broadcast_to(pull, laws),
+        *coefficients(groups).reshape(laws, -1).T,
+    )
 
 
 def coefficients(groups: Groups) -> np.ndarray:
