@@ -147,7 +147,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         judged = at_load or {name: table[None, :] for name, table in curve.items()}
         answer.outside = answer.outside + doubts_of_results(problem, judged)
         answer.film_off = film_errors.off_by(problem, judged)
-        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_error"]
+        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_film_error"]
         answer.adhesion = _largest(state_of(problem, at_load).get("adhesion_share")) if at_load else np.inf
     answer.effects = problem.effects
     answer.of_map = problem.record.of_map is not None
@@ -217,7 +217,7 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "grade": [one.grade for one in shown],
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
-        "measured_error": [one.film_errors for one in shown],
+        "measured_film_error": [one.film_errors for one in shown],
         "why_not": [one.why_not for one in shown],
         "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
     }
