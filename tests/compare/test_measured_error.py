@@ -51,7 +51,7 @@ def solved(surface, pressures, hardness=None):
 
 
 def measured(data):
-    return json.loads(data.attrs["measured_on_surfaces"])
+    return json.loads(data.attrs["measured_error"])
 
 
 def test_bytes_keep_errors_to_a_fraction():

@@ -62,8 +62,8 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
         }
     doubts = [doubt.as_data() for doubt in doubts_of(data)]
     unused = json.loads(data.attrs.get("unused_inputs", "[]"))
-    measured = json.loads(data.attrs.get("measured_on_surfaces", "null"))
-    attrs = {**data.attrs, "doubts": doubts, "unused_inputs": unused, "measured_on_surfaces": measured}
+    measured = json.loads(data.attrs.get("measured_error", "null"))
+    attrs = {**data.attrs, "doubts": doubts, "unused_inputs": unused, "measured_error": measured}
     return {"attrs": attrs, "groups": dict(groups), "variables": variables}
 
 

@@ -196,7 +196,7 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
     if used.get("measured_error_in_words"):
         notes.append(f"measured error: {used['measured_error_in_words']}")
     notes += [one.say("--") for one in unused_of(data)]
-    notes += _measured(read_film_errors(used.get("measured_error", "[]")))
+    notes += _measured(read_film_errors(used.get("measured_film_error", "[]")))
     notes += [used["remarks"]] if used.get("remarks") else []
     for kind in _NOTED:
         key = used[kind.keyword]

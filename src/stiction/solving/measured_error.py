@@ -355,4 +355,4 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
 
 def as_attributes(found: MeasuredErrors) -> dict[str, str]:
     """Attributes of a result: in words, and as JSON."""
-    return {"measured_on_surfaces": json.dumps(found.as_data()), "measured_error_in_words": found.words}
+    return {"measured_error": json.dumps(found.as_data()), "measured_error_in_words": found.words}
