@@ -273,7 +273,8 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
 
 
 def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
-    """The map of the claims: a column for each, a row for each reading and for the film that is solved; here: theta and lam that are marked."""
+    """The map of the claims: a column for each, a row for each reading and for the film that is solved; here: theta and lam
+    that are marked."""
     import matplotlib
 
     from stiction.studies.paper_claims import CLAIMS, READINGS
