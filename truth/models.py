@@ -2,8 +2,8 @@
 
     python truth/models.py [FOLDER]
 
-Every rough-surface model and asperity law that `compare` asks, under every way of finding asperities, with heights as each finds
-them; theories of the whole surface with its moments; this project's law also with the map ("map"). Hardnesses are those of the
+Every rough-surface model and asperity law that `compare` asks, under every way of finding asperities, with heights as each
+finds them; theories of the whole surface with its moments; this project's law also with the map ("map"). Hardnesses are those of the
 solutions. Models that know adhesion get too little of it to matter.
 """
 
@@ -14,9 +14,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+
 import surfaces as design
 from solve import WORK
-
 from stiction.contact.coating import Coating
 from stiction.contact.contact import Contact, Roughness
 from stiction.contact.materials import Material
@@ -54,7 +54,9 @@ def contact(surface: HeightMap, roughness: Roughness, hardness, coating: Coating
 def shares(one: Contact, candidate: Candidate, loads: np.ndarray) -> np.ndarray:
     """A/A0 (n, m) at loads [N] (n, m), not a number where the model does not carry one."""
     problem = make_problem(one, candidate.choice)
-    factors = one.scales().factors() if not takes_surface_moments(candidate.choice.model) else problem.subject.scales().factors()
+    factors = (
+        one.scales().factors() if not takes_surface_moments(candidate.choice.model) else problem.subject.scales().factors()
+    )
     targets = loads / float(np.ravel(factors["N"])[0])
     if problem.needs_load:
         area = problem.at_load(targets)["contact_area"]
@@ -79,7 +81,9 @@ def said(one: design.Surface, record: dict) -> dict:
     axis_of = axis("hardness", np.array(hardnesses) * strength)
     for column, candidate, roughness in _columns(found, contact(surface, found.roughness(), axis_of)):
         try:
-            answer["bare"][column] = _plain(shares(contact(surface, roughness, axis_of), candidate, pressures * strength * nominal))
+            answer["bare"][column] = _plain(
+                shares(contact(surface, roughness, axis_of), candidate, pressures * strength * nominal)
+            )
         except (InputError, Unreachable):
             continue  # what it does not know or carry is not measured
     if one.seed == MAP_SEED:

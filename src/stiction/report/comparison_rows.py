@@ -43,6 +43,7 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "family": one["family_of_curve"].item() or None,
             "cost": one["cost"].item(),
             "solved": one["solved"].item(),
+            "measured_error": json.loads(one["measured_error"].item()),
             "command": run_command(data, str(name)),
         }
         row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
@@ -116,6 +117,8 @@ def at_load_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]
     names = [f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1])]
     names[1:1] = [f"{names[0]}_{end}" for end in ("low", "high") if f"{names[0]}_{end}" in data]
     heads = [_head(data, name).replace("_at_load", "") for name in names]
+    names += ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
+    heads += names[-3:]
     texts = ("outside_validity", "why_not")
     rows = (
         [str(one[name].item()) for name in ("model", "grade")]

@@ -54,7 +54,7 @@ class SolvedSet:
     def areas(self) -> np.ndarray:
         """Solved A/A0 (s, h, p), not a number where it was not solved."""
         found = self["areas"]
-        return np.where(found == 65535, np.nan, np.exp(-1e-4 * found.astype(float)))
+        return np.where(found == 65535, np.nan, np.exp(-2e-4 * found.astype(float)))
 
     @cache  # noqa: B019 - there is one set, for ever
     def errors(self, column: str) -> np.ndarray | None:

@@ -36,6 +36,7 @@ __all__ = [
     "by_moments",
     "by_ranks",
     "by_top_slopes",
+    "first_crossing",
     "map_slopes",
     "of_moments",
     "width_by_moments",
@@ -148,8 +149,8 @@ def widened(pressure, c):
 
 
 def with_hardness(elastic, pressure, hardness):
-    """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness may
-    be infinite. From p = H on all is in contact."""
+    """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness
+    may be infinite. From p = H on all is in contact."""
     plastic = np.minimum(pressure / hardness, 1.0)
     return np.minimum((elastic**_MEETING + plastic**_MEETING) ** (1.0 / _MEETING), 1.0)
 
@@ -174,7 +175,7 @@ def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))
     reach = np.minimum(0.5 * slopes.ranks, 1.0)
-    return _first_crossing(reach, widened(pressure / ratio, c), beyond=float(widened(pressure, c)))
+    return first_crossing(reach, widened(pressure / ratio, c), beyond=float(widened(pressure, c)))
 
 
 def by_ranks(pressure: float, slopes: MapSlopes) -> float:
@@ -184,10 +185,10 @@ def by_ranks(pressure: float, slopes: MapSlopes) -> float:
     mean = (np.cumsum(slopes.squares ** (0.5 * _POWER)) / count) ** (1.0 / _POWER)
     area = slopes.ranks / (1.195 + 0.312 * mean)
     beyond = min(float(widened(pressure, c)), _FULL)
-    return _first_crossing(area, widened(pressure / mean, c), beyond)
+    return first_crossing(area, widened(pressure / mean, c), beyond)
 
 
-def _first_crossing(area, wanted, beyond):
+def first_crossing(area, wanted, beyond):
     """Where the area first reaches what is wanted of it, between two bins by a straight line; `beyond` if it nowhere does."""
     reached = np.flatnonzero(area >= wanted)
     if not len(reached):
