@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.solving.film_errors import on_solved_maps
 from stiction.solving.problem_base import Problem
 from stiction.solving.solved_set import SolvedSet, solved_set
 from stiction.solving.state import state_of
@@ -131,6 +132,8 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
     known = solved_set()
     coated = problem.groups.has_film
     found = _on_film(known, column, place, problem) if coated else _bare(known, column, place)
+    if found is None and coated:
+        found = on_solved_maps(problem, load.size // len(problem.groups))
     if found is None:
         return _unknown(column, load.size, "this model was not measured")
     distance, surfaces = found[3], found[4]

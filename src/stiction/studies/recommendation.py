@@ -21,7 +21,7 @@ from stiction.solving.measured_error import MeasuredErrors
 # The cost of leaving a range by a factor of two: an effect that is left out weighs more than an assumption strained.
 COST_OF_A_DOUBLING = {"effect": 3.0, "assumption": 1.0, "fit": 0.5, "statistics": 0.0}
 COST_OF_GRADE = {"A": 0.0, "B": 0.1, "C": 0.5}
-# Of a film law that was found off by a factor of two in area near this contact.
+# Of a film law off by a factor of two in area on a sphere near this contact, where no surfaces were solved near it.
 COST_OF_FILM = 0.5
 COST_UNIT = 0.5
 # The cost of a measured error of the contact area by a factor of e; where others were measured near this contact and a model
@@ -47,9 +47,8 @@ class Answer:
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
     takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
     over the load. measured: its error on solved surfaces near this contact and load; beside_measured: that of others is known.
-    film_off: by how many factors of two its film law was found off near this contact, and film_errors: what was measured of it,
-    as JSON. why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's
-    map.
+    film_off: by how many factors of two its film law was found off on a sphere near this contact; film_errors: what was measured
+    of it, as JSON. why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
     """
 
     candidate: Candidate
@@ -106,8 +105,8 @@ class Answer:
         """What its measured error costs; where there is none near, that of its film law."""
         if self.measured is not None and self.measured.known:
             return COST_OF_ERROR * float(np.nanmax(self.measured.expected))
-        unknown = COST_OF_ERROR * NOT_MEASURED if self.beside_measured else 0.0
-        return unknown + COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS)
+        of_film = COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS)
+        return of_film + (COST_OF_ERROR * NOT_MEASURED if self.beside_measured else 0.0)
 
     def cost_of(self, doubt: Doubt) -> float:
         """What one doubt costs."""
