@@ -263,9 +263,8 @@ def costs() -> str:
         ("a measured error of the contact area of 10 %, root mean square over the surfaces near", f"{0.1 * COST_OF_ERROR:g}"),
         ("not measured near this contact, where others were", f"{NOT_MEASURED * COST_OF_ERROR:g}"),
     ]
-    return table(
-        ("what", "cost"), [*doubts, *grades, *errors, ("c_0, the cost that divides the weight by e", f"{COST_UNIT:g}")]
-    )
+    unit = ("c_0, the cost that divides the weight by e", f"{COST_UNIT:g}")
+    return table(("what", "cost"), [*doubts, *grades, *errors, unit])
 
 
 def film_errors_on_a_sphere() -> str:

@@ -175,8 +175,10 @@ def areas_figure():
     left.legend(fontsize=8, ncols=2, frameon=False)
     for at, hardness in enumerate(known["hardnesses"]):
         areas = known.areas[known.gaussian, at]
+        areas = areas[:, np.isfinite(areas).any(axis=0)]
         label = "elastic" if math.isinf(hardness) else f"H/(E* h') = {hardness:g}"
-        right.plot(known["loads"], np.nanmean(areas, axis=0) / known["loads"], "o-", ms=3, label=label)
+        loads = known["loads"][: areas.shape[1]]
+        right.plot(loads, np.nanmean(areas, axis=0) / loads, "o-", ms=3, label=label)
     right.set(xscale="log", yscale="log", xlabel="p/(E* h')", title="mean of Gaussian isotropic surfaces, by hardness")
     right.legend(fontsize=8, frameon=False)
     return figure

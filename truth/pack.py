@@ -4,6 +4,7 @@ python truth/pack.py [FOLDER [FILE]]
 """
 
 import json
+import lzma
 import math
 import sys
 from pathlib import Path
@@ -12,7 +13,7 @@ import numpy as np
 
 import surfaces as design
 from solve import WORK
-from stiction.solving.solved_set import FEATURES, FILE, coded
+from stiction.solving.solved_set import FEATURES, FILE, PACKED, coded
 
 HERE = Path(__file__).parent
 HARDNESSES = (math.inf, *design.HARDNESSES)
@@ -102,6 +103,10 @@ def main(folder: Path, file: Path) -> None:
         "gradient_over_shortest": np.array([one["shortest"] for one in records], np.float32),
         "standing": np.array([one["standing"] for one in models]),
     }  # fmt: skip
+    for name in PACKED:
+        content[f"{name}_shape"] = np.array(content[name].shape)
+        packed = lzma.compress(content[name].tobytes(), preset=9 | lzma.PRESET_EXTREME)
+        content[name] = np.frombuffer(packed, np.uint8)
     np.savez_compressed(file, **content)
     print(f"{file}: {file.stat().st_size} bytes, {len(every)} surfaces, {len(names)} columns, {len(tables)} different")
 

@@ -21,7 +21,10 @@ CASES = {
     "run case.toml -x": ("option: '-x'", "--model"),
     "run case.toml --json=3": ("--json: 'with a value'", "without a value"),
     "--bad": ("option: '--bad'", "--version, --install-completion, --show-completion, --help"),
-    "no-such-command --out x": ("command: 'no-such-command'", "run, sweep, sensitivity, fit, design, compare, validate, surface"),
+    "no-such-command --out x": (
+        "command: 'no-such-command'",
+        "run, sweep, sensitivity, fit, design, compare, validate, surface",
+    ),
     "--": ("command: not given", "run, sweep, sensitivity, fit, design, compare, validate, surface"),
 }
 

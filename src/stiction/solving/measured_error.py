@@ -4,8 +4,8 @@ The set (docs/truth.md) has the contact area of every model on surfaces whose co
 asperities, at some mean pressures, hardnesses and films. Near a contact that means: at its pressure and hardness over E* h',
 read off between those of the set, for each surface of it; and the mean over surfaces, each weighing exp(-d^2/2) with its
 distance d in Nayak's alpha, and where the map is known in skewness, lay and the slope of its top. A contact that is given by
-numbers is compared with Gaussian isotropic surfaces. Friction of an interface is its strength times the area, so that its error is that of the area, less where
-the strength rises with pressure. Adhesion is not in the set.
+numbers is compared with Gaussian isotropic surfaces. Friction of an interface is its strength times the area, so that its
+error is that of the area, less where the strength rises with pressure. Adhesion is not in the set.
 """
 
 import json

@@ -20,7 +20,7 @@ from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding
 from stiction.solving.inversion import Unreachable, separations_at
-from stiction.solving.measured_error import MeasuredErrors, measured_errors
+from stiction.solving.measured_error import measured_errors
 from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
 from stiction.solving.results import labelled
@@ -55,10 +55,10 @@ def compare(
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
     contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
     working load, with grade, `outside_validity` in words, `doubts` as JSON; `measured_area_error` (and `_rms`) and
-    `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number where
-    none was solved near; `measured_error` as JSON, `measured_error_in_words`. A theory that knows no separation has none (not
-    a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at the
-    working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
+    `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number
+    where none was solved near; `measured_error` as JSON, `measured_error_in_words`. A theory that knows no separation has
+    none (not a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at
+    the working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
     `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
     which of the family count for nothing and why, and `advice` where none is recommended; `cost` of each model is over `model`;
     `solved`, whether it is the contact of the map itself, converged; `doubtful` says of every point whether it is within what
@@ -247,9 +247,9 @@ def _measured(answers: list[Answer]) -> dict[str, np.ndarray]:
     relative, not a number where it was not measured near; and in words, and as JSON."""
     every = [one.measured for one in answers]
     numbers = {
-        "measured_area_error": [_relative(one, "area") for one in every],
-        "measured_area_error_rms": [_relative(one, "expected") for one in every],
-        "measured_friction_error": [_relative(one, "friction") for one in every],
+        "measured_area_error": [np.nan if one is None else np.expm1(one.area[0]) for one in every],
+        "measured_area_error_rms": [np.nan if one is None else one.relative[0] for one in every],
+        "measured_friction_error": [np.nan if one is None else np.expm1(one.friction[0]) for one in every],
     }
     words = ["" if one is None else one.words for one in every]
     data = ["null" if one is None else json.dumps(one.as_data()) for one in every]
@@ -257,10 +257,6 @@ def _measured(answers: list[Answer]) -> dict[str, np.ndarray]:
         "measured_error_in_words": np.array(words, dtype=object),
         "measured_error": np.array(data, dtype=object),
     }
-
-
-def _relative(one: "MeasuredErrors | None", name: str) -> float:
-    return np.nan if one is None else float(np.expm1(getattr(one, name)[0]))
 
 
 def _or_nothing(values: np.ndarray | None, points: int) -> np.ndarray:

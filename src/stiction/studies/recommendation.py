@@ -102,7 +102,7 @@ class Answer:
 
     @property
     def cost_of_error(self) -> float:
-        """What its measured error costs."""
+        """What its measured error costs; where there is none near, that of its film law."""
         if self.measured is not None and self.measured.known:
             return COST_OF_ERROR * float(np.nanmax(self.measured.expected))
         of_film = COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS)

@@ -17,8 +17,8 @@ gradient s(r) at rank r over h', [mean over ranks below r of s^m]^(1/m), m = .78
 
 Constants were fitted to the surfaces of the set with seeds 1 and 2 (docs/truth.md), (2) and (3) to its Gaussian isotropic ones.
 Error of the others, of seeds 3 and 4, in % rms (largest), p = .002 to .3: Gaussian isotropic (2) 6.6 (37), 80 % of all within
-5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) of other surfaces: skewed 5.1 (18), peaked 7.4, flat 5.1, with a lay 5.1 (23), bimodal
-3.8, periodic 10, worn 30 (96): at light loads it misses plateaus that are rough again.
+5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) of other surfaces: skewed 5.1 (18), peaked 7.4, flat 5.1, with a lay 5.1 (23),
+bimodal 3.8, periodic 10, worn 30 (96): at light loads it misses plateaus that are rough again.
 """
 
 import math
@@ -151,8 +151,8 @@ def widened(pressure, c):
 def with_hardness(elastic, pressure, hardness):
     """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness
     may be infinite. From p = H on all is in contact."""
-    plastic = np.minimum(pressure / hardness, 1.0)
-    return np.minimum((elastic**_MEETING + plastic**_MEETING) ** (1.0 / _MEETING), 1.0)
+    flowing = np.minimum(pressure / hardness, 1.0)
+    return np.minimum((elastic**_MEETING + flowing**_MEETING) ** (1.0 / _MEETING), 1.0)
 
 
 def of_moments(pressure, alpha):
