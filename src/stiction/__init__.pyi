@@ -21,6 +21,8 @@ from .studies.case import read_case as read_case
 from .studies.case_results import compare_case as compare_case
 from .studies.case_results import solve_case as solve_case
 from .studies.comparison import compare as compare
+from .studies.design import design as design
+from .studies.fit import fit as fit
 from .studies.resolution import fan as fan
 from .studies.resolution import resolution_study as resolution_study
 from .studies.sensitivity import sensitivity as sensitivity
@@ -28,6 +30,7 @@ from .studies.surface_analysis import analyse as analyse
 from .studies.surface_analysis import prepared as prepared
 from .studies.sweep import sweep as sweep
 from .studies.uncertainty import uncertainty as uncertainty
+from .studies.validation import validate as validate
 from .surfaces.generate import gaussian_surface as gaussian_surface
 from .surfaces.generate import non_gaussian_surface as non_gaussian_surface
 from .surfaces.heightmap import HeightMap as HeightMap

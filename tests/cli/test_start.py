@@ -42,3 +42,8 @@ def test_units_are_read_again_from_the_cache_and_anew_if_it_is_damaged(tmp_path)
         if path.suffix == ".pickle":
             path.write_bytes(b"\x80")
     assert asked() == first
+
+
+def test_it_starts_as_a_module_too():
+    run = subprocess.run([sys.executable, "-m", "stiction", "models", "--json"], capture_output=True, text=True, check=True)
+    assert '"greenwood_williamson_1966"' in run.stdout

@@ -55,7 +55,7 @@ DECIDES = {
     ],
     "what kind": [answer("a", 0.9, doubt("fit")), answer("b", 0.2, doubt("effect"))],
     "few asperities meet all alike": [answer("a", 0.2, doubt("statistics", 1e3)), answer("b", 0.9, EFFECT)],
-    "what cannot be so has no say": [answer("a", 0.9, EFFECT, grade="C"), answer("b", 0.2, IMPOSSIBLE, grade="A")],
+    "what cannot be so has no say": [answer("a", 0.9, doubt(), grade="B"), answer("b", 0.2, IMPOSSIBLE, grade="A")],
     "the stated strength": [answer("a", 0.9, doubt(), of_interface=True, grade="C"), answer("b", 0.2, grade="A")],
     "not where it cannot be so": [answer("a", 0.9), answer("b", 0.2, IMPOSSIBLE, of_interface=True)],
     "the grade of two": [answer("a", 0.9, grade="A"), answer("b", 0.2, grade="C")],
@@ -166,6 +166,22 @@ def said(subject, load):
     return told, data
 
 
+def test_what_is_possible_by_leaving_out_the_most_is_not_recommended():
+    """Where adhesion presses PDMS flat, the one model left was that whose Tabor parameter is out by a factor of a thousand."""
+    far, near = doubt("effect", 16.0, "tabor_parameter"), doubt("effect", 2.0, "tabor_parameter")
+    flat = answer("b", 5.0, IMPOSSIBLE)
+    nothing = recommend([answer("a", 0.2, far, adhesion=9.0), flat])
+    assert nothing.best is None and "better founded" in nothing.reason and nothing.advice
+    assert recommend([answer("a", 0.2, far, adhesion=9.0), answer("b", 5.0, IMPOSSIBLE, near, far)]).best is not None
+    assert recommend([answer("a", 0.2, doubt("fit", 2.0)), flat]).best is not None
+
+
+def test_a_load_lost_in_rounding_is_no_answer():
+    data = compare(st.Indices(theta=1.0, lam=10.0), load=1e-18)
+    lost = [("lost here in the rounding" in text) for text in data["outside_validity"].values]
+    assert any(lost) and np.isinf(data["cost"].values[lost]).all()
+
+
 def test_the_middle_of_those_that_are_within():
     """Where asperities yield and the strength of the interface is stated: elastic theories leave their range, and what derives
     a strength from the metal is of another family."""
@@ -196,7 +212,7 @@ def test_what_knows_more_but_not_the_stated_strength_comes_after():
     assert told["halling_1979"][:2] == (0, "C") and told["graded"][:2] == (2, "C")
     assert "bear more than their hardness" in told["graded"][3][0]
     assert told["chang_1997"][0] and told["liu_neville_reuben_2002"][0]  # all of the film is not plastic
-    assert data.attrs["recommended"] == "halling_1979"
+    assert data.attrs["recommended"] == "rough_on_film"
     assert compare(contact("200 nm"), load="1 N").attrs["recommended"] == "cohen_kligerman_etsion_2008 + sequential"
 
 
@@ -226,9 +242,7 @@ def test_nothing_is_recommended_where_a_contact_sticks_and_no_model_that_knows_i
     assert slight.attrs["recommended"] != "none"
 
 
-@pytest.mark.parametrize(
-    ("load", "recommended", "share"), (("1 N", ("halling_1979", "dayson_1971"), 0), ("1 kN", ("none",), 1))
-)
+@pytest.mark.parametrize(("load", "recommended", "share"), (("1 N", ("rough_on_film",), 0), ("1 kN", ("none",), 1)))
 def test_validity_is_that_at_the_working_load(load, recommended, share):
     """The film law of the paper is for contact spots that are smaller than the film is thick: so they are under a light load
     and not under a heavy one, and the curves, pressed to a mean separation of -2 sigma, go through both. Silver is pressed flat

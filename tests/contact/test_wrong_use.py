@@ -55,6 +55,11 @@ def test_a_copy_reads_units_and_its_dimensions_must_agree():
     assert line(lambda: one.model_copy(update={"work_of_adhesion": three})).startswith("nominal_area: \"dimension 'batch'")
 
 
+def test_a_field_that_is_none_is_not_assigned():
+    with pytest.raises(st.InputError, match="rms is no field"):
+        st.Roughness(asperity_height_deviation=1e-8, asperity_radius=1e-6, asperity_density=1e13).rms = 3
+
+
 def test_a_good_value_is_not_assigned_either_and_the_way_is_named():
     one = contact()
     assert "replace(nominal_area=...)" in line(lambda: setattr(one, "nominal_area", "2 mm^2"))

@@ -88,6 +88,11 @@ def test_an_array_and_its_size():
             "scan.x: 'steps from 1 to 29'; allowed: equally spaced",
         ),
         (xarray.DataArray(HEIGHTS[0], dims="x", coords={"x": ("x", np.arange(16), {"units": "N"})}), "scan.x: 'N'"),
+        (xarray.DataArray(HEIGHTS[0], dims="x", coords={"x": np.arange(16.0)}), "scan.units of x: not given"),
+        (
+            xarray.DataArray(HEIGHTS[0], dims="x", coords={"x": ("x", np.arange(16), {"units": "um"})}),
+            "scan.units of heights: not given",
+        ),
         (xarray.DataArray(HEIGHTS[None], dims=("a", "y", "x")), "scan: 'DataArray of shape"),
     ],
 )

@@ -45,7 +45,7 @@ def case(scan, tmp_path_factory):
 
     def read(**more):
         given = [
-            'first = { file = "rough.npy", size = "20 um", unit = "m" }',
+            'first = { file = "rough.npy", size = "20 um", unit = "m", periodic = true }',
             *(f'{key} = "{value}"' for key, value in more.items()),
         ]
         (folder / "case.toml").write_text(CASE.replace("{roughness}", "{ " + ", ".join(given) + " }"))

@@ -220,9 +220,32 @@ def busy(text: str) -> Iterator[None]:
 
 
 @contextmanager
+def telling_how_far(text: str) -> Iterator[Callable[[str], None]]:
+    """What tells how far something is: in a line on the terminal, else in a line at once and then now and then."""
+    with _line(text) as line:
+        if line is not None:
+            yield line.say
+            return
+        from time import monotonic
+
+        said = [-_EVERY]
+
+        def say(how_far: str) -> None:
+            if monotonic() - said[0] > _EVERY:
+                said[0] = monotonic()
+                print(how_far, file=sys.stderr, flush=True)
+
+        say(text)
+        yield say
+
+
+_EVERY = 10.0  # seconds between lines that nobody watches
+
+
+@contextmanager
 def solving() -> Iterator[None]:
     """The same while something is solved: it says when kernels have to be compiled for that, and how many are done."""
-    with _line("Solving") as line, _saying_what_compiles(line, "Solving"):
+    with _line("Solving") as line, _saying_what_goes_on(line, "Solving"):
         yield
 
 
@@ -230,7 +253,7 @@ def bar(text: str):
     """A wrapper of a loop's list that shows how far the loop is, and what is compiled on the way."""
 
     def wrapped(steps):
-        with _line(text) as line, _saying_what_compiles(line, text):
+        with _line(text) as line, _saying_what_goes_on(line, text):
             yield from line.over(steps) if line else steps
 
     return wrapped
@@ -267,13 +290,18 @@ def _line(text: str) -> Iterator[_Line | None]:
 
 
 @contextmanager
-def _saying_what_compiles(line: _Line | None, text: str) -> Iterator[None]:
+def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
+    """Which kernels are compiled, and how far the solution of a map is."""
     if line is None:
         yield
         return
     from stiction.engine.compiling import telling
+    from stiction.surfaces.boundary_elements.telling import telling as telling_steps
 
-    with telling(lambda done: line.say(f"{text}: compiling kernels, once per installation ({done} done)")):
+    with (
+        telling(lambda done: line.say(f"{text}: compiling kernels, once per installation ({done} done)")),
+        telling_steps(lambda one: line.say(f"{text}: load {one.load + 1} of {one.loads}, residual {one.residual:.1e}")),
+    ):
         yield
 
 

@@ -168,7 +168,11 @@ def _print_run(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:
         from stiction.report.uncertainty_tables import band_table, uncertain_notes
 
         terminal.print(band_table(data), *uncertain_notes(data), "", sep="\n")
-    if case.measured is not None:
+    if "point_spacing" in data:
+        from stiction.report.surface_tables import map_notes
+
+        terminal.print(*map_notes(data), "", sep="\n")
+    elif case.measured is not None:
         from stiction.report.surface_tables import roughness_notes, roughness_table
 
         terminal.print(roughness_table(case.measured, data), *roughness_notes(case.measured), "", sep="\n")

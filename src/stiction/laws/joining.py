@@ -259,9 +259,11 @@ def _one_each(values: np.ndarray | float, edges: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(np.broadcast_to(np.asarray(values, dtype=float), len(edges)))
 
 
-def resistances(tangential: TangentialLaw, groups: Groups, load: np.ndarray, area: np.ndarray) -> np.ndarray:
-    """Tangential force (n, m) of a law of the interface under whole loads and contact areas (n, m)."""
-    anywhere = NormalPiece(none, none, (), np.zeros((len(groups), 1)), "elastic")
+def resistances(
+    tangential: TangentialLaw, groups: Groups, load: np.ndarray, area: np.ndarray, state: str = "elastic"
+) -> np.ndarray:
+    """Tangential force (n, m) of a law of the interface under whole loads and contact areas (n, m), elastic or plastic ones."""
+    anywhere = NormalPiece(none, none, (), np.zeros((len(groups), 1)), state)
     tangential_resistance = tangential.tangential_resistance(anywhere, groups)
     out = np.empty(load.shape)
     table = columns(tangential_resistance.parameters, len(groups))

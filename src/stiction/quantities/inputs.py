@@ -96,6 +96,10 @@ class Input(BaseModel):
             raise InputError(
                 f"{type(self).__name__}.{name}", value, f"nothing: records are frozen; replace({name}=...) gives another"
             )
+        if not name.startswith("_"):
+            raise InputError(
+                f"{type(self).__name__}.{name}", value, f"{nearest(name, type(self).model_fields)}; {name} is no field"
+            )
         super().__setattr__(name, value)
 
     @classmethod

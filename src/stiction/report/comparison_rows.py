@@ -38,6 +38,7 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "grade": str(one["grade"].item()),
             "outside_validity": [doubt.short for doubt in read_doubts(one["doubts"].item())],
             "doubts": json.loads(one["doubts"].item()),
+            "measured_error": json.loads(one["measured_error"].item()),
             "why_not": one["why_not"].item() or None,
             "family": one["family_of_curve"].item() or None,
             "cost": one["cost"].item(),

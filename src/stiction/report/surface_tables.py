@@ -15,6 +15,7 @@ from stiction.surfaces.statistics import ProfileMoments
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.studies.map_contact import ContactOfMap
     from stiction.studies.measured import Measured
 
 
@@ -111,6 +112,46 @@ def roughness_notes(measured: "Measured") -> list[Text]:
     lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
     lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
     return [Text(line, style="dim") for line in lines]
+
+
+def map_notes(data: "xarray.Dataset") -> list[Text]:
+    """What was done to the maps whose contact was solved, how well they are resolved, and both areas at the last load."""
+    last = data.isel({name: -1 for name in data["load"].dims})
+    every = int(last["point_spacing"])
+    lines = [
+        *data.attrs["scans"].splitlines(),
+        f"solved: {'every point' if every == 1 else f'every {every}th point along rows and columns'}, "
+        f"{float(last['points_in_shortest_wave']):.3g} points of the map in its shortest waves, "
+        f"{float(last['longest_waves_on_a_side']):.3g} of its longest on a side, gradient {float(last['map_gradient']):.3g}",
+        f"at {shown(float(last['load']), 'load', 3)}: area {shown(float(last['contact_area']), 'contact_area', 3)}, "
+        f"{shown(float(last['contact_area_pixels']), 'contact_area', 3)} counted in points; "
+        f"{float(last['load_share_plastic']):.1%} of the load on points that bear the hardness",
+    ]
+    return [Text(line, style="dim") for line in lines]
+
+
+def contact_table(contact: "ContactOfMap") -> Table:
+    """The contact of a map: a row for each nominal pressure."""
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    for head in contact.columns:
+        for before in (" in ", " load", "/(", "/Sq"):
+            head = head.replace(before, f"\n{before.lstrip()}")
+        table.add_column(head, justify="right")
+    for row in zip(*contact.columns.values(), strict=True):
+        table.add_row(*map(_number, row))
+    return table
+
+
+def contact_notes(contact: "ContactOfMap") -> list[Text]:
+    """How the contact of a map was solved, and what is doubtful."""
+    yields = "elastic" if contact.hardness is None else f"no pressure above {contact.hardness:g} E* h'"
+    of_map = contact.curve.of_map
+    solved = (
+        f"contact: {yields}, h' = {contact.gradient:.3g}, {of_map['points_in_shortest_wave']:.3g} points in the shortest, "
+        f"{of_map['longest_waves_on_a_side']:.3g} of the longest waves on a side"
+    )
+    lines = [Text(solved, style="dim"), *(Text(f"doubtful: {one}", style="bold yellow") for one in contact.all_doubts())]
+    return lines
 
 
 def _table(*more: str) -> Table:

@@ -11,6 +11,8 @@ from stiction.solving.choice import Choice
 
 # Greenwood & Williamson's sum takes any asperity law, and this film law any of them.
 _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
+# Of a map that is solved at some loads in a few seconds.
+_POINTS = 300_000
 
 
 @dataclass(frozen=True)
@@ -23,15 +25,28 @@ class Candidate:
 
 def candidates(subject: Subject) -> list[Candidate]:
     """Every rough-surface model, and every asperity law that none of them takes, under Greenwood & Williamson's sum. On
-    a coated contact those with their own film law, or the one that suits all; and every other film law by itself."""
+    a coated contact those with their own film law, or the one that suits all; and every other film law by itself. What solves
+    the map of a contact does so at every point, or at some where there are many."""
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
-    found = [Candidate(key, Choice(key)) for key in models]
+    found = [
+        _of_map(model, subject) if model.of_map is not None else Candidate(key, Choice(key))
+        for key, model in models.items()
+        if subject.has_film or not model.on_film
+    ]
     found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
     if not subject.has_film:
         return found
     found = [_with_film(candidate, models[candidate.choice.model]) for candidate in found]
     return found + [_alone(film) for film in of_kind(FilmLaw).values() if film.interchangeable and film.key != _SUITS_ALL]
+
+
+def _of_map(model: RoughSurface, subject: Subject) -> Candidate:
+    """The solution of a map as a comparison can afford it."""
+    points = 0 if subject.measured is None else subject.measured.solvable.points
+    if points <= _POINTS:
+        return Candidate(model.key, Choice(model.key))
+    return Candidate(f"{model.key} (sampled)", Choice(model.key, options={"points": "sampled"}))
 
 
 def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:

@@ -62,7 +62,7 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
     presliding = find(choice.presliding, Presliding) if choice.presliding else None
     tangential = _tangential(choice.tangential or model.tangential)
     if not model.asperity:
-        _refuse_parts(choice, model, tangential, coated)
+        _refuse_parts(choice, model, tangential, coated and model.of_map is None)
         return Chosen(model, None, tangential, None, None, _options(choice, model, tangential), _ignored(choice, coated))
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
@@ -109,11 +109,18 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
     """InputError for what a theory in closed form cannot be combined with."""
-    if coated:
+    if coated and not model.on_film:
         raise InputError("model", model.key, "a sum over asperities, which this model is not: this contact has a film")
+    if model.on_film and not coated:
+        raise InputError("model", model.key, "another model: this one is of surfaces with a film, and this contact has none")
+    if coated and choice.film:
+        raise InputError("film", choice.film, f"nothing: {model.key} has its own")
     if choice.asperity:
         raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
     if choice.presliding:
         raise InputError("presliding", choice.presliding, f"nothing: {model.key} knows no single asperities")
+    if model.of_map is not None and choice.film:
+        raise InputError("film", choice.film, f"nothing: {model.key} solves the film of the contact itself")
     if tangential is not None and not tangential.interfacial:
-        raise InputError("tangential", tangential.key, f"a law of the interface: {model.key} knows no single asperities")
+        why = "no single asperities" if model.of_map is None else "patches of contact of any shape, and no spheres"
+        raise InputError("tangential", tangential.key, f"a law of the interface: {model.key} knows {why}")

@@ -15,7 +15,7 @@ from stiction.laws.claims import Validity
 from stiction.laws.proportion import OUT_OF_PROPORTION
 from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.quantities.dimensions import aligned
-from stiction.solving.problem import Problem
+from stiction.solving.problem import Problem, lost_in_rounding
 from stiction.solving.state import state_of
 
 # A theory that ends at full contact ends there to rounding.
@@ -24,6 +24,11 @@ _ROUNDING = 1e-9
 
 def _any(problem: Problem) -> bool:
     return True
+
+
+def _by_numbers(problem: Problem) -> bool:
+    """The contact of a map does not depend on the asperities that are found in it: its own record says what it needs."""
+    return problem.record.of_map is None
 
 
 def _of_asperities(problem: Problem) -> bool:
@@ -38,25 +43,39 @@ def _does_not_adhere(problem: Problem) -> bool:
 _FEW = "so few make no average: from one contact to the next their number alone scatters by 1/sqrt(n)"
 
 RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
-    *((rule, _any) for rule in OUT_OF_PROPORTION),
+    *((rule, _by_numbers) for rule in OUT_OF_PROPORTION),
     (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area is above the nominal one", "impossible"), _any),
     (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
     (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),
     (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
     (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),
-    (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _any),
-    (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _any),
-    (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _any),
-    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _any),
-    (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _any),
-    (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _any),
+    (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _by_numbers),
+    (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _by_numbers),
+    (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _by_numbers),
+    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _by_numbers),
+    (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _by_numbers),
+    (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _by_numbers),
 )  # fmt: skip
 
 
 def doubts_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[Doubt]:
     """Every doubt about these normalised results: of the records that answer, and of the rules for all of them."""
     return without_repeats(doubts_about(problem.subject, _rules_for(problem), _known(problem, results)))
+
+
+def doubts_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Doubt]:
+    """The doubt, if there is one, that normalised loads asked for are lost in rounding; arrays of one shape."""
+    lost = lost_in_rounding(carried, asked)
+    if not lost.any():
+        return []
+    where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
+    off = np.abs(carried[lost] / asked[lost] - 1.0).max()
+    why = (
+        f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the "
+        f"load that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
+    )
+    return [Doubt(why, kind="impossible")]  # for the load asked for, nothing was found
 
 
 # What a point of a curve may be: as its model claims; outside of a range; not possible at all.

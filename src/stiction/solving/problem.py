@@ -1,7 +1,5 @@
 """A model, its contacts and its heights, ready to be computed: what every way of solving starts from."""
 
-from abc import ABC, abstractmethod
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -14,101 +12,19 @@ from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import Regime
 from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
-from stiction.laws.registry import Record, RoughSurface, find, select_options
+from stiction.laws.registry import RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.candidates import with_interface
 from stiction.solving.choice import Choice
-from stiction.solving.chosen import Chosen, look_up
+from stiction.solving.chosen import look_up
+from stiction.solving.on_map import OnMap
+from stiction.solving.problem_base import Problem, with_coefficient
 
 _AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
 _RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
 _COUNT, _LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
-
-
-@dataclass(frozen=True)
-class Problem(ABC):
-    """n contacts under one model.
-
-    groups: their dimensionless groups, flat. dims: named dimensions of the contacts, name -> size; n is the product. coords:
-    what the dimensions' points are called. subject: the Contact or Indices, as the model takes it; None where only groups were
-    given. Results are normalised, by name; of theories that know no separation there is only what `at_load` gives.
-    threads: how many share the sums; the results are the same, bit for bit.
-    """
-
-    chosen: Chosen
-    groups: Groups
-    heights: Heights
-    dims: dict[str, int]
-    coords: dict[str, Any]
-    subject: Any = None
-    threads: int = 1
-
-    @property
-    def record(self) -> RoughSurface:
-        return self.chosen.model
-
-    @property
-    def options(self) -> Mapping[str, str]:
-        return self.chosen.options
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        return tuple(self.dims.values())
-
-    @property
-    def friction(self) -> bool:
-        """Whether there is a tangential law."""
-        return self.chosen.tangential is not None
-
-    def records(self) -> list[Record]:
-        """The records of all that answers."""
-        return self.chosen.records()
-
-    def with_groups(self, rows: slice | np.ndarray) -> "Problem":
-        """The same for some of the contacts; itself for all of them."""
-        groups = self.groups[rows]
-        return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
-
-    @property
-    @abstractmethod
-    def needs_load(self) -> bool:
-        """Whether the model knows the load only, and no separation."""
-
-    @property
-    @abstractmethod
-    def adheres(self) -> bool:
-        """Whether asperities attract."""
-
-    @property
-    @abstractmethod
-    def effects(self) -> list[str]:
-        """What is taken account of beyond elastic asperities, in words."""
-
-    @abstractmethod
-    def on_branch(self, branch: str) -> "Problem":
-        """The same problem on another branch, if it has that for this contact; otherwise itself."""
-
-    @abstractmethod
-    def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Net load per asperity at pairs of separation and law."""
-
-    @abstractmethod
-    def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Net load per asperity (n, H) at separations that all laws share."""
-
-    @abstractmethod
-    def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Results (n, H) at separations that all laws share."""
-
-    @abstractmethod
-    def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Results (n, m) at the separations h (n, m)."""
-
-    @abstractmethod
-    def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
-        """Results (n, m) at normalised loads (n, m), where the model `needs_load`."""
 
 
 @dataclass(frozen=True)
@@ -154,6 +70,10 @@ class Sum(Problem):
         pieces = range(0, h.size, _AT_ONCE)
         parts = [self._scattered(h[at : at + _AT_ONCE], law[at : at + _AT_ONCE])[..., _LOAD].sum(axis=0) for at in pieces]
         return np.concatenate(parts) if parts else np.empty(0)
+
+    def loads_by_regime(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """Net load per asperity (regimes, k) at pairs (k,) of separation and law."""
+        return self._scattered(h, law)[..., _LOAD]
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
@@ -235,11 +155,13 @@ class ClosedForm(Problem):
 
     @property
     def adheres(self) -> bool:
-        return False
+        return self.record.adheres
 
     @property
     def effects(self) -> list[str]:
-        return ["plasticity"] if "hardness_group" in self.record.needs else []
+        plasticity = "hardness_group" in self.record.needs
+        known = ("adhesion", self.adheres), ("plasticity", plasticity), ("the film", self.record.on_film)
+        return [name for name, there in known if there]
 
     def on_branch(self, branch: str) -> "ClosedForm":
         return self
@@ -271,10 +193,26 @@ class ClosedForm(Problem):
         return self._results(*(np.concatenate(parts) for parts in zip(*rows, strict=True)))
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
-        assert self.record.area_at_load is not None
         if not (load >= 0.0).all():
-            raise InputError("load", float(load.min()), f">= 0: {self.record.key} knows no adhesion")
-        return self._results(load, self.record.area_at_load(load, self.groups, **select_options(self.record, self.options)))
+            unknown = "says nothing of tension" if self.adheres else "knows no adhesion"
+            raise InputError("load", float(load.min()), f">= 0: {self.record.key} {unknown}")
+        return self._results(load, self._area(load))
+
+    @property
+    def map(self) -> Any:
+        """The map of the contact, where the theory takes it; else None."""
+        return None if self.record.area_on_map is None or self.subject is None else self.subject.map
+
+    @property
+    def way(self) -> str:
+        """How the area is found, in words, where the theory has more than one way."""
+        return "" if self.record.way is None else self.record.way(self.map)
+
+    def _area(self, load: np.ndarray) -> np.ndarray:
+        assert self.record.area_at_load is not None
+        if self.map is not None and self.record.area_on_map is not None:
+            return self.record.area_on_map(load, self.groups, self.map)
+        return self.record.area_at_load(load, self.groups, **select_options(self.record, self.options))
 
     def _curve(self, h, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
         if self.record.curve is None:
@@ -292,12 +230,6 @@ def _wanted(name: str) -> str:
     """What must be given of a quantity that a model needs: a work of adhesion that is one."""
     quantity = QUANTITIES[name]
     return replace(quantity, lower_included=False).wanted if name == "work_of_adhesion" else quantity.wanted
-
-
-def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """The friction force, and its ratio to the load: not a number where the load is not compressive."""
-    ratio = np.divide(friction, load, where=load > 0.0, out=np.full(load.shape, np.nan))
-    return {"friction_force": friction, "friction_coefficient": ratio}
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
@@ -348,6 +280,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     """The problem of this contact under this model. Raises InputError for what the model does not know or refuses."""
     check_threads(threads)
     subject = with_surface_moments(as_subject(subject), choice.model)
+    own_heights = heights is None
     if heights is None:
         name, parameters = subject.heights
         heights = height_distribution(name, **parameters)
@@ -358,6 +291,8 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     groups, dims = Groups.of(subject.indices())
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)
+    if isinstance(problem, OnMap) and not own_heights:
+        raise InputError("heights", heights.key, f"nothing: {problem.record.key} takes those of the map")
     if isinstance(problem, ClosedForm) and heights.key != "gaussian":
         raise InputError("heights", heights.key, f"gaussian: {problem.record.key} knows no other heights")
     return problem
@@ -372,5 +307,5 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
                 given = subject.given_as(name) if subject is not None else name
                 whose = "" if record is chosen.model else f", which {chosen.model.key} takes here,"
                 raise InputError(given, getattr(subject, given, None), f"{_wanted(given)}: {record.key}{whose} needs it")
-    kind = Sum if chosen.asperity is not None else ClosedForm
+    kind: type[Problem] = Sum if chosen.asperity is not None else OnMap if chosen.model.of_map is not None else ClosedForm
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

@@ -9,6 +9,7 @@ from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
+from stiction.laws.registry import RoughSurface, find
 from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.dimensions import aligned, coordinates, dimensions
 from stiction.quantities.errors import InputError
@@ -16,9 +17,10 @@ from stiction.quantities.foreign import as_sequence, is_series
 from stiction.quantities.units import axis, from_series
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice, without_old_names
+from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
 from stiction.solving.method_spread import with_measured
-from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_problem, with_surface_moments
+from stiction.solving.problem import Problem, as_asked, make_problem, with_surface_moments
 from stiction.solving.results import as_dataset, as_variables, summary_of, with_shares
 
 if TYPE_CHECKING:
@@ -68,6 +70,8 @@ def solve(
         raise InputError(error.field, error.value, error.allowed + doubts) from None
     if measured is None:
         return data
+    if find(choice.model, RoughSurface).of_map is not None:
+        return with_doubts(data, map(Doubt, measured.doubts)).assign_attrs(measured.solvable.attributes())
 
     def solved(other: Contact, loads: Any) -> "xarray.Dataset":
         return _at_points(other, None, loads, choice, heights, threads)
@@ -113,35 +117,35 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     tables = with_shares(problem, tables)
     variables = as_variables(subject, tables, factors, dims)
     variables |= {} if found is None else convergence(found, dims)
-    if "mean_separation" in tables:
+    if "mean_separation" in tables and not problem.needs_load:
         variables |= pull_off_variables(problem, factors, found)
     coords = problem.coords | point_coordinates(point)
     if given in getattr(point, "dims", ()):
         coords[given] = (given, point.values, variables.pop(given)[2])
     data = as_dataset(variables, coords).assign_attrs(summary_of(subject, problem, tables))
     if found is None or carried is None:
-        return data
+        return data if problem.record.of_map is None else _with_interruption(data)
     kept = as_variables(subject, {"load": carried}, factors, dims)["load"] if given in data.coords else None
     data = _with_carried(data, carried, wanted, kept)
     return data.assign_attrs(convergence=f"all separations converged in at most {found.evaluations} evaluations")
 
 
+def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
+    """The dataset with the doubt that not all loads were solved, where a solution was interrupted."""
+    missing = int(np.isnan(data["contact_area"].values).sum())
+    if not missing:
+        return data
+    return with_doubts(data, [Doubt(f"interrupted: {missing} of {data['contact_area'].size} loads were not solved")])
+
+
 def _with_carried(data: "xarray.Dataset", carried: np.ndarray, asked: np.ndarray, beside: tuple | None) -> "xarray.Dataset":
     """The dataset with the doubt that loads asked for are lost in rounding, where any are, and with the loads that are carried
     beside those asked for, where these are a coordinate."""
-    lost = lost_in_rounding(carried, asked)
-    if not lost.any():
-        return data
-    if beside is not None:
+    doubts = doubts_of_rounding(carried, asked)
+    if doubts and beside is not None:
         dims, values, attributes = beside
         data["load_carried"] = (dims, values, attributes | {"long_name": "net normal load that is carried"})
-    where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
-    off = np.abs(carried[lost] / asked[lost] - 1.0).max()
-    why = (
-        f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the "
-        f"load that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
-    )
-    return with_doubts(data, [Doubt(why)])
+    return with_doubts(data, doubts)
 
 
 def convergence(found: Inversion, dims: Mapping[str, int]) -> dict[str, tuple]:

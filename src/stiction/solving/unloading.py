@@ -20,10 +20,12 @@ from stiction.laws.asperity.shared.letting_go import drawn_apart
 from stiction.laws.joining import coordinates, within
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import AsperityLaw, RoughSurface, TangentialLaw, find
+from stiction.laws.validity import with_doubts
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice, without_old_names
+from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.inversion import largest_tension
 from stiction.solving.problem import Sum, as_asked, make_problem
 from stiction.solving.results import labelled, summary_of
@@ -79,9 +81,12 @@ def unload(
     wanted = np.broadcast_to(aligned(point, dims) / aligned(factors["m"], dims), shape)
     apart = _apart(subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), distance is not None)
     results = way.at(way.rows(shape), turned, apart)
+    doubts = []
     if pressed_with is not None:
         asked = np.broadcast_to(aligned(turn, dims) / aligned(factors["N"], dims), shape)
-        results = as_asked(results, np.where(apart == 0.0, asked, results["load"]))
+        asked = np.where(apart == 0.0, asked, results["load"])
+        doubts = doubts_of_rounding(results["load"], asked)
+        results = as_asked(results, asked)
     tables = {"mean_separation": turned + apart if separation is None else wanted} | results
     data = labelled(subject, tables, factors, dims, way.pressed.coords | point_coordinates(turn, point))
     data = data.merge(_ends(way, nearest, factors, turn_dims))
@@ -95,7 +100,7 @@ def unload(
                 "comment": like[1],
                 "symbol": "",
             }
-    return data.assign_attrs(way.summary(tables))
+    return with_doubts(data.assign_attrs(way.summary(tables)), doubts)
 
 
 # What is in no table of quantities: like which quantity each is measured, and what it is.

@@ -18,6 +18,8 @@ from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
+from stiction.studies.design_plan import Design
+from stiction.studies.fit_plan import Fit
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
 from stiction.studies.own_materials import with_own_materials
 from stiction.studies.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
@@ -157,8 +159,7 @@ class _Solve(Input):
 
 
 class _CaseFile(Input):
-    """The tables of a case file: [contact] or [indices], [solve], [sweep] for many contacts, [uncertainty] for uncertain ones,
-    and materials of its own."""
+    """The tables of a case file: [contact] or [indices], [solve], those of studies of it, and materials of its own."""
 
     title: str = ""
     materials: dict[str, Body] | str = Field(
@@ -168,6 +169,8 @@ class _CaseFile(Input):
     indices: Indices | None = None
     solve: _Solve = Field(description="a table with separation or load")
     sweep: Sweep | None = Field(None, description="a table: what `stiction sweep` computes and keeps")
+    design: Design | None = Field(None, description="a table: what `stiction design` chooses, and what is wished of it")
+    fit: Fit | None = Field(None, description="a table: what `stiction fit` fits to measured series")
     uncertainty: Uncertainty | None = Field(None, description="a table: how numbers that are uncertain are drawn")
 
     @model_validator(mode="after")

@@ -14,9 +14,10 @@ from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
+from stiction.solving import film_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import doubtful_points, doubts_of_results
+from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding
 from stiction.solving.inversion import Unreachable, separations_at
 from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
@@ -142,7 +143,10 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     if situation.target is not None:
         at_load = _at_working_load(problem, situation.target, answer)
     if at_load or situation.target is None:  # of a load that is not carried there is nothing to doubt
-        answer.outside = doubts_of_results(problem, at_load or {name: table[None, :] for name, table in curve.items()})
+        judged = at_load or {name: table[None, :] for name, table in curve.items()}
+        answer.outside = answer.outside + doubts_of_results(problem, judged)
+        answer.film_off = film_errors.off_by(problem, judged)
+        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_error"]
         answer.adhesion = _largest(state_of(problem, at_load).get("adhesion_share")) if at_load else np.inf
     answer.effects = problem.effects
     answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
@@ -172,7 +176,7 @@ def _reason(error: InputError) -> str:
 def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
     """Normalised results (points,) along the separations, or the loads in their place."""
     if problem.needs_load:
-        loads = situation.loads / problem.subject.scales().factors()["N"]
+        loads = problem.few_of(situation.loads / problem.subject.scales().factors()["N"])
         return {name: table[0] for name, table in problem.at_load(loads).items()}
     return {"mean_separation": situation.h} | {name: table[0] for name, table in problem.on_grid(situation.h).items()}
 
@@ -185,7 +189,9 @@ def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[st
         if problem.needs_load:
             return problem.at_load(wanted)
         h = separations_at(problem, wanted).h
-        return {"mean_separation": h} | as_asked(problem.at(h), wanted)
+        results = problem.at(h)
+        answer.outside = doubts_of_rounding(results["load"], wanted)
+        return {"mean_separation": h} | as_asked(results, wanted)
     except Unreachable as error:
         high, low = (problem.subject.show(load * unit, "load", 4) for load in (error.high, error.low))
         answer.why_not = f"{TOO_MUCH} {high}" if wanted.item() > error.high else f"carries loads above {low}"
@@ -197,7 +203,7 @@ def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[st
 def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Dataset":
     """Answers as a dataset over model and point; those that say nothing at all are left out, with the reason."""
     shown = [one for one in answers if one.curve]
-    dims = {"model": len(shown), "point": shown[0].curve["load"].size if shown else 0}
+    dims = {"model": len(shown), "point": max((one.curve["load"].size for one in shown), default=0)}
     as_it_is: dict[str, Any] = {}  # results are in the units of the contact already
     tables = {name: np.array([_or_nothing(one.curve.get(name), dims["point"]) for one in shown]) for name in RESULTS}
     data = labelled(contact, tables, as_it_is, dims, {"model": [one.candidate.name for one in shown]})
@@ -209,18 +215,24 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "grade": [one.grade for one in shown],
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
+        "measured_error": [one.film_errors for one in shown],
         "why_not": [one.why_not for one in shown],
         "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
     }
     data = data.assign({name: ("model", np.array(values, dtype=object)) for name, values in texts.items()})
     shape = (len(shown), dims["point"])
-    data = data.assign(doubtful=(("model", "point"), np.array([one.doubtful for one in shown]).reshape(shape)))
+    doubtful = np.full(shape, DOUBTFUL)
+    for row, one in zip(doubtful, shown, strict=True):
+        row[: one.doubtful.size] = one.doubtful
+    data = data.assign(doubtful=(("model", "point"), doubtful))
     data = data.assign(cost=("model", np.array([one.cost for one in shown]), {"long_name": "how ill founded a model is here"}))
     return data.assign_attrs(_attributes(contact, answers, target))
 
 
 def _or_nothing(values: np.ndarray | None, points: int) -> np.ndarray:
-    return np.full(points, np.nan) if values is None else values
+    """The values, and not a number for those that there are not."""
+    given = np.zeros(0) if values is None else values
+    return np.concatenate([given, np.full(points - given.size, np.nan)])
 
 
 def _attributes(contact, answers: list[Answer], target: float | None) -> dict[str, Any]:

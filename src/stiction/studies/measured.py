@@ -1,7 +1,7 @@
 """The rough surface of a contact from scans of its bodies in place of numbers: a Roughness for each way to find asperities."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,6 +11,7 @@ from stiction.contact.contact import Contact, Roughness
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.units import show
+from stiction.studies.solvable_maps import SolvableMaps
 
 if TYPE_CHECKING:
     from stiction.laws.finding import Asperities
@@ -33,7 +34,8 @@ class Scan(Input):
     """A scan of one body.
 
     file: path, from the folder of the case file. size: along x, in place of what the file says; unit and height_unit: of the
-    numbers in the file; height_scale: factor on the heights; channel: of a file with several. Raises InputError.
+    numbers in the file; height_scale: factor on the heights; channel: of a file with several; periodic: the scan is one period
+    of a surface without end. Raises InputError.
     """
 
     file: str
@@ -42,6 +44,7 @@ class Scan(Input):
     height_unit: str | None = None
     height_scale: float | None = None
     channel: str | None = None
+    periodic: bool = Field(False, strict=True, description="one period of a surface without end: no form is taken off its map")
 
 
 def _body(value):
@@ -116,7 +119,7 @@ class Measured:
     history: of each scan, in words; notes: method -> what was found, and what it rests on; counts: method -> how many
     separate asperities it found, 0 where it has averages only or two bodies are taken together. mean_heights: of the
     asperities, over the mean plane [m]: separations count from them. doubts: what is to be said of two bodies taken together.
-    of_moments: the method that keeps the moments of the surface.
+    of_moments: the method that keeps the moments of the surface. solvable: the maps whose contact can be solved point by point.
     """
 
     by_method: Mapping[str, Roughness]
@@ -128,12 +131,13 @@ class Measured:
     mean_heights: Mapping[str, float]
     doubts: tuple[str, ...] = ()
     of_moments: str = ""
+    solvable: SolvableMaps = field(default_factory=SolvableMaps, repr=False, compare=False)
 
     def roughness(self) -> Roughness:
         """The numbers of the method that stands for the surface, which know that they were measured."""
         found, reduced = self.by_method[self.method], self.with_surface_moments()
         if reduced is not self:
-            found = found.replace(surface=self.by_method[self.of_moments].replace().as_measured(reduced))
+            found = found.replace(surface=self.by_method[self.of_moments].as_measured(reduced))
         return found.as_measured(self)
 
     def contacts(self, contact: Contact) -> dict[str, Contact]:
@@ -183,6 +187,21 @@ class Measured:
         }
 
 
+def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap") -> Measured:
+    """What a map says of the roughness of a contact whose map is to be solved, with the asperities that were found in it."""
+    key = asperities.method
+    return Measured(
+        by_method={key: found},
+        method=key,
+        failures={},
+        history={"first": surface.history},
+        notes={key: asperities.note},
+        counts={key: asperities.count},
+        mean_heights={key: asperities.mean_height},
+        solvable=SolvableMaps({"first": surface}),
+    )
+
+
 def roughness_of(scan: Any) -> Roughness:
     """The roughness in a scan of the first body that the user holds, or in a table of scans like that of a case file; it knows
     what was measured. Raises InputError."""
@@ -200,7 +219,8 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     from stiction.surfaces.height_model import MODELS, height_model, roughness
 
     bodies = {"first": wanted.first, "second": wanted.second}
-    maps = {name: _prepared(body, wanted, folder, name) for name, body in bodies.items() if body is not None and _is_scan(body)}
+    scans = {name: _scan(body, folder, name) for name, body in bodies.items() if body is not None and _is_scan(body)}
+    maps = {name: _prepared(scan, wanted, bodies[name], name) for name, scan in scans.items()}
     known = [of_numbers(body) for body in bodies.values() if isinstance(body, Roughness)]
     alone = len(maps) + len(known) == 1
     if wanted.heights not in (None, *MODELS):
@@ -224,6 +244,9 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     if not found:
         raise InputError("roughness", "no asperities by any method", "scans with asperities: see `stiction surface` of them")
     of_moments = method_of_moments()
+    solvable = SolvableMaps({name: _to_solve(scans[name], maps[name], wanted) for name in maps}, bool(known))
+    if of_moments in surfaces:
+        surfaces[of_moments] = surfaces[of_moments].with_map(_one_map(solvable))
     surfaces = _with_the_surface(surfaces, surfaces.get(of_moments))
     method = wanted.method or _standing(found, counts)
     if method not in found:
@@ -240,6 +263,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
         mean_heights={name: one.mean_height for name, one in found.items()},
         doubts=(*_spikes(maps), *doubts, *_without_moments(failures.get(of_moments))),
         of_moments=of_moments,
+        solvable=solvable,
     )
 
 
@@ -249,6 +273,14 @@ def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
     }
+
+
+def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
+    """The map that stands for both faces; None where there is none."""
+    try:
+        return solvable.one()
+    except InputError:
+        return None
 
 
 def independent(found: "Asperities", surface: "HeightMap") -> int:
@@ -308,10 +340,13 @@ def _doubts(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -
     )
 
 
-def _prepared(scan: "Scan | HeightMap", wanted: MeasuredRoughness, folder: Path, body: str) -> "HeightMap":
+def _scan(scan: "Scan | HeightMap", folder: Path, body: str) -> "HeightMap":
+    return _read(scan, folder, body) if isinstance(scan, Scan) else scan
+
+
+def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: str) -> "HeightMap":
     from stiction.studies.surface_analysis import prepared
 
-    surface = _read(scan, folder, body) if isinstance(scan, Scan) else scan
     try:
         return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest)
     except InputError as error:
@@ -319,12 +354,19 @@ def _prepared(scan: "Scan | HeightMap", wanted: MeasuredRoughness, folder: Path,
         raise InputError(f"roughness.{own if error.field == 'scan' else error.field}", error.value, error.allowed) from None
 
 
+def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughness) -> "HeightMap":
+    """The map whose contact is solved: that in which asperities are found, and one period as it is, without form."""
+    from stiction.studies.surface_analysis import prepared_period
+
+    return prepared_period(scan, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest) if scan.periodic else made_ready
+
+
 def _read(scan: Scan, folder: Path, body: str) -> "HeightMap":
     from stiction.surfaces.read import read_scan
 
     given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}
     try:
-        return read_scan(folder / scan.file, **given)
+        return replace(read_scan(folder / scan.file, **given), periodic=scan.periodic)
     except InputError as error:
         field = "file" if error.field == "scan" else error.field
         raise InputError(f"roughness.{body}.{field}", error.value, error.allowed) from None

@@ -20,6 +20,8 @@ from stiction.solving.candidates import Candidate
 # The cost of leaving a range by a factor of two: an effect that is left out weighs more than an assumption strained.
 COST_OF_A_DOUBLING = {"effect": 3.0, "assumption": 1.0, "fit": 0.5, "statistics": 0.0}
 COST_OF_GRADE = {"A": 0.0, "B": 0.1, "C": 0.5}
+# Of a film law that was found off by a factor of two in area near this contact.
+COST_OF_FILM = 0.5
 COST_UNIT = 0.5
 _COSTS = COST_OF_A_DOUBLING | {"impossible": math.inf}
 # A model with less of the weight than this is set aside.
@@ -40,7 +42,8 @@ class Answer:
     curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
     takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
-    over the load. why_not: why it says nothing, or nothing of friction.
+    over the load. film_off: by how many factors of two its film law was found off near this contact, and film_errors: what was
+    measured of it, as JSON. why_not: why it says nothing, or nothing of friction.
     """
 
     candidate: Candidate
@@ -53,6 +56,8 @@ class Answer:
     effects: list[str] = field(default_factory=list)
     of_interface: bool = False
     adhesion: float = math.inf
+    film_off: float = 0.0
+    film_errors: str = "[]"
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
 
@@ -68,13 +73,17 @@ class Answer:
 
     @property
     def cost(self) -> float:
-        """How ill founded it is, 0 at the best, infinite where it cannot be so. The same limit said twice counts once."""
-        if self.impossible:
-            return math.inf
+        """How ill founded it is, 0 at the best, infinite where it cannot be so."""
+        return math.inf if self.impossible else self.cost_if_possible
+
+    @property
+    def cost_if_possible(self) -> float:
+        """The same of what its authors claim, whether or not the result can be so. The same limit said twice counts once."""
         worst: dict[str, float] = {}
         for doubt in self.outside:
-            worst[doubt.quantity] = max(worst.get(doubt.quantity, 0.0), self.cost_of(doubt))
-        return COST_OF_GRADE[self.grade] + sum(worst.values())
+            if doubt.kind != "impossible":
+                worst[doubt.quantity] = max(worst.get(doubt.quantity, 0.0), self.cost_of(doubt))
+        return COST_OF_GRADE[self.grade] + COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS) + sum(worst.values())
 
     def cost_of(self, doubt: Doubt) -> float:
         """What one doubt costs."""
@@ -122,6 +131,8 @@ def recommend(answers: list[Answer]) -> Recommendation:
         return Recommendation(None, f"no model holds: {_why_none(able)}", advice=_advice(able))
     if all(map(_knows_nothing_of_the_pull, possible)):
         return Recommendation(None, f"no model holds: {_PULLED}; of the others {_why_none(able)}", advice=_MORE_THAN_THE_PULL)
+    if _share_of(possible, able) < _LITTLE:
+        return Recommendation(None, f"no model holds: {_BETTER_FOUNDED} {_why_none(able)}", advice=_advice(able))
     stated = any(one.of_interface for one in possible)
     family = sorted((one for one in possible if one.of_interface == stated), key=lambda one: (one.mu, one.candidate.name))
     weights = _weights(family)
@@ -132,6 +143,16 @@ def recommend(answers: list[Answer]) -> Recommendation:
     others = [one for one in possible if one.of_interface != stated]
     aside = _set_aside([one for one, weight in zip(family, weights, strict=True) if weight <= _LITTLE], able)
     return Recommendation(best, _reason(best, family, weights, others), low, high, FAMILIES[stated], set_aside=aside)
+
+
+# Said where only models are possible that owe it to what they leave out.
+_BETTER_FOUNDED = "the models that are possible leave out too much to be believed; of those that are better founded"
+
+
+def _share_of(possible: list[Answer], able: list[Answer]) -> float:
+    """The share of the weight that the possible answers would have, were those counted whose result cannot be so."""
+    weights = np.exp(-np.array([one.cost_if_possible for one in able]) / COST_UNIT)
+    return float(weights[[one in possible for one in able]].sum() / weights.sum())
 
 
 # Said where a contact sticks and the models that know it say what cannot be.

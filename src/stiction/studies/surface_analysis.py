@@ -10,7 +10,7 @@ from stiction.laws.finding import Asperities, asperities, methods
 from stiction.quantities.errors import InputError
 from stiction.surfaces.height_model import HeightModel, height_model
 from stiction.surfaces.heightmap import HeightMap, metres
-from stiction.surfaces.prepare import fill_missing, filter_band, level, remove_form
+from stiction.surfaces.prepare import fill_missing, filter_band, filter_period, level, remove_form
 from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_average
 from stiction.surfaces.spikes import mask_spikes
 from stiction.surfaces.spikes import spikes as spikes_of
@@ -68,6 +68,22 @@ def prepared(
     if fill is not None:
         surface = fill_missing(surface, fill)
     return surface if shortest is None and longest is None else filter_band(surface, shortest, longest)
+
+
+def prepared_period(
+    surface: HeightMap, spikes: float | None = None, fill: str | None = None, shortest: Any = None, longest: Any = None
+) -> HeightMap:
+    """One period of a surface without end, without its mean and the waves outside of a band: it stays a period.
+
+    It has no form. The rest as in `prepared`; missing points are left, unless filled, and then no band is taken.
+    """
+    if spikes is not None:
+        surface = mask_spikes(surface, spikes)
+    if fill is not None:
+        surface = fill_missing(surface, fill)
+    if surface.complete and (shortest is not None or longest is not None):
+        surface = filter_period(surface, shortest, longest)
+    return surface.with_heights(surface.heights - np.nanmean(surface.heights), "mean removed")
 
 
 def _check_left(raw: HeightMap, surface: HeightMap) -> None:

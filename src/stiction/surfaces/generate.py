@@ -134,7 +134,7 @@ def gaussian_surface(
     Raises InputError for a map that is too small, or a spectrum that is no density or has waves shorter than two pitches.
     """
     asked = _Periodic(shape, size_in_metres(size), spectrum, seed, stretch, angle, random_amplitudes)
-    return HeightMap(asked.heights(), asked.size, (asked.said("Gaussian"),))
+    return HeightMap(asked.heights(), asked.size, (asked.said("Gaussian"),), periodic=True)
 
 
 def non_gaussian_surface(
@@ -161,7 +161,7 @@ def non_gaussian_surface(
     step += f", aimed at skewness {skewness:g} and kurtosis {kurtosis:g}; after {taken} steps the amplitudes of its waves "
     step += f"were {100.0 * error:.2g} % off in rms, and "
     step += "the spectrum was given back exactly" if exact_spectrum else "the heights are those of the distribution"
-    return HeightMap(spectral if exact_spectrum else ranked, asked.size, (step,))
+    return HeightMap(spectral if exact_spectrum else ranked, asked.size, (step,), periodic=True)
 
 
 def with_deviation(surface: HeightMap, deviation: float) -> HeightMap:

@@ -23,7 +23,7 @@ class HeightMap:
     heights: (rows, columns) [m], float64, NaN where missing; rows go along y, columns along x; a profile is (1, columns).
     size: (y, x) [m], > 0; text with a unit is fine. The pitch is size / count: N points stand for N intervals, as in one period
     of a periodic surface. The y size of a profile only gives its row a width. history: every step that was taken, in words.
-    name: of the scan.
+    name: of the scan. periodic: it is one period of a surface without end, as made maps are.
     Raises InputError if the heights are no such array, hold infinite values, or the size is not two finite numbers > 0.
     """
 
@@ -31,6 +31,7 @@ class HeightMap:
     size: tuple[float, float]
     history: tuple[str, ...] = ()
     name: str = ""
+    periodic: bool = False
 
     def __post_init__(self) -> None:
         heights = _unmasked(self.heights)
@@ -100,6 +101,10 @@ class HeightMap:
     def with_heights(self, heights: np.ndarray, step: str, size: tuple[float, float] | None = None) -> "HeightMap":
         """The map after one more step: its new heights [m], the step in words, and its size (y, x) [m] if that changed."""
         return replace(self, heights=heights, size=self.size if size is None else size, history=(*self.history, step))
+
+    def alone(self) -> "HeightMap":
+        """The same as no period of anything, as it is after a step that treats its ends as ends."""
+        return replace(self, periodic=False) if self.periodic else self
 
 
 def _unmasked(heights) -> np.ndarray:

@@ -30,8 +30,8 @@ def as_height_map(value: Any, field: str = "scan") -> HeightMap:
     """The map that another package holds, heights in metres.
 
     value: a HeightMap, which is given back as it is; a topography of SurfaceTopography that knows its unit; an xarray.DataArray
-    (y, x), or (x,) of a profile, whose coordinates are equally spaced lengths, in metres unless their attribute `units` says
-    otherwise, as its own does for the heights; or (array, size), heights (rows, columns) or (columns,) in m and the size along
+    (y, x), or (x,) of a profile, whose coordinates are equally spaced lengths; its attribute `units` and theirs say in what
+    unit; or (array, size), heights (rows, columns) or (columns,) in m and the size along
     x, with square pixels, or (y, x), in metres or as text with unit. Raises InputError, which names the field.
     """
     if isinstance(value, HeightMap):
@@ -102,7 +102,7 @@ def _of_labelled(array: Any) -> HeightMap:
     if has_unit(data):
         heights, unit = np.asarray(data.magnitude), f"{data.units:C}"
     else:
-        heights, unit = array.values, str(array.attrs.get("units", "m"))
+        heights, unit = array.values, _unit_of(array, "heights")
     heights = np.atleast_2d(np.asarray(heights, dtype=float)) * _factor(unit, "heights")
     steps = pitches if array.ndim == 2 else [pitches[0], pitches[0]]
     size = (steps[0] * heights.shape[0], steps[1] * heights.shape[1])
@@ -121,7 +121,14 @@ def _pitch(array: Any, dim: str) -> float:
     pitch = float(steps.mean())
     if not (np.isfinite(pitch) and pitch != 0.0 and np.abs(steps - pitch).max() <= _ROUNDING * abs(pitch)):
         raise InputError(dim, f"steps from {steps.min():.6g} to {steps.max():.6g}", "equally spaced places")
-    return abs(pitch) * _factor(str(coordinate.attrs.get("units", "m")), dim)
+    return abs(pitch) * _factor(_unit_of(coordinate, dim), dim)
+
+
+def _unit_of(array: Any, field: str) -> str:
+    """What the attribute `units` says. Metres are not supposed where it is not there: most maps are in um or nm."""
+    if "units" not in array.attrs:
+        raise InputError(f"units of {field}", None, 'the attribute `units` of the array, e.g. assign_attrs(units="um")')
+    return str(array.attrs["units"])
 
 
 def _factor(unit: str, field: str) -> float:

@@ -15,7 +15,7 @@ from stiction.quantities.units import show
 from stiction.surfaces.fill import FILLS, fill_missing
 from stiction.surfaces.heightmap import HeightMap, metres
 
-__all__ = ["FILLS", "crop", "fill_missing", "filter_band", "level", "remove_form"]
+__all__ = ["FILLS", "crop", "fill_missing", "filter_band", "filter_period", "level", "remove_form"]
 
 
 # ---- form
@@ -24,14 +24,15 @@ __all__ = ["FILLS", "crop", "fill_missing", "filter_band", "level", "remove_form
 def level(surface: HeightMap) -> HeightMap:
     """Without the mean plane (the mean line of a profile): the least-squares fit to the points that are there."""
     fitted = "line" if surface.is_profile else "plane"
-    return surface.with_heights(_without_polynomial(surface, 1), f"levelled: least-squares {fitted} removed")
+    return surface.with_heights(_without_polynomial(surface, 1), f"levelled: least-squares {fitted} removed").alone()
 
 
 def remove_form(surface: HeightMap, order: int) -> HeightMap:
     """Without the least-squares polynomial of total order 1 to 4 in x and y, fitted to the points that are there."""
     if isinstance(order, bool) or order not in (1, 2, 3, 4):
         raise InputError("order", order, "1, 2, 3 or 4: of the polynomial that is removed")
-    return surface.with_heights(_without_polynomial(surface, order), f"form removed: least-squares polynomial of order {order}")
+    step = f"form removed: least-squares polynomial of order {order}"
+    return surface.with_heights(_without_polynomial(surface, order), step).alone()
 
 
 def _without_polynomial(surface: HeightMap, order: int) -> np.ndarray:
@@ -93,7 +94,7 @@ def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) 
         if given is not None:
             words.append(f"{name} {show(first * pitch, 'scan_size')} to {show(last * pitch, 'scan_size')}")
     step = "cropped: " + (", ".join(words) or "nothing")
-    return surface.with_heights(surface.heights[tuple(kept)].copy(), step, size=(sizes[0], sizes[1]))
+    return surface.with_heights(surface.heights[tuple(kept)].copy(), step, size=(sizes[0], sizes[1])).alone()
 
 
 def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
@@ -133,6 +134,28 @@ def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
         f"filtered to wavelengths {ends[0]} to {ends[1]}: Gaussian ISO 16610, 50 % at the cutoffs, weights renormalised at "
         "edges and missing points"
     )
+    return surface.with_heights(heights, step).alone()
+
+
+def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
+    """The same for one period of a surface without end, which it stays: the filters of `filter_band` go on over its ends.
+    Arguments and errors as there; also InputError for missing points."""
+    low = None if shortest is None else metres(shortest, "shortest")
+    high = None if longest is None else metres(longest, "longest")
+    _check_band(surface, low, high)
+    if not surface.complete:
+        raise InputError("heights", f"{surface.missing} missing points", "a map without missing points: fill them")
+    along = [scipy.fft.fftfreq(surface.heights.shape[0], surface.pitch[0])]
+    along.append(scipy.fft.rfftfreq(surface.heights.shape[1], surface.pitch[1]))
+    squared = along[0][:, None] ** 2 + along[1] ** 2
+    kept = np.ones(squared.shape)
+    for cutoff, sign in ((low, 1.0), (high, -1.0)):
+        if cutoff is not None:
+            passed = np.exp(-np.minimum(math.log(2.0) * cutoff**2 * squared, 700.0))
+            kept *= passed if sign > 0.0 else 1.0 - passed
+    heights = scipy.fft.irfft2(scipy.fft.rfft2(surface.heights) * kept, s=surface.heights.shape)
+    ends = ["all" if end is None else show(end, "scan_size") for end in (low, high)]
+    step = f"filtered to wavelengths {ends[0]} to {ends[1]}: Gaussian ISO 16610, 50 % at the cutoffs, going on over the ends"
     return surface.with_heights(heights, step)
 
 

@@ -113,38 +113,51 @@ def _away(y, el, k, *_):
 
 @dataclass(frozen=True)
 class Compliance:
-    """Of both bodies together: half-spaces of effective modulus E* [Pa] (infinite: rigid), and a film on its own half-space.
+    """Of both bodies together: half-spaces of effective modulus E* [Pa] (infinite: rigid), a film on its own half-space, and
+    one on the other body's.
 
     InputError unless the modulus is > 0, and finite where no film gives way.
     """
 
     modulus: float
     film: Film | None = None
+    counter_film: Film | None = None
 
     def __post_init__(self) -> None:
-        if not self.modulus > 0.0 or (self.film is None and math.isinf(self.modulus)):
+        if not self.modulus > 0.0 or (not self.films and math.isinf(self.modulus)):
             raise InputError("modulus", self.modulus, "> 0 Pa, finite unless there is a film")
+
+    @property
+    def films(self) -> tuple[Film, ...]:
+        """Those that there are."""
+        return tuple(one for one in (self.film, self.counter_film) if one is not None)
 
     @property
     def near(self) -> float:
         """Compliance of short waves times k/2 [1/Pa]: one over the effective modulus at the face."""
-        return 1.0 / self.modulus + (0.0 if self.film is None else 1.0 / self.film.plane_strain)
+        return 1.0 / self.modulus + sum(1.0 / one.plane_strain for one in self.films)
 
     @property
     def far(self) -> float:
         """Compliance of long waves times k/2 [1/Pa]: one over the effective modulus seen from far away, 0 if nothing gives."""
-        return 1.0 / self.modulus + (0.0 if self.film is None else self.film.far)
+        return 1.0 / self.modulus + sum(one.far for one in self.films)
+
+    @property
+    def depth(self) -> float:
+        """Thickness of the thickest film [m], 0 if there is none."""
+        return max((one.thickness for one in self.films), default=0.0)
 
     def times_half_k(self, k: np.ndarray) -> np.ndarray:
         """C(k) k/2 [1/Pa]; k: wavevectors > 0 [1/m], any shape."""
-        half_space = np.full(np.shape(k), 1.0 / self.modulus)
-        return half_space if self.film is None else half_space + self.film.over_half_space(k) / self.film.plane_strain
+        total = np.full(np.shape(k), 1.0 / self.modulus)
+        for one in self.films:
+            total += one.over_half_space(k) / one.plane_strain
+        return total
 
     def at(self, k: np.ndarray) -> np.ndarray:
         """C(k) [m/Pa]; k: wavevectors >= 0 [1/m]. At k = 0 its limit if finite, else 0: the mean is not known."""
         k = np.asarray(k, dtype=float)
         positive = k > 0.0
         safe = np.where(positive, k, 1.0)
-        return np.where(
-            positive, 2.0 * self.times_half_k(safe) / safe, 0.0 if self.far > 0.0 or self.film is None else self.film.at_zero
-        )
+        at_zero = 0.0 if self.far > 0.0 else sum(one.at_zero for one in self.films)
+        return np.where(positive, 2.0 * self.times_half_k(safe) / safe, at_zero)

@@ -72,10 +72,10 @@ class FreeBoundary:
         pitch = (size[0] / shape[0], size[1] / shape[1])
         self._doubled = tuple(next_fast_len(2 * count, real=True) for count in shape)
         kernel = compliance.near * _of_pixels(self._doubled, pitch)
-        if compliance.film is not None:
-            kernel += (compliance.far - compliance.near) * _of_pixels(self._doubled, pitch, _DEPTH * compliance.film.thickness)
+        if compliance.films:
+            kernel += (compliance.far - compliance.near) * _of_pixels(self._doubled, pitch, _DEPTH * compliance.depth)
         self._kernel = rfft2(kernel).real.copy()  # even in both directions: no imaginary part
-        if compliance.film is not None:
+        if compliance.films:
             self._kernel += _rest(compliance, self._doubled, pitch)
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
@@ -121,7 +121,7 @@ def _corner(x, y, depth):
 def _rest(compliance, shape, pitch):
     """D(k) of (2) [m/Pa] on a grid; of a pixel of uniform pressure."""
     k = wavevectors(shape, (shape[0] * pitch[0], shape[1] * pitch[1]))
-    depth = _DEPTH * compliance.film.thickness
+    depth = _DEPTH * compliance.depth
     k[0, 0] = 1e-3 / depth  # D is finite at 0, and this near to it
     rest = compliance.times_half_k(k) - compliance.near
     rest -= (compliance.far - compliance.near) * np.exp(-depth * k)

@@ -5,7 +5,7 @@ shortest wave: rms (largest) error of the area .6 % (1.8) where 3000 points or m
 (10) from 300, 8.7 % (17) from 100.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +14,7 @@ from stiction.surfaces.boundary_elements.measures import waves
 from stiction.surfaces.boundary_elements.solve import MapContacts, solve_map
 from stiction.surfaces.heightmap import size_in_metres
 
-__all__ = ["SampledContacts", "solve_sampled"]
+__all__ = ["SampledContacts", "fewest_points", "solve_sampled"]
 
 LEAST_POINTS = 4.0  # in the shortest wave
 LEAST_CONTACT = 1000  # points in contact, at the lightest load
@@ -29,23 +29,30 @@ class SampledContacts:
 
 
 def solve_sampled(
-    heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool, **how
-) -> SampledContacts:
+    heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool,
+    solve: Callable[..., MapContacts] = solve_map, **how,
+) -> SampledContacts:  # fmt: skip
     """`solve_map` of the fewest points that are enough: those that give four in the shortest wave, or more where at the
-    lightest load fewer than 1000 would be in contact. Arguments and errors as there."""
+    lightest load fewer than 1000 would be in contact. Arguments and errors as there; solve: what solves in its place."""
     size = size_in_metres(size)
     for every in _candidates(heights, size, periodic):
         sampled = np.ascontiguousarray(heights[::every, ::every])
         covered = tuple(
             length / full * every * few for length, full, few in zip(size, heights.shape, sampled.shape, strict=True)
         )
-        contacts = solve_map(sampled, covered, modulus=modulus, loads=loads, periodic=periodic, **how)
+        contacts = solve(sampled, covered, modulus=modulus, loads=loads, periodic=periodic, **how)
         if (
             every == 1
             or min(contact.area_pixels / contact.nominal_area for contact in contacts) * sampled.size >= LEAST_CONTACT
         ):
             break
     return SampledContacts(contacts, every)
+
+
+def fewest_points(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> int:
+    """How many points `solve_sampled` solves at least."""
+    every = _candidates(heights, size, periodic)[0]
+    return heights[::every, ::every].size
 
 
 def _candidates(heights, size, periodic):

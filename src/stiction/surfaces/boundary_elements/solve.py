@@ -17,17 +17,17 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import nearest
 from stiction.surfaces.boundary_elements.compliance import Compliance, Film
-from stiction.surfaces.boundary_elements.doubts import MapDoubt, doubts_of_load, doubts_of_map
+from stiction.surfaces.boundary_elements.doubts import MapDoubt, doubts_of_load, doubts_of_map, share_at_ends
 from stiction.surfaces.boundary_elements.increments import stiffness_per_area
+from stiction.surfaces.boundary_elements.limits import TOLERANCE
 from stiction.surfaces.boundary_elements.measures import PIXEL_EXCESS, edges, rms_step
 from stiction.surfaces.boundary_elements.memory import require_memory
 from stiction.surfaces.boundary_elements.minimise import Found, Problem, minimise
 from stiction.surfaces.boundary_elements.operators import FreeBoundary, PeriodicBoundary
 from stiction.surfaces.heightmap import size_in_metres
 
-__all__ = ["MapContact", "MapContacts", "Progress", "solve_map", "sum_of_maps"]
+__all__ = ["MapContact", "MapContacts", "Progress", "checked", "solve_map", "sum_of_maps"]
 
-TOLERANCE = 1e-5  # of the residual: gaps where there is contact, over the rms height difference of neighbouring points
 MOST_STEPS = 2000
 _COARSE = 96  # points along a side of the coarsest start
 _COARSE_TOLERANCE = 1e-2
@@ -43,7 +43,8 @@ class MapContact:
     they touch; approach: since first touch [m], None where a periodic half-space leaves it unknown; stiffness: of load over
     approach [N/m], NaN if no point can answer; plastic_area [m2]: where the pressure is the hardness; plastic_share: of the
     load, carried there [1]; pressure: (rows, columns) [Pa], None if not kept; residual, steps: of the solution;
-    load_error: relative.
+    load_error: relative; points: how many are in contact; load_at_ends: share of the load on the outermost points, 0 of a
+    periodic map.
     """
 
     load: float
@@ -61,6 +62,8 @@ class MapContact:
     residual: float
     load_error: float
     steps: int
+    points: int
+    load_at_ends: float
     doubts: tuple[MapDoubt, ...] = ()
     pressure: np.ndarray | None = field(default=None, repr=False)
 
@@ -99,31 +102,40 @@ class Progress:
 
 def solve_map(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool,
-    film: Film | None = None, hardness: float | None = None, **how,
+    film: Film | None = None, counter_film: Film | None = None, hardness: float | None = None, **how,
 ) -> MapContacts:  # fmt: skip
     """Contact of the map with a rigid flat face that is pressed on its highest points, at every load.
 
     heights: (rows, columns) [m], finite, not all alike; size: (y, x) [m]; modulus: effective modulus E* of both bodies [Pa], of
-    all but the coated one where there is a film (infinite: the other is rigid); loads: [N], > 0, any order; periodic: whether
-    the map is one period of an endless surface, or alone; hardness: the largest pressure [Pa], None: elastic. Further, by name:
-    tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness: whether it is computed
-    (True); progress: called with a `Progress` before every step. Results are in the order of the loads.
+    what carries no film where there is one, or one on each (infinite: the other is rigid); loads: [N], > 0, any order;
+    periodic: whether the map is one period of an endless surface, or alone; hardness: the largest pressure [Pa], None: elastic.
+    Further, by name: tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness:
+    whether it is computed (True); progress: called with a `Progress` before every step; done: called with each contact that
+    is found. Results are in the order of the loads.
 
     A load that did not converge has a doubt `not_converged`. Interrupted by the keyboard, it gives the loads that are done.
     Raises InputError for what cannot be used, also for a load that the hardness cannot carry, or too little memory.
     """
     asked = _Asked.of(heights, size, hardness, loads, periodic, _How.of(**how))
-    compliance = Compliance(modulus, film)
-    of_map = doubts_of_map(asked.heights, asked.size, film, periodic)
+    compliance = Compliance(modulus, film, counter_film)
+    of_map = doubts_of_map(asked.heights, asked.size, film or counter_film, periodic)
     order = np.argsort(asked.pressures, kind="stable")
     done: dict[int, MapContact] = {}
     try:
         for index, contact in zip(order, _rising(asked, compliance, asked.pressures[order]), strict=True):
             done[int(index)] = contact
+            if asked.how.done is not None:
+                asked.how.done(contact)
     except KeyboardInterrupt:
         if not done:
             raise
     return MapContacts(tuple(done[index] for index in sorted(done)), of_map, len(done) == len(order))
+
+
+def checked(heights: np.ndarray, size: tuple[float, float], loads: Sequence[float], periodic: bool, how: dict) -> None:
+    """InputError for a map, loads or keywords that `solve_map` refuses."""
+    rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness")}
+    _Asked.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest))
 
 
 def sum_of_maps(first: np.ndarray, second: np.ndarray) -> np.ndarray:
@@ -144,6 +156,7 @@ class _How:
     keep_maps: bool = True
     stiffness: bool = True
     progress: Callable[[Progress], None] | None = None
+    done: Callable[[MapContact], None] | None = None
 
     @classmethod
     def of(cls, **how) -> "_How":
@@ -263,6 +276,8 @@ def _contact(asked: _Asked, problem: Problem, found: Found, knows_approach: bool
         residual=found.residual,
         load_error=error,
         steps=found.steps,
+        points=int(np.count_nonzero(contact)),
+        load_at_ends=0.0 if asked.periodic else share_at_ends(pressure),
         doubts=doubts_of_load(found, error, asked.periodic, asked.how.tolerance),
         pressure=pressure if asked.how.keep_maps else None,
     )

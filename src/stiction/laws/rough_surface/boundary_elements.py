@@ -1,0 +1,105 @@
+r"""The contact of the measured map itself, solved point by point by boundary elements.
+
+*Assumes*: half-spaces without friction, small slopes; no asperities and no statistics. *Sources*: [polonsky_keer_1999] for the
+minimum, [stanley_kato_1997] for displacements by Fourier transforms of a periodic map ([love_1929] of one that ends),
+[almqvist_2007] for pressures that do not rise above the hardness, [nogi_kato_1997] for a film, [yastrebov_2017] for what pixels
+add to the area. With the pressure $p$ and the heights $h$ of the points, $C$ the compliance of both bodies:
+
+$$
+\min_p\ \tfrac12\langle p\,Cp\rangle-\langle p\,h\rangle,\qquad 0\le p\le H,\quad \langle p\rangle=P/A_n,\qquad
+\hat C(k)=\frac2{E^*k}\ \text{(bare)}
+$$
+
+The map bears the nominal pressure: its areas, stiffness and friction are multiplied by the nominal area over its own.
+The hardness is that of the softer body, where there is a film that of the film or of what it meets. Where both carry a film
+each has half of the thickness. The substrate does not yield.
+
+*Friction*: a law of the interface, of the pressure of every point. Where $\tau=\tau_0+\alpha p$ the sum is exact,
+$T=\tau_0A+\alpha P$. *Area*: $A=A_\text{px}-\frac{\pi-1+\ln2}{24}S\,\Delta x$, $S$ the length of the edges of points in
+contact. *Check*: Hertz, Westergaard, Johnson, Greenwood & Higginson, and the library ContactMechanics (tests).
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import inf
+from typing import TYPE_CHECKING
+
+from stiction.contact.contact import Contact
+from stiction.contact.materials import Material
+from stiction.contact.pair import compliance_of, pair_of
+from stiction.laws.claims import Validity
+from stiction.laws.registry import RoughSurface
+from stiction.laws.sources import Source
+from stiction.surfaces.boundary_elements import limits
+from stiction.surfaces.boundary_elements.bodies import Bodies
+from stiction.surfaces.boundary_elements.compliance import Film
+
+if TYPE_CHECKING:
+    from stiction.surfaces.boundary_elements.curve import MapCurve
+    from stiction.surfaces.heightmap import HeightMap
+
+
+def bodies_of(contact: Contact) -> Bodies:
+    """Compliances and hardness of a contact of single numbers."""
+    coating = contact.coating
+    if coating is None:
+        return Bodies(1.0 / (compliance_of(contact.first) + compliance_of(contact.second)),
+                      hardness=pair_of(contact.first, contact.second).hardness)  # fmt: skip
+    if coating.bodies == "both":
+        film, counter = (_film(coating.material, 0.5 * coating.thickness, body) for body in (contact.first, contact.second))
+        return Bodies(inf, film, counter, coating.material.hardness)
+    coated, other = (contact.first, contact.second) if coating.bodies == "first" else (contact.second, contact.first)
+    film = _film(coating.material, coating.thickness, coated)
+    return Bodies(1.0 / compliance_of(other), film, hardness=pair_of(coating.material, other).hardness)
+
+
+def _film(material: Material, thickness: float, substrate: Material) -> Film:
+    elastic = material.youngs_modulus, material.poissons_ratio
+    return Film(thickness, *elastic, substrate.youngs_modulus, substrate.poissons_ratio)
+
+
+def of_map(
+    surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str
+) -> "MapCurve":  # fmt: skip
+    """Contacts of the map at nominal pressures [Pa]. Raises InputError for a map or a pressure that cannot be solved."""
+    from stiction.surfaces.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
+
+    bodies = bodies_of(contact)
+    if yielding == "none":
+        bodies = replace(bodies, hardness=None)
+    return curve_of_map(surface, bodies, pressures, sampled=points == "sampled")
+
+
+RECORD = RoughSurface(
+    key="boundary_elements",
+    title="The contact of the measured map itself, solved point by point",
+    grade="B",
+    sources=(
+        Source("polonsky_keer_1999", "", "the conjugate gradients; changed to converge also where points flow"),
+        Source("stanley_kato_1997", "", "displacements by Fourier transforms"),
+        Source("almqvist_2007", "", "pressures between 0 and the hardness"),
+        Source("nogi_kato_1997", "", "compliance of a film; checked by the boundary conditions of a wave, not against print"),
+        Source("yastrebov_2017", "", "the area that pixels add"),
+    ),
+    of_map=of_map,
+    takes_surface_moments=True,
+    up_to_full_contact=True,
+    verified="Hertz, Westergaard, Johnson, Greenwood & Higginson; a quadratic program of few points; ContactMechanics",
+    own_options={"points": ("all", "sampled"), "yielding": ("at_hardness", "none")},
+    validity=(
+        Validity("points_in_shortest_wave", limits.LEAST_PIXELS, inf, "the area is not converged in points"),
+        Validity("longest_waves_on_a_side", limits.LEAST_WAVES, inf, "the map is no sample of its surface", "statistics"),
+        Validity("points_in_contact", limits.LEAST_CONTACT, inf, "so few points give a rough area only"),
+        Validity("map_gradient", 0.0, limits.STEEPEST, "slopes are too steep for half-spaces"),
+        Validity("load_at_ends", 0.0, limits.MOST_AT_ENDS, "the map ends within the contact", "statistics"),
+        Validity("points_in_film", 1.0, inf, "the film is thinner than a point of the map is wide"),
+        Validity("film_over_side", 0.0, limits.THICKEST, "what presses at the ends is less exact"),
+        Validity("solution_residual", 0.0, limits.TOLERANCE, "the solution did not converge", "effect"),
+        Validity("load_error", 0.0, limits.LEAST_LOAD_ERROR, "the pressures do not carry the load", "effect"),
+    ),
+    notes=(
+        "Solved on the map, prepared as its roughness says; one period (periodic = true, and made maps) has no form taken off "
+        "and no ends. No adhesion. The hardness is the largest pressure of a point; the substrate of a film does not yield. "
+        'points="sampled" solves only as many points as the area needs to 1 to 2 %.'
+    ),
+)

@@ -1,0 +1,77 @@
+"""What the command line prints of designs, and the tables that it writes."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from stiction.quantities.table import QUANTITIES
+from stiction.report.tables import shown
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["columns_of", "design_notes", "design_rows", "design_table"]
+
+_ROWS = 12
+
+
+def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
+    """Name of a column -> its variable, of the best designs or of the front."""
+    before = "front_" if along == "front" else ""
+    names = [str(name) for name in data.data_vars if data[name].dims == (along,)]
+    return {name.removeprefix(before): name for name in names}
+
+
+def design_table(data: "xarray.Dataset", along: str) -> Table:
+    """A row for each design, at most about twelve."""
+    columns = columns_of(data, along)
+    numbers = np.unique(np.linspace(0, data.sizes[along] - 1, min(data.sizes[along], _ROWS)).round().astype(int))
+    if along == "design":
+        numbers = np.arange(min(data.sizes[along], _ROWS))
+    shown_columns = [name for name in columns if name != "broken" or float(data[columns[name]].max()) > 0.0]
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    for name in shown_columns:
+        table.add_column(_head(name), justify="right")
+    for at in numbers:
+        table.add_row(*(_cell(name, data[columns[name]].values[at]) for name in shown_columns))
+    return table
+
+
+def _head(name: str) -> str:
+    last = name.rpartition(".")[2]
+    return {"friction_coefficient": "mu", "kept": "limits"}.get(last, last.replace("_", " "))
+
+
+def _cell(name: str, value: Any) -> str:
+    if name == "kept":
+        return "kept" if value else "broken"
+    last = name.rpartition(".")[2]
+    if isinstance(value, str | np.str_):
+        return str(value)
+    return shown(float(value), last) if last in QUANTITIES else f"{float(value):.3g}"
+
+
+def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
+    """What was wished, and what did not come true."""
+    used = data.attrs
+    yield Text("wished: " + "; ".join(used["wishes"].split("\n")))
+    if used["limits"]:
+        yield Text("limits, in SI units: " + "; ".join(used["limits"].split("\n")))
+    if used["uncertain"]:
+        yield Text(f"of what is uncertain ({used['uncertain']}) wishes and limits hold for 95 %")
+    if used["verdict"]:
+        yield Text(used["verdict"], style="bold yellow")
+    if used["stopped"]:
+        yield Text("stopped before the end: the best so far", style="bold")
+
+
+def design_rows(data: "xarray.Dataset", along: str) -> tuple[list[str], list[list[Any]]]:
+    """Heads and rows for a file, in SI units."""
+    columns = columns_of(data, along)
+    heads = [
+        f"{name} [{unit}]" if (unit := data[one].attrs.get("units", "1")) != "1" else name for name, one in columns.items()
+    ]
+    return heads, [[data[one].values[at].item() for one in columns.values()] for at in range(data.sizes[along])]

@@ -1,0 +1,84 @@
+"""What the command line prints of a fit, and the tables that it writes."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from stiction.quantities.units import show
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["evidence_table", "fit_notes", "parameter_rows", "parameter_table", "prediction_names", "row_rows"]
+
+
+def _quantity(name: str) -> str:
+    return name.partition(" (")[0].rpartition(".")[2]
+
+
+def parameter_table(data: "xarray.Dataset") -> Table:
+    """A row for each free number: its best value, and its interval."""
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    for head in ("free", "best", "95 % from", "to", "searched"):
+        table.add_column(head, justify="left" if head == "free" else "right", no_wrap=head != "free")
+    for at, name in enumerate(data["parameter"].values.tolist()):
+        one, quantity = data.isel(parameter=at), _quantity(name)
+        value, low, high, least, most = (
+            show(float(one[key]), quantity, 4) for key in ("value", "low", "high", "least", "most")
+        )
+        ends = [f"{end} (open)" if bool(one[f"open_{side}"]) else end for end, side in ((low, "low"), (high, "high"))]
+        table.add_row(name, value, *ends, f"{least} to {most}")
+    return table
+
+
+def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
+    """How good the fit is, and what the data do not say."""
+    used = data.attrs
+    yield Text(f"chi square {used['chi_square']:.4g} of {used['values']} values, {used['free']} free; errors: {used['errors']}")
+    for line in filter(None, used["verdict"].split("\n")):
+        yield Text(line, style="yellow")
+    correlation = data["correlation"].values
+    names = data["parameter"].values.tolist()
+    for i in range(len(names)):
+        for j in range(i):
+            yield Text(f"correlation of {names[j]} and {names[i]}: {correlation[i, j]:.3f}", style="dim")
+    if used["stopped"]:
+        yield Text("stopped before the end: predictions or other models are missing", style="bold")
+
+
+def evidence_table(data: "xarray.Dataset") -> Table:
+    """Models by what the data say for them."""
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    for head in ("model", "chi square", "AICc", "weight", "error of values left out"):
+        table.add_column(head, justify="left" if head == "model" else "right")
+    for at, name in enumerate(data["model"].values.tolist()):
+        one = data.isel(model=at)
+        if str(one["why_not"].values):
+            table.add_row(name, Text(str(one["why_not"].values), style="dim"))
+            continue
+        cells = [f"{float(one[key]):.4g}" for key in ("chi_square", "aicc")]
+        table.add_row(name, *cells, f"{float(one['weight']):.2g}", f"{float(one['left_out']):.3g}")
+    return table
+
+
+def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
+    """Heads and rows of the table of free numbers, for a file."""
+    keys = ["unit", "value", "low", "high", "open_low", "open_high", "standard_error"]
+    names = data["parameter"].values.tolist()
+    rows = [
+        [name, *(data[key].values[at].item() for key in keys), *data["correlation"].values[at]] for at, name in enumerate(names)
+    ]
+    return ["parameter", *keys, *(f"correlation with {name}" for name in names)], rows
+
+
+def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
+    """Heads and rows of the measured values with what the model says, in SI units."""
+    keys = ["sample", "quantity", "measured_load", "measured", "error", "fitted", "residual"]
+    return keys, [[data[key].values[at].item() for key in keys] for at in range(data.sizes["row"])]
+
+
+def prediction_names(data: "xarray.Dataset") -> list[str]:
+    return [str(name) for name in data.data_vars if str(name).startswith("predicted_") and np.size(data[name])]

@@ -1,0 +1,172 @@
+"""The contact of a measured map, solved point by point: the one kind of problem that knows no asperities and no statistics."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NoReturn
+
+import numpy as np
+
+from stiction.contact.contact import Contact
+from stiction.laws.joining import resistances
+from stiction.laws.registry import select_options
+from stiction.quantities.errors import InputError
+from stiction.solving.problem_base import Problem, with_coefficient
+
+if TYPE_CHECKING:
+    from stiction.surfaces.boundary_elements.curve import MapCurve
+    from stiction.surfaces.boundary_elements.solve import MapContact
+    from stiction.surfaces.heightmap import HeightMap
+
+# Results that are of every contact: name in the table of quantities -> name of the number of a MapContact.
+_PLAIN = {
+    "load_share_plastic": "plastic_share",
+    "points_in_contact": "points",
+    "solution_residual": "residual",
+    "load_error": "load_error",
+}
+# Loads of a curve that has to be quick: how many; the heaviest as nominal pressure over modulus times gradient, and over the
+# hardness; the lightest over it.
+_FEW, _HEAVY, _OF_HARDNESS, _LIGHT = 5, 0.2, 0.3, 0.02
+_MOST_POINTS = 1_100_000
+
+
+@dataclass(frozen=True)
+class OnMap(Problem):
+    """A contact whose roughness is a map: it is pressed by its nominal pressure. Results are normalised as everywhere."""
+
+    @property
+    def needs_load(self) -> bool:
+        return True
+
+    @property
+    def adheres(self) -> bool:
+        return False
+
+    @property
+    def effects(self) -> list[str]:
+        coated = isinstance(self.subject, Contact) and self.subject.has_film
+        flows = self.options.get("yielding") != "none"
+        known = (("plasticity", flows), ("the film", coated), ("contacts that act on each other", True))
+        return [name for name, there in known if there]
+
+    @property
+    def heights_taken(self) -> str:
+        return "measured"
+
+    def on_branch(self, branch: str) -> "OnMap":
+        return self
+
+    def loads(self, h: np.ndarray, law: np.ndarray) -> NoReturn:
+        self._refuse_separation()
+
+    def loads_on_grid(self, h: np.ndarray) -> NoReturn:
+        self._refuse_separation()
+
+    def on_grid(self, h: np.ndarray) -> NoReturn:
+        self._refuse_separation()
+
+    def at(self, h: np.ndarray) -> NoReturn:
+        self._refuse_separation()
+
+    def _refuse_separation(self) -> NoReturn:
+        raise InputError("separation", None, f"a load: {self.record.key} is solved at loads")
+
+    @property
+    def contact(self) -> Contact:
+        """The contact with its map. Raises InputError where it has none, or several numbers."""
+        if not isinstance(self.subject, Contact) or self.subject.measured is None:
+            raise InputError(
+                "roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves its contact"
+            )
+        for name, array in self.subject.arrays():
+            raise InputError(name, f"{array.size} numbers", f"one number, where {self.record.key} solves a map")
+        return self.subject
+
+    def surface(self) -> "HeightMap":
+        """The map that is solved. Raises InputError."""
+        return self.contact.measured.solvable.one()
+
+    def curve(self, load: np.ndarray) -> "MapCurve":
+        """The contacts of the map at normalised loads (m,)."""
+        contact, surface = self.contact, self.surface()
+        unit = contact.scales().factors()["N"]
+        if not (load > 0.0).all():
+            raise InputError(
+                "load", contact.show(float(load.min() * unit), "load"), f"above 0: {self.record.key} knows no adhesion"
+            )
+        assert self.record.of_map is not None
+        options = select_options(self.record, self.options)
+        return self.record.of_map(surface, contact, load * unit / contact.nominal_area, **options)
+
+    def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
+        load = np.asarray(load, dtype=float)
+        curve = self.curve(load.reshape(-1))
+        factors = self.contact.scales().factors()
+        whole = self.contact.nominal_area / curve.array("nominal_area")  # of the contact over the map
+        planes = curve.array("separation")
+        found = {
+            "load": load.reshape(-1),
+            "contact_area": curve.array("area") * whole / factors["m^2"],
+            "contact_area_pixels": curve.array("area_pixels") * whole / factors["m^2"],
+            "mean_separation": (planes - self._mean_height()) / factors["m"],
+            "plane_separation": planes / factors["m"],
+            "contact_stiffness": curve.array("stiffness") * whole / factors["N/m"],
+            **{name: curve.array(own) for name, own in _PLAIN.items()},
+            **{name: np.full(load.size, value) for name, value in curve.of_map.items()},
+        }
+        if not self.surface().periodic:
+            found["load_at_ends"] = curve.array("load_at_ends")
+        if self.friction:
+            force = np.array([np.nan if one is None else self._friction(one) for one in curve.contacts])
+            found |= with_coefficient(found["load"], force)
+        return {name: table.reshape(load.shape) for name, table in found.items()}
+
+    def few_of(self, load: np.ndarray) -> np.ndarray:
+        """From light contact of the map to about a third of it, or of the hardness."""
+        from stiction.surfaces.boundary_elements.measures import waves
+        from stiction.surfaces.boundary_elements.sampled import fewest_points
+
+        contact, surface = self.contact, self.surface()
+        points = fewest_points(surface.heights, surface.size, surface.periodic)
+        if points > _MOST_POINTS:
+            allowed = (
+                f"at most {_MOST_POINTS} to solve beside other models; stiction run --model {self.record.key} solves any number"
+            )
+            raise InputError("points", points, allowed)
+        steep = waves(surface.heights, surface.size, surface.periodic).gradient
+        stiff, strong = contact.contact_modulus, min(contact.first.hardness, contact.second.hardness)
+        if contact.coating is not None:
+            film = contact.coating.material
+            stiff, strong = min(stiff, film.youngs_modulus), min(strong, film.hardness)
+        most = min(_HEAVY * stiff * steep, _OF_HARDNESS * strong)
+        return np.geomspace(_LIGHT * most, most, _FEW)[None] * contact.nominal_area / contact.scales().factors()["N"]
+
+    def _mean_height(self) -> float:
+        """Of the asperities over the mean plane [m], from which separations count everywhere."""
+        measured = self.contact.measured
+        return float(measured.mean_heights[measured.method])
+
+    def _friction(self, one: "MapContact") -> float:
+        """The tangential force of the whole contact, normalised: of the pressure and the area of every point, those that flow
+        and those that do not."""
+        assert self.chosen.tangential is not None and one.pressure is not None
+        factors = self.contact.scales().factors()
+        whole = self.contact.nominal_area / one.nominal_area
+        pixel = one.nominal_area / one.pressure.size
+        pressure = one.pressure[one.pressure > 0.0]
+        hardness = float(pressure.max()) if one.plastic_area > 0.0 else np.inf
+        total = 0.0
+        for state, some in (("elastic", pressure[pressure < hardness]), ("plastic", pressure[pressure >= hardness])):
+            if some.size:
+                area = np.full(some.size, pixel * _of_pixels(one, state))
+                loads, areas = some * pixel * whole / factors["N"], area * whole / factors["m^2"]
+                total += float(resistances(self.chosen.tangential, self.groups, loads[None], areas[None], state).sum())
+        return total
+
+
+def _of_pixels(one: "MapContact", state: str) -> float:
+    """What is in contact of a pixel that is counted: the excess at the edges is taken off the points that do not flow, as far
+    as these have it."""
+    elastic, wanted = one.area_pixels - one.plastic_area, one.area - one.plastic_area
+    if elastic > 0.0 and wanted > 0.0:
+        return 1.0 if state == "plastic" else wanted / elastic
+    return one.area / one.area_pixels

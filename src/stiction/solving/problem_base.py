@@ -1,0 +1,117 @@
+"""What every problem is asked, whatever its model: a sum over asperities, a theory in closed form, the contact of a map."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.heights import Heights
+from stiction.laws.registry import Record, RoughSurface
+from stiction.solving.chosen import Chosen
+
+
+@dataclass(frozen=True)
+class Problem(ABC):
+    """n contacts under one model.
+
+    groups: their dimensionless groups, flat. dims: named dimensions of the contacts, name -> size; n is the product. coords:
+    what the dimensions' points are called. subject: the Contact or Indices, as the model takes it; None where only groups were
+    given. Results are normalised, by name; of theories that know no separation there is only what `at_load` gives.
+    threads: how many share the sums; the results are the same, bit for bit.
+    """
+
+    chosen: Chosen
+    groups: Groups
+    heights: Heights
+    dims: dict[str, int]
+    coords: dict[str, Any]
+    subject: Any = None
+    threads: int = 1
+
+    @property
+    def record(self) -> RoughSurface:
+        return self.chosen.model
+
+    @property
+    def options(self) -> Mapping[str, str]:
+        return self.chosen.options
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return tuple(self.dims.values())
+
+    @property
+    def friction(self) -> bool:
+        """Whether there is a tangential law."""
+        return self.chosen.tangential is not None
+
+    @property
+    def heights_taken(self) -> str:
+        """Which heights count, in a word: the name of a distribution."""
+        return self.heights.key
+
+    @property
+    def way(self) -> str:
+        """How the contact area is found, in words, where the model has more than one way; else ""."""
+        return ""
+
+    def records(self) -> list[Record]:
+        """The records of all that answers."""
+        return self.chosen.records()
+
+    def with_groups(self, rows: slice | np.ndarray) -> "Problem":
+        """The same for some of the contacts; itself for all of them."""
+        groups = self.groups[rows]
+        return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
+
+    @property
+    @abstractmethod
+    def needs_load(self) -> bool:
+        """Whether the model knows the load only, and no separation."""
+
+    @property
+    @abstractmethod
+    def adheres(self) -> bool:
+        """Whether asperities attract."""
+
+    @property
+    @abstractmethod
+    def effects(self) -> list[str]:
+        """What is taken account of beyond elastic asperities, in words."""
+
+    def few_of(self, load: np.ndarray) -> np.ndarray:
+        """Of normalised loads (n, m) of a curve those that can be afforded: all, unless every one takes its time."""
+        return load
+
+    @abstractmethod
+    def on_branch(self, branch: str) -> "Problem":
+        """The same problem on another branch, if it has that for this contact; otherwise itself."""
+
+    @abstractmethod
+    def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """Net load per asperity at pairs of separation and law."""
+
+    @abstractmethod
+    def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
+        """Net load per asperity (n, H) at separations that all laws share."""
+
+    @abstractmethod
+    def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
+        """Results (n, H) at separations that all laws share."""
+
+    @abstractmethod
+    def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
+        """Results (n, m) at the separations h (n, m)."""
+
+    @abstractmethod
+    def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
+        """Results (n, m) at normalised loads (n, m), where the model `needs_load`."""
+
+
+def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
+    """The friction force, and its ratio to the load: not a number where the load is not compressive."""
+    ratio = np.divide(friction, load, where=load > 0.0, out=np.full(load.shape, np.nan))
+    return {"friction_force": friction, "friction_coefficient": ratio}

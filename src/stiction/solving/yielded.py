@@ -1,0 +1,30 @@
+"""How much of the load is on asperities that have yielded."""
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.solving.problem import Problem, Sum
+
+__all__ = ["YIELDED", "yielded_shares"]
+
+YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
+
+
+def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
+    """Share (n, m), of the sizes of the loads of all asperities, on those that are not elastic, at separations h (n, m) over
+    sigma; by name of all, or of the substrate, which without a film is the bodies.
+
+    Raises InputError for a model that does not count its asperities by state, or counts film and substrate as one.
+    """
+    if not isinstance(problem, Sum):
+        raise InputError(name, problem.record.key, "a model of asperities, which counts those that have yielded")
+    regimes = problem.regimes
+    film = problem.chosen.film
+    of_all = name == "load_share_yielded"
+    if not of_all and film is not None and not any(one.body == "substrate" for one in regimes):
+        raise InputError(name, film.key, "a film law that tells film and substrate apart: sequential, printed")
+    law = np.repeat(np.arange(len(h)), h.shape[1])
+    loads = np.abs(problem.loads_by_regime(h.reshape(-1), law)).reshape(len(regimes), *h.shape)
+    counted = [one.state != "elastic" and (of_all or film is None or one.body == "substrate") for one in regimes]
+    whole = loads.sum(axis=0)
+    return np.divide(loads[counted].sum(axis=0), whole, where=whole > 0.0, out=np.zeros_like(whole))

@@ -1,0 +1,233 @@
+"""Least squares: the best set of free numbers, and how far each may be moved before the data object."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+__all__ = ["CONFIDENCE", "Best", "Profile", "Residuals", "search", "profiles"]
+
+CONFIDENCE = 0.95
+# Standardised residual where a model refuses a set of numbers, or has no value.
+_REFUSED = 1e4
+_STEP = 1e-4  # of the ends: half the width of differences
+_GRID, _ROUNDS, _STEPS = 33, 4, 40
+_STARTS = 3
+
+# Standardised residuals (sets, n) of sets of shares (sets, k).
+Residuals = Callable[[np.ndarray], np.ndarray]
+
+
+@dataclass(frozen=True)
+class Best:
+    """The best set of k free numbers. shares (k,); chi_square, of n residuals; covariance (k, k) of the shares as lmfit has it,
+    None where the data leave some combination open; bounded (k, k): the same with what the ends say of it, always there;
+    jacobian (n, k)."""
+
+    shares: np.ndarray
+    chi_square: float
+    residuals: np.ndarray
+    covariance: np.ndarray | None
+    bounded: np.ndarray
+    jacobian: np.ndarray
+    fit: Any
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Of one free number: shares (m,), and by how much the least chi square that any other numbers give there is above that of
+    the best fit (m,). low, high: where that is the threshold; 0 and 1 where it is not reached before the ends, and then open."""
+
+    shares: np.ndarray
+    rise: np.ndarray
+    others: np.ndarray
+    low: float
+    high: float
+    open_low: bool
+    open_high: bool
+
+
+def finite(values: np.ndarray) -> np.ndarray:
+    """Residuals as numbers, far off where there is none."""
+    return np.where(np.isfinite(values), np.clip(values, -_REFUSED, _REFUSED), _REFUSED)
+
+
+def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """Residuals (sets, n) and their derivatives (sets, n, columns), by central differences, inwards at the ends."""
+    sets, k = shares.shape
+    columns = range(k) if columns is None else columns
+    trials = [shares]
+    for at in columns:
+        for side in (1.0, -1.0):
+            moved = shares.copy()
+            moved[:, at] = np.clip(moved[:, at] + side * _STEP, 0.0, 1.0)
+            trials.append(moved)
+    found = finite(residuals(np.concatenate(trials)))
+    parts = found.reshape(len(trials), sets, -1)
+    slopes = []
+    for place, at in enumerate(columns):
+        width = trials[1 + 2 * place][:, at] - trials[2 + 2 * place][:, at]
+        slopes.append((parts[1 + 2 * place] - parts[2 + 2 * place]) / width[:, None])
+    return parts[0], np.stack(slopes, axis=-1) if slopes else np.empty((*parts[0].shape, 0))
+
+
+def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
+    """The best fit by lmfit's least squares, from the start (k,) and from the best of points that are drawn between the ends."""
+    import lmfit
+
+    k = len(start)
+    trials = np.concatenate([np.clip(start, 0.0, 1.0)[None, :], _drawn(k, seed)])
+    sums = (finite(residuals(trials)) ** 2).sum(axis=1)
+    order = np.argsort(sums, kind="stable")[:_STARTS]
+    begun = trials[order] if 0 in order else np.concatenate([trials[:1], trials[order[: _STARTS - 1]]])
+    begun, _ = polished(residuals, np.clip(begun, 0.01, 0.99), range(k))
+    begun = begun[np.argmin((finite(residuals(begun)) ** 2).sum(axis=1))]
+    parameters = lmfit.Parameters()
+    for at, share in enumerate(np.clip(begun, 1e-6, 1.0 - 1e-6)):
+        parameters.add(f"p{at}", value=float(share), min=0.0, max=1.0)
+
+    def of(given: Any) -> np.ndarray:
+        return finite(residuals(_shares(given)[None, :]))[0]
+
+    def slopes(given: Any) -> np.ndarray:
+        return jacobian(residuals, _shares(given)[None, :])[1][0]
+
+    found = lmfit.Minimizer(of, parameters).minimize(method="least_squares", Dfun=slopes, xtol=1e-12, ftol=1e-12, gtol=1e-12)
+    shares = _shares(found.params)
+    values, table = jacobian(residuals, shares[None, :])
+    return Best(shares, float((values[0] ** 2).sum()), values[0], _covariance(found), _bounded(table[0]), table[0], found)
+
+
+def _covariance(found: Any) -> np.ndarray | None:
+    covariance = getattr(found, "covar", None)
+    if covariance is None or not np.isfinite(covariance).all() or not (np.diag(covariance) > 0.0).all():
+        return None
+    # lmfit's, with scale_covar, is times the reduced chi square: here residuals are standardised already
+    scale = found.redchi if found.nfree > 0 else 1.0
+    return covariance / scale if scale > 0.0 else covariance
+
+
+def _bounded(table: np.ndarray) -> np.ndarray:
+    """The covariance of shares where the ends are known too: evenly spread between them, a share has the variance 1/12."""
+    return np.linalg.inv(table.T @ table + 12.0 * np.eye(table.shape[1]))
+
+
+def _shares(parameters: Any) -> np.ndarray:
+    return np.array([parameters[f"p{at}"].value for at in range(len(parameters))])
+
+
+def _drawn(k: int, seed: int) -> np.ndarray:
+    from scipy.stats import qmc
+
+    return qmc.Sobol(k, rng=seed).random(2 ** min(5 + k, 9))
+
+
+def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
+    """Least squares over some columns of many sets (sets, k) at once, between 0 and 1: Levenberg's and Marquardt's steps
+    (Marquardt 1963), clipped. Returns the sets and their sums of squares (sets,)."""
+    shares, columns = shares.copy(), list(columns)
+    sums = (finite(residuals(shares)) ** 2).sum(axis=1)
+    if not columns:
+        return shares, sums
+    damping = np.full(len(shares), 1e-3)
+    going = np.arange(len(shares))
+    for _ in range(_STEPS):
+        values, slopes = jacobian(residuals, shares[going], columns)
+        trial = shares[going]
+        trial[:, columns] = np.clip(trial[:, columns] - _damped(values, slopes, damping[going], trial[:, columns]), 0.0, 1.0)
+        now = (finite(residuals(trial)) ** 2).sum(axis=1)
+        gain = sums[going] - now
+        better = gain > 0.0
+        shares[going[better]], sums[going[better]] = trial[better], now[better]
+        damping[going] = np.where(better, damping[going] * 0.2, damping[going] * 8.0)
+        small = 1e-9 * (1.0 + sums[going])
+        done = (better & (gain < small)) | (~better & (damping[going] > 1e7))
+        going = going[~done]
+        if not going.size:
+            break
+    return shares, sums
+
+
+def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Steps (sets, columns); columns that are at an end and would leave it stand still."""
+    gradient = np.einsum("snk,sn->sk", slopes, values)
+    held = ((at <= 0.0) & (gradient > 0.0)) | ((at >= 1.0) & (gradient < 0.0))
+    slopes = np.where(held[:, None, :], 0.0, slopes)
+    normal = np.einsum("snk,snl->skl", slopes, slopes)
+    size = np.einsum("skk->sk", normal)
+    scale = np.maximum(size, 1e-9 * np.maximum(size.max(axis=1, keepdims=True), 1e-30))
+    whole = normal + np.einsum("sk,kl->skl", damping[:, None] * scale + 1e-14, np.eye(at.shape[1]))
+    whole += np.einsum("sk,kl->skl", np.where(held, 1.0, 0.0), np.eye(at.shape[1]))
+    return np.linalg.solve(whole, np.where(held, 0.0, gradient)[..., None])[..., 0]
+
+
+def profiles(residuals: Residuals, best: Best, threshold: float) -> list[Profile]:
+    """The profile of each free number; threshold: rise of chi square at the ends of the interval."""
+    return [_profile(residuals, best, at, threshold) for at in range(len(best.shares))]
+
+
+def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Profile:
+    """On a grid about the best fit, which is made narrower or wider until it resolves the interval."""
+    centre = best.shares[at]
+    reach = 2.0 * np.sqrt(threshold * best.bounded[at, at])
+    below = above = max(reach, 1e-6)
+    for _ in range(_ROUNDS):
+        grid = np.unique(
+            np.concatenate(
+                [
+                    np.linspace(max(0.0, centre - below), centre, _GRID // 2 + 1),
+                    np.linspace(centre, min(1.0, centre + above), _GRID // 2 + 1),
+                ]
+            )
+        )
+        others, rise = _along(residuals, best, at, grid)
+        low, open_low = _crossing(grid[grid <= centre][::-1], rise[grid <= centre][::-1], threshold)
+        high, open_high = _crossing(grid[grid >= centre], rise[grid >= centre], threshold)
+        wanted_below = _wanted(centre - low, below, open_low, centre - grid[0] < centre)
+        wanted_above = _wanted(high - centre, above, open_high, grid[-1] < 1.0)
+        if wanted_below == below and wanted_above == above:
+            break
+        below, above = wanted_below, wanted_above
+    return Profile(grid, rise, others, 0.0 if open_low else low, 1.0 if open_high else high, open_low, open_high)
+
+
+def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
+    """How far the grid should go on a side, where the interval ends at `found`: less than a quarter of it is not resolved."""
+    if is_open:
+        return 4.0 * reach if more else reach
+    return reach if found > 0.25 * reach else max(1.8 * found, 1e-9)
+
+
+def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The best sets (m, k) with one share fixed on a grid (m,), and the rise of chi square (m,)."""
+    slope = best.bounded[:, at] / best.bounded[at, at]
+    sets = np.clip(best.shares + slope * (grid - best.shares[at])[:, None], 0.0, 1.0)
+    sets[:, at] = grid
+    columns = [one for one in range(len(best.shares)) if one != at]
+    sets, sums = polished(residuals, sets, columns)
+    for _ in range(2 if columns else 0):  # from what its neighbours found, where that is better
+        for shift in (1, -1):
+            neighbours = np.roll(sets, shift, axis=0)
+            neighbours[0 if shift == 1 else -1] = best.shares
+            neighbours[:, at] = grid
+            other = (finite(residuals(neighbours)) ** 2).sum(axis=1)
+            some = np.flatnonzero(other < sums - 1e-6)
+            if some.size:
+                better, lower = polished(residuals, neighbours[some], columns)
+                sets[some], sums[some] = better, lower
+    return sets, sums - best.chi_square
+
+
+def _crossing(grid: np.ndarray, rise: np.ndarray, threshold: float) -> tuple[float, bool]:
+    """Where the rise first is the threshold on the way out along the grid, and whether it never is: between two points by the
+    root of the rise, which is all but straight."""
+    over = np.flatnonzero(rise >= threshold)
+    if not over.size:
+        return float(grid[-1]), True
+    at = over[0]
+    if at == 0:
+        return float(grid[0]), False
+    left, right = (np.sqrt(max(rise[one], 0.0)) for one in (at - 1, at))
+    weight = (np.sqrt(threshold) - left) / (right - left)
+    return float(grid[at - 1] + weight * (grid[at] - grid[at - 1])), False
