@@ -92,7 +92,8 @@ def main() -> None:
     found = coverage(given.sets, given.seed, given.unknown, say)
     for name in TRUTH:
         ratio = found[f"{name} ends"][:, 1] / found[f"{name} ends"][:, 0]
-        print(f"{name}: {found[name].mean():.2%} of {given.sets} intervals hold the truth; high over low {np.median(ratio):.3g} (median)")
+        held = f"{found[name].mean():.2%} of {given.sets} intervals hold the truth"
+        print(f"{name}: {held}; high over low {np.median(ratio):.3g} (median)")
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ from typer.testing import CliRunner
 
 from stiction import cli
 
+_COMMANDS = "run, sweep, sensitivity, fit, design, compare, validate, surface"
 CASES = {
     "surface scan.npy --form 5": ("--form: '5'", "less than or equal to 4"),
     "surface scan.npy --form 1.5": ("--form: '1.5'", "integer"),
@@ -17,12 +18,12 @@ CASES = {
     "run": ("CASE.toml: not given", "Case file"),
     "run one.toml two.toml": ("arguments: 'two.toml'", "CASE.toml and options"),
     "schema here": ("arguments: 'here'", "options only"),
-    "compare case.toml --lod 3": ("option: '--lod'", "--load, --out, --json, --help"),
+    "compare case.toml --lod 3": ("option: '--lod'", "--load, --out, --ranges, --no-ranges, --json, --help"),
     "run case.toml -x": ("option: '-x'", "--model"),
     "run case.toml --json=3": ("--json: 'with a value'", "without a value"),
     "--bad": ("option: '--bad'", "--version, --install-completion, --show-completion, --help"),
-    "no-such-command --out x": ("command: 'no-such-command'", "run, sweep, compare, surface"),
-    "--": ("command: not given", "run, sweep, compare, surface"),
+    "no-such-command --out x": ("command: 'no-such-command'", _COMMANDS),
+    "--": ("command: not given", _COMMANDS),
 }
 
 

@@ -147,6 +147,23 @@ def test_of_contacts_solved_together_the_others_are_as_alone():
         solve_pointwise(contact.replace(roughness=rough.replace(asperity_density=1e9)), choice, load=1.0)
 
 
+def test_a_map_is_solved_once_and_has_no_band(tmp_path):
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=2e-6, deviation=8e-9)
+    np.save(tmp_path / "scan.npy", st.gaussian_surface((32, 32), (40e-6, 40e-6), spectrum, seed=1).heights)
+    scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
+    data = solve_case(case({"roughness": {"first": scan}}, {"load": "0.1 N", "model": "boundary_elements"}))
+    assert "quantile" not in data.dims and "what is uncertain has no band" in data.attrs["outside_validity"]
+
+
+def test_a_number_beside_a_scan_is_not_uncertain(tmp_path):
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=2e-6, deviation=8e-9)
+    np.save(tmp_path / "scan.npy", st.gaussian_surface((32, 32), (40e-6, 40e-6), spectrum, seed=1).heights)
+    scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
+    other = {"asperity_height_deviation": "5 +/- 1 nm", "asperity_radius": "50 um", "asperity_density": "1e11 1/m^2"}
+    with pytest.raises(InputError, match=r"roughness\.second\.asperity_height_deviation: '5 nm ± 1 nm'; allowed: one number"):
+        case({"roughness": {"first": scan, "second": other}})
+
+
 ADHESIVE = {
     "first": "hardened_steel_52100",
     "second": "hardened_steel_52100",

@@ -22,14 +22,17 @@ __all__ = ["Archive", "Designing", "design", "plan_of_design", "run_design"]
 # Told how many designs were asked, and the best so far in words.
 Tell = Callable[[int, str], None]
 _FRONT = 12  # designs between the two ends of a front that are searched
-_POPULATION = 32
+_POPULATION = 24
+_WAYS = 12  # ways to choose from lists that are searched side by side
+_QUIET, _ALIKE = 8, 1e-10  # generations without gain, and spread of a population, at which a search ends
 _SHOWN = 200  # designs of a front at most
 _REFINED = 3  # ways to choose from lists whose numbers are refined
 
 
 @dataclass
 class Archive:
-    """Every design that was asked for: shares (n, d), wishes (n, w), how far beyond its limits each is (n,), and what is known."""
+    """Every design that was asked for: shares (n, d), wishes (n, w), how far beyond its limits each is (n,), and what is
+    known."""
 
     shares: list[np.ndarray] = field(default_factory=list)
     wishes: list[np.ndarray] = field(default_factory=list)
@@ -81,9 +84,9 @@ def design(case: Any, *, tell: Tell = lambda count, text: None) -> "xarray.Datas
     case: path of a case file with a table [design], or its tables as a dict. tell: told how many designs were asked, and the
     best so far.
 
-    Returns a labelled dataset: over `design` the best one for each way to choose from lists, the best of all first, with what is
-    chosen, what is wished and limited, `broken`, by how much the limits are broken, over their size, and `kept`; with two wishes
-    also over `front` the designs of which none is better in both. Raises InputError.
+    Returns a labelled dataset: over `design` the best one for each way to choose from lists, the best of all first, with what
+    is chosen, what is wished and limited, `broken`, by how much the limits are broken, over their size, and `kept`; with two
+    wishes also over `front` the designs of which none is better in both. Raises InputError.
     """
     return run_design(plan_of_design(case), tell, keep_on_interrupt=False).data()
 
@@ -132,12 +135,14 @@ def _drawn(found: Designing) -> np.ndarray:
 
     plan = found.plan
     counts = [len(one.entries) for one in plan.options]
-    ways = int(np.prod(counts)) if counts else 1
+    if not counts:
+        return qmc.Sobol(len(plan.free), rng=plan.seed).random(256)
     centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(
         -1, len(counts)
     )
+    ways = len(centres)
     if not plan.free:
-        return centres[:: max(1, ways // 20_000)]
+        return centres
     each = 2 ** max(2, int(np.ceil(np.log2(max(4.0, 256.0 / ways)))))
     points = qmc.Sobol(len(plan.free), rng=plan.seed).random(each)
     some = centres[:: max(1, ways // 512)]
@@ -145,38 +150,48 @@ def _drawn(found: Designing) -> np.ndarray:
 
 
 def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
-    """Differential evolution (Storn & Price 1997) of one wish, designs that keep the limits before all that do not (Deb 2000), on
-    from the best that are known. ceiling: of the other wish."""
+    """Differential evolution (Storn & Price 1997) of one wish, designs that keep the limits before all that do not (Deb
+    2000), on from the best that are known: for the best ways to choose from lists side by side. ceiling: of the other wish."""
     if not found.plan.free and found.archive.count:
         return  # every design was asked
     rng = np.random.default_rng([found.plan.seed, found.archive.count])
-    members = _seeds(found, number, ceiling)
-    size, d = members.shape
+    members = _seeds(found, number, ceiling, rng)
     goal, broken = _judged(found, number, ceiling, members, tell)
     quiet = 0
     for _ in range(found.plan.effort if ceiling is None else max(1, found.plan.effort // 3)):
-        one, two, three = (members[rng.permutation(size)] for _ in range(3))
-        leader = members[np.lexsort((goal, broken))[0]]
-        scale = rng.uniform(0.4, 0.9, (size, 1))
-        base = np.where(rng.random((size, 1)) < 0.5, leader, three)
-        mutant = base + scale * (one - two)
-        mutant = np.where((mutant < 0.0) | (mutant > 1.0), rng.random((size, d)), mutant)
-        cross = (rng.random((size, d)) < 0.8) | (np.arange(d) == rng.integers(0, d, (size, 1)))
-        trial = np.where(cross, mutant, members)
+        trial = _trials(members, goal, broken, rng)
+        trial[..., found.space.named] = members[..., found.space.named]
         now, beyond = _judged(found, number, ceiling, trial, tell)
         better = (beyond < broken) | ((beyond == broken) & (now <= goal))
         gain = bool(((beyond < broken) | (now < goal - 1e-9 * np.abs(goal)))[better].any())
         members[better], goal[better], broken[better] = trial[better], now[better], beyond[better]
         quiet = 0 if gain else quiet + 1
-        if quiet > 5 or (broken.max() <= 0.0 and np.ptp(goal) <= 1e-10 * np.abs(goal).max()):
+        if quiet > _QUIET or (broken.max() <= 0.0 and (np.ptp(goal, axis=1) <= _ALIKE * np.abs(goal).max(axis=1)).all()):
             break
+
+
+def _trials(members: np.ndarray, goal: np.ndarray, broken: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """New designs (ways, size, d) from differences of old ones, about the best of their way or any other."""
+    ways, size, d = members.shape
+    one, two, three = (rng.permuted(np.tile(np.arange(size), (ways, 1)), axis=1) for _ in range(3))
+    one, two, three = (np.take_along_axis(members, at[..., None], axis=1) for at in (one, two, three))
+    leader = np.array([np.lexsort((g, b))[0] for g, b in zip(goal, broken, strict=True)])
+    best = members[np.arange(ways), leader][:, None, :]
+    base = np.where(rng.random((ways, size, 1)) < 0.5, best, three)
+    mutant = base + rng.uniform(0.4, 0.9, (ways, size, 1)) * (one - two)
+    mutant = np.where(mutant < 0.0, 0.5 * base, np.where(mutant > 1.0, 0.5 * (1.0 + base), mutant))
+    cross = (rng.random(members.shape) < 0.8) | (np.arange(d) == rng.integers(0, d, (ways, size, 1)))
+    return np.where(cross, mutant, members)
 
 
 def _judged(
     found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell
 ) -> tuple[np.ndarray, np.ndarray]:
-    answers = _ask(found, shares, tell)
-    return answers.wishes[:, number], _beyond(answers.wishes, answers.worst, number, ceiling)
+    """Of designs (ways, size, d) the wish, and how far beyond limits and ceiling they are (ways, size)."""
+    answers = _ask(found, shares.reshape(-1, shares.shape[-1]), tell)
+    broken = _beyond(answers.wishes, answers.worst, number, ceiling)
+    goal = answers.wishes[:, number].reshape(shares.shape[:2]).copy()  # which changes, unlike what is kept
+    return goal, broken.reshape(shares.shape[:2])
 
 
 def _beyond(wishes: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
@@ -186,22 +201,19 @@ def _beyond(wishes: np.ndarray, worst: np.ndarray, number: int, ceiling: float |
     return np.where(total <= 0.5 * TOLERANCE, 0.0, total)
 
 
-def _seeds(found: Designing, number: int, ceiling: float | None) -> np.ndarray:
-    """The best that are known, not more than a third of them alike in what is taken from lists, and some at random."""
+def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> np.ndarray:
+    """For the best ways to choose from lists the best designs that are known, and some at random (ways, size, d)."""
     shares, wishes, worst, _ = found.archive.table()
     order = np.lexsort((wishes[:, number], _beyond(wishes, worst, number, ceiling)))
-    size = max(_POPULATION, 8 * found.space.dimension)
-    taken: list[int] = []
-    ways: dict[tuple, int] = {}
-    for at in order[: 50 * size]:
-        key = tuple(found.space.way(shares[at][None, :])[0])
-        if ways.get(key, 0) < max(4, size // 3):
-            ways[key] = ways.get(key, 0) + 1
-            taken.append(int(at))
-        if len(taken) == 3 * size // 4:
-            break
-    rng = np.random.default_rng([found.plan.seed, 1 + found.archive.count])
-    return np.concatenate([shares[taken], rng.random((size - len(taken), found.space.dimension))])
+    size = max(_POPULATION, 6 * found.space.dimension)
+    _, first, which = np.unique(found.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
+    members = []
+    for way in np.argsort(first)[:_WAYS]:
+        known = shares[order[which.ravel() == way][: size // 2]]
+        some = rng.random((size - len(known), found.space.dimension))
+        some[:, found.space.named] = known[0, found.space.named]
+        members.append(np.concatenate([known, some]))
+    return np.array(members)
 
 
 def _refined(found: Designing, number: int, tell: Tell) -> None:
@@ -244,8 +256,8 @@ def _best_ways(found: Designing, number: int) -> list[int]:
 
 
 def _search_front(found: Designing, tell: Tell) -> None:
-    """Designs between the best for either wish: the first wish, where the other is held below a ceiling (Haimes, Lasdon & Wismer
-    1971), for a row of ceilings."""
+    """Designs between the best for either wish: the first wish, where the other is held below a ceiling (Haimes, Lasdon &
+    Wismer 1971), for a row of ceilings."""
     front = found.front()
     if not front.size or not found.plan.free:
         return
@@ -257,7 +269,8 @@ def _search_front(found: Designing, tell: Tell) -> None:
 
 
 def _front(wishes: np.ndarray, worst: np.ndarray) -> np.ndarray:
-    """Numbers of those within the tolerance of which none is at least as good in both wishes and better in one, by the first."""
+    """Numbers of those within the tolerance of which none is at least as good in both wishes and better in one, by the
+    first."""
     kept = np.flatnonzero((worst <= TOLERANCE) & np.isfinite(wishes).all(axis=1))
     order = kept[np.lexsort((wishes[kept, -1], wishes[kept, 0]))]
     lowest = np.minimum.accumulate(np.concatenate([[np.inf], wishes[order, -1]]))[:-1]
@@ -286,17 +299,19 @@ def _dataset(found: Designing) -> "xarray.Dataset":
 
 def _columns(found: Designing, rows: np.ndarray, along: str) -> dict[str, tuple]:
     """What was chosen and what it gives, of some of the archive."""
-    shares, _, worst, known = (one[rows] if not isinstance(one, dict) else one for one in found.archive.table())
+    shares, _, worst, known = found.archive.table()
+    shares, worst = shares[rows], worst[rows]
     columns: dict[str, tuple] = {}
     for at, one in enumerate(found.plan.unknowns):
         name = "load" if one.path == LOAD else one.name
         if isinstance(one, Options):
             index = one.index(shares[:, at])
-            values = [one.entries[int(i)] for i in index] if one.is_number else [one.words[int(i)] for i in index]
+            entries = one.entries if one.is_number else one.words
+            values = np.array([entries[int(i)] for i in index])
             said = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
         else:
-            values, said = list(one.at(shares[:, at])), dict(QUANTITIES[one.quantity].attributes)
-        columns[name] = (along, np.array(values), said)
+            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes)
+        columns[name] = (along, values, said)
     for name, values in known.items():
         if name not in columns:
             columns[name] = (along, values[rows], dict(QUANTITIES[name].attributes))

@@ -57,8 +57,8 @@ class Design(Input):
     """What is chosen, and what is wished of it.
 
     wish: one wish, or a list of two. choose: numbers of the contact and load with their ends, or lists of which one is taken.
-    limits: results with the ends between which they must be. validity: "claimed" where no range of validity may be left but those
-    that are about statistics, "possible" where none may be that makes a result impossible, "any".
+    limits: results with the ends between which they must be. validity: "claimed" where no range of validity may be left but
+    those that are about statistics, "possible" where none may be that makes a result impossible, "any".
     """
 
     wish: Any = Field(description='a wish, { minimise = "friction_coefficient" }, or a list of two')
@@ -163,7 +163,7 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
     for name, entry in flat(design.choose, "design.choose", lambda table: bool(table.keys() & {"low", "high"})):
         where = f"design.choose.{name}"
         path = _path(name, content, where)
-        if any(path == one.path for one in (*free, *options)):
+        if path in [one.path for one in free] + [one.path for one in options]:
             raise InputError(where, name, "each once")
         if isinstance(entry, list):
             options.append(_options(path, entry, where))

@@ -66,8 +66,7 @@ class Space:
         case = case_of(self.plan.content, {})
         given = {name: value for name, value in case.choice.arguments().items() if name != "model"}
         choice = choice_of(case.choice.model, given, subject)
-        point = {"load": float(np.ravel(getattr(load, "values", load))[0])}
-        solved = solve_pointwise(subject, choice, **point)
+        solved = solve_pointwise(subject, choice, load=float(load.values.flat[0]))
         for name in [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
                 raise InputError("design", name, f"a result that {choice.model} gives here, or a group of the contact")
@@ -88,11 +87,17 @@ class Space:
             found[free.path] = float(free.at(np.asarray(share)))
         return found
 
+    @property
+    def named(self) -> list[int]:
+        """Which of the unknowns are taken from lists of what is no number."""
+        return [at for at, one in enumerate(self.plan.options) if not one.is_number]
+
     def way(self, shares: np.ndarray) -> np.ndarray:
-        """Which entries of the lists designs take (n, lists)."""
-        return np.column_stack(
-            [one.index(shares[:, at]) for at, one in enumerate(self.plan.options)] or [np.zeros(len(shares), int)]
-        )
+        """Which entries of the lists designs (n, d) take (n, lists): of the lists of what is no number, or where there are none
+        of all."""
+        some = self.named or range(len(self.plan.options))
+        columns = [self.plan.options[at].index(shares[:, at]) for at in some]
+        return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
 
     def answers(self, shares: np.ndarray) -> Answers:
         """What is known of designs (n, d). Those that are refused are far beyond all limits."""
@@ -116,11 +121,9 @@ class Space:
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
         """Masks of designs that take the same of what is no number."""
-        way = self.way(shares)
-        named = [at for at, one in enumerate(self.plan.options) if not one.is_number]
-        if not named:
+        if not self.named:
             return [np.ones(len(shares), dtype=bool)]
-        _, group = np.unique(way[:, named], axis=0, return_inverse=True)
+        _, group = np.unique(self.way(shares), axis=0, return_inverse=True)
         return [group.ravel() == at for at in range(group.max() + 1)]
 
     def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[Any, Any]:
@@ -174,7 +177,7 @@ class Space:
             for wish, target in zip(self.plan.wishes, self.plan.targets, strict=True)
         ]
         broken = [_beyond(limit.low, limit.high, tables[limit.quantity]) for limit in self.plan.limits]
-        broken.append(_as_table(*solved.doubts[:1], _outside(solved, self.plan.validity), shape))
+        broken.append(_as_table(solved.doubts[0], _outside(solved, self.plan.validity), shape))
         return Answers(
             np.column_stack([_worst(one) for one in wishes]),
             np.column_stack([_worst(one) for one in broken]),
@@ -184,7 +187,8 @@ class Space:
     def _table(self, name: str, solved: Pointwise, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
         """A result or a group (designs, samples, loads)."""
         if name in solved.variables:
-            return _as_table(*solved.variables[name][:2], shape)
+            dims, values, _ = solved.variables[name]
+            return _as_table(dims, values, shape)
         if name in YIELDED:
             return self._yielded(name, solved, shape, subject)
         value = groups[name] if name in groups else subject.known(name)

@@ -54,11 +54,12 @@ def fit(case: Any, data: Any, *, progress: Progress = lambda text: iter) -> "xar
     case: path of a case file with a table [fit], or its tables as a dict. data: path of a CSV file, see
     `stiction.studies.measurements.read_measurements`. progress: from a text, what wraps a list of steps.
 
-    Returns a labelled dataset: over `parameter` the best value, the 95 % interval `low`, `high` by the profile of the likelihood,
-    whether it is open at an end, `standard_error`, and `correlation`; `profile_value` and `profile_rise` of chi square; over `row`
-    what was measured, what the model says, and residuals; over `model` Akaike's criterion, weights, and errors of values left
-    out; and predictions with bands, `predicted_...`, `..._low`, `..._high`, over the points of [solve] and the numbers of
-    [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Raises InputError.
+    Returns a labelled dataset: over `parameter` the best value, the 95 % interval `low`, `high` by the profile of the
+    likelihood, whether it is open at an end, `standard_error`, and `correlation`; `profile_value` and `profile_rise` of chi
+    square; over `row` what was measured, what the model says, and residuals; over `model` Akaike's criterion, weights, and
+    errors of values left out; and predictions with bands, `predicted_...`, `..._low`, `..._high`, over the points of [solve]
+    and the numbers of [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Raises
+    InputError.
     """
     return run_fit(plan_of_fit(case, data), progress, keep_on_interrupt=False).data()
 
@@ -212,8 +213,8 @@ def _errors_said(one: Fitted) -> str:
         return f"no errors were given: all values have one, {one.errors[0]:.3g} in SI units, by their scatter about the fit"
     if one.scale > 1.0:
         return (
-            f"the scatter about the fit is {one.scale:.2g} times the errors that were given, more than chance allows: the model or "
-            "the errors are wrong; intervals are for errors so much larger"
+            f"the scatter about the fit is {one.scale:.2g} times the errors that were given, more than chance allows: the "
+            "model or the errors are wrong; intervals are for errors so much larger"
         )
     return "as they were given; the scatter about the fit agrees with them"
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -22,8 +23,8 @@ _AT_END = 1e-3  # of the way between the ends
 @dataclass(frozen=True)
 class Fitted:
     """A model and its best free numbers. scale: what the errors were multiplied by, where none were given or the scatter is
-    larger; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers. profiles: of each number,
-    none where they were not asked for."""
+    larger; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers. profiles: of each
+    number, none where they were not asked for."""
 
     name: str
     forward: Forward
@@ -135,7 +136,7 @@ def _given(content, path):
     from stiction.studies.places import subject_table
 
     try:
-        found = case_of(content, {}).subject
+        found: Any = case_of(content, {}).subject
     except InputError:
         return None
     for name in path[1:] if path[0] == subject_table(content) else ("",):

@@ -12,11 +12,11 @@ from stiction.studies.fit_answer import Fitted
 from stiction.studies.fit_model import Parameter
 from stiction.studies.fit_plan import RESISTANCE, FitPlan
 from stiction.studies.fit_search import CONFIDENCE, finite
-from stiction.studies.places import subject_table, with_numbers
+from stiction.studies.places import with_numbers
 
 __all__ = ["Bands", "draws_of", "predicted"]
 
-_DRAWS, _TRIED = 512, 4096
+_DRAWS, _TRIED = 1024, 4096
 _AT_ONCE = 256  # sets of trials at a time
 _MOST = 400_000  # of predicted points times draws
 _SET = "set"
@@ -53,8 +53,9 @@ def draws_of(one: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     weights /= weights.sum()
     effective = float(1.0 / (weights**2).sum())
     at = (np.arange(_DRAWS) + 0.5) / _DRAWS
-    chosen = np.searchsorted(np.cumsum(weights), at, side="right")
-    return sets[np.minimum(chosen, len(sets) - 1)], effective
+    mixed = np.random.default_rng(seed).permutation(len(sets))  # every eighth Sobol point is from the same corner
+    chosen = np.searchsorted(np.cumsum(weights[mixed]), at, side="right")
+    return sets[mixed[np.minimum(chosen, len(sets) - 1)]], effective
 
 
 _DEGREES = 4.0  # of freedom of Student's distribution: its tails are wider than those of any likelihood

@@ -69,7 +69,7 @@ class Forward:
         load = some.load if group.pressed else None
         tables = solved_sets(self.plan.content, self.choice, contact, group.known, load, sorted(names))
         resistance = numbers.get(RESISTANCE, self.plan.resistance)
-        columns = [derived(tables, name, resistance)[:, at] for at, name in enumerate(some.quantity)]
+        columns = [derived(tables, name, resistance)[:, at if group.pressed else 0] for at, name in enumerate(some.quantity)]
         return np.column_stack(columns)
 
 
@@ -175,7 +175,7 @@ def _groups(data: Measurements, parameters: Sequence[Parameter]) -> tuple[_Group
 def _check_answers(forward: Forward, subject: Any) -> None:
     """InputError where the model has nothing to say of what was measured."""
     load = forward.data.load[np.isfinite(forward.data.load)]
-    point = {"load": float(load[0])} if load.size else {"separation": 0.0}
+    point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}
     known = set(solve_pointwise(subject, forward.choice, **point).variables)
     for name in forward.data.quantities:
         if name not in known and not (name == "contact_resistance" and "contact_area" in known):

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["CONFIDENCE", "Best", "Profile", "Residuals", "search", "profiles"]
+__all__ = ["CONFIDENCE", "Best", "Profile", "Residuals", "profiles", "search"]
 
 CONFIDENCE = 0.95
 # Standardised residual where a model refuses a set of numbers, or has no value.
@@ -37,7 +37,8 @@ class Best:
 @dataclass(frozen=True)
 class Profile:
     """Of one free number: shares (m,), and by how much the least chi square that any other numbers give there is above that of
-    the best fit (m,). low, high: where that is the threshold; 0 and 1 where it is not reached before the ends, and then open."""
+    the best fit (m,). low, high: where that is the threshold; 0 and 1 where it is not reached before the ends, and then
+    open."""
 
     shares: np.ndarray
     rise: np.ndarray
@@ -73,7 +74,8 @@ def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | 
 
 
 def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
-    """The best fit by lmfit's least squares, from the start (k,) and from the best of points that are drawn between the ends."""
+    """The best fit by lmfit's least squares, from the start (k,) and from the best of points that are drawn between the
+    ends."""
     import lmfit
 
     k = len(start)

@@ -32,8 +32,8 @@ _FORM = 'a table with heads like "load [mN],friction_coefficient,friction_coeffi
 
 @dataclass(frozen=True)
 class Measurements:
-    """Measured values, one after another (n,): of which quantity, of which sample, at which load [N] (not a number where none is
-    needed), with which standard error (not a number where none is given), in which line of the file. known: numbers of the
+    """Measured values, one after another (n,): of which quantity, of which sample, at which load [N] (not a number where none
+    is needed), with which standard error (not a number where none is given), in which line of the file. known: numbers of the
     contact that the file gives, path -> value, in SI units."""
 
     quantity: tuple[str, ...]
@@ -65,8 +65,8 @@ class Measurements:
 
 @dataclass(frozen=True)
 class _Column:
-    """A column: what it is ("known", "value", "error", "load", "sample"), of which quantity, in which unit, and where a number of
-    the contact stands."""
+    """A column: what it is ("known", "value", "error", "load", "sample"), of which quantity, in which unit, and where a
+    number of the contact stands."""
 
     kind: str
     quantity: str
@@ -98,8 +98,8 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
         raise InputError("--data", str(path), "at least one measured value")
     if len(entries) > _MOST_ROWS:
         raise InputError("--data", f"{len(entries)} values", f"{_MOST_ROWS} at most")
-    quantity, sample, load, value, error, known, line = zip(*entries, strict=True)
-    measured = Measurements(quantity, sample, np.array(load), np.array(value), np.array(error), known, line)
+    quantity, sample, load, value, error, known, number = zip(*entries, strict=True)
+    measured = Measurements(quantity, sample, np.array(load), np.array(value), np.array(error), known, number)
     _check_errors(measured)
     return measured
 

@@ -11,7 +11,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.studies.several import with_values
 
-__all__ = ["flat", "placed", "read_end", "subject_table", "with_numbers", "as_numbers"]
+__all__ = ["as_numbers", "flat", "placed", "read_end", "subject_table", "with_numbers"]
 
 _PARTS: dict[str, type[Input]] = {
     "": Contact,

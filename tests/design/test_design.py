@@ -1,0 +1,321 @@
+"""Designs: known optima, limits that are kept, fronts, several loads, and what an interruption leaves."""
+
+import tomllib
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from stiction import cli
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+from stiction.solving.problem import make_problem
+from stiction.solving.solve import solve
+from stiction.solving.yielded import yielded_shares
+from stiction.studies.case import parse_case, read_case
+from stiction.studies.case_results import solve_case
+from stiction.studies.design import _front, design, plan_of_design, run_design
+
+STRENGTH, AREA, LOAD = 200e6, 1e-6, 1.0
+ROUGH = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
+RADIUS = {"roughness": {"asperity_radius": {"low": "1 um", "high": "500 um"}}}
+
+
+def case(wish, choose, limits=None, model="persson_2001", load="1 N", **more):
+    contact = {
+        "first": "hardened_steel_52100",
+        "second": "hardened_steel_52100",
+        "interfacial_shear_strength": "200 MPa",
+        "nominal_area": "1 mm^2",
+        "roughness": ROUGH,
+    }
+    table = {"wish": wish, "choose": choose, "limits": limits or {}, "validity": "any"}
+    return {"contact": contact, "solve": {"load": load, "model": model}, "design": table | more}
+
+
+def coated(wish, choose, limits=None, **more):
+    found = case(wish, choose, limits, "soft_coating_2015", **more)
+    contact = {key: value for key, value in found["contact"].items() if key != "interfacial_shear_strength"}
+    film = {"material": "silver", "thickness": "200 nm", "bodies": "first"}
+    return found | {"contact": contact | {"work_of_adhesion": "0.3 J/m^2", "coating": film}}
+
+
+def subject_of(table):
+    return parse_case({key: one for key, one in table.items() if key != "design"}).subject
+
+
+MOST, LEAST = {"maximise": "friction_coefficient"}, {"minimise": "friction_coefficient"}
+
+
+def test_the_optimum_of_a_closed_form():
+    """Persson's friction is strength times area over load: the most under a limit of the area is at that limit."""
+    choose = {"roughness": RADIUS["roughness"] | {"asperity_height_deviation": {"low": "5 nm", "high": "200 nm"}}}
+    found = design(case(MOST, choose, {"area_fraction": {"high": 0.001}}))
+    assert float(found["friction_coefficient"][0]) == pytest.approx(STRENGTH * 0.001 * AREA / LOAD, rel=2e-6)
+    assert bool(found["kept"][0]) and float(found["broken"][0]) <= found.attrs["tolerance"] == 1e-6
+    assert found.attrs["verdict"] == ""
+
+
+def test_a_target_is_met():
+    table = case({"target": "friction_coefficient", "value": 0.123}, RADIUS)
+    found = run_design(plan_of_design(table), lambda count, text: None)
+    radius = float(found.data()["roughness.asperity_radius"][0])
+    subject = subject_of(table)
+    there = subject.replace(roughness=subject.roughness.replace(asperity_radius=radius))
+    assert float(solve(there, load=LOAD, model="persson_2001")["friction_coefficient"]) == pytest.approx(0.123, rel=1e-8)
+
+
+def test_a_limit_from_below_and_an_end_that_decides():
+    found = design(case(LEAST, RADIUS, {"contact_area": {"low": "100 um^2"}}))
+    assert float(found["friction_coefficient"][0]) == pytest.approx(STRENGTH * 100e-12 / LOAD, rel=2e-6)
+    found = design(case(LEAST, RADIUS))
+    assert float(found["roughness.asperity_radius"][0]) == pytest.approx(1e-6, rel=1e-6)
+
+
+def test_the_best_of_lists_is_that_of_all_combinations():
+    names, thicknesses = ["silver", "gold", "indium", "copper"], ["50 nm", "200 nm", "1 um"]
+    table = coated(LEAST, {"coating": {"material": names, "thickness": thicknesses}})
+    found = design(table)
+    subject, least = subject_of(table), {}
+    for name in names:
+        film = [subject.coating.replace(material=name, thickness=thickness) for thickness in thicknesses]
+        least[name] = min(float(solve(subject.replace(coating=one), load=LOAD)["friction_coefficient"]) for one in film)
+    best = sorted(least, key=least.get)
+    assert found["coating.material"].values.tolist() == best
+    np.testing.assert_allclose(found["friction_coefficient"], [least[name] for name in best], rtol=1e-9)
+    assert found.attrs["asked"] == 12
+
+
+def test_materials_with_numbers_between_ends_beat_every_point_of_a_grid():
+    choose = {
+        "coating": {"material": ["silver", "gold"], "thickness": {"low": "20 nm", "high": "1 um"}},
+        "roughness": {"asperity_height_deviation": {"low": "20 nm", "high": "100 nm"}},
+    }
+    table = coated(LEAST, choose, {"area_fraction": {"high": 0.004}})
+    found = design(table)
+    subject, least = subject_of(table), {}
+    axes = {"thickness": np.geomspace(20e-9, 1e-6, 40), "sigma": np.geomspace(20e-9, 100e-9, 40)}
+    for name in ("silver", "gold"):
+        thickness, sigma = (one.ravel() for one in np.meshgrid(*axes.values()))
+        from xarray import DataArray
+
+        rough = subject.roughness.replace(asperity_height_deviation=DataArray(sigma, dims="at"))
+        film = subject.coating.replace(material=name, thickness=DataArray(thickness, dims="at"))
+        data = solve(subject.replace(coating=film, roughness=rough), load=LOAD)
+        kept = data["area_fraction"].values <= 0.004
+        least[name] = data["friction_coefficient"].values[kept].min()
+    for at, name in enumerate(found["coating.material"].values.tolist()):
+        assert bool(found["kept"][at]) and float(found["friction_coefficient"][at]) <= least[name] * (1 + 1e-9)
+        assert float(found["friction_coefficient"][at]) > 0.5 * least[name]
+
+
+def test_the_worst_of_several_loads_counts():
+    """Persson's friction falls with load: a target over two loads is met in the middle."""
+    table = case({"target": "friction_coefficient", "value": 0.1}, RADIUS, load=["1 N", "400 N"])
+    found = run_design(plan_of_design(table), lambda count, text: None)
+    best = found.best()[0]
+    shares, wishes, _, _ = found.archive.table()
+    radius = float(found.plan.free[0].at(shares[best, 0]))
+    subject = subject_of(table)
+    there = subject.replace(roughness=subject.roughness.replace(asperity_radius=radius))
+    mu = solve(there, load=[1.0, 400.0], model="persson_2001")["friction_coefficient"].values
+    assert wishes[best, 0] == pytest.approx(np.abs(mu - 0.1).max(), rel=1e-9)
+    np.testing.assert_allclose(mu[0] - 0.1, 0.1 - mu[1], rtol=1e-4)
+
+
+def test_the_load_may_be_chosen():
+    found = design(case(MOST, {"load": {"low": "1 N", "high": "2000 N"}}))
+    assert float(found["load"][0]) == pytest.approx(1.0, rel=1e-6)
+
+
+def test_where_nothing_keeps_the_limits_it_is_said():
+    found = design(case(MOST, RADIUS, {"area_fraction": {"high": 1e-9}}))
+    assert not bool(found["kept"][0]) and found.attrs["verdict"].startswith("no design keeps the limits; the nearest")
+    assert float(found["roughness.asperity_radius"][0]) == pytest.approx(1e-6, rel=1e-3)
+
+
+def test_validity_is_a_limit():
+    """Asperities as high as their tips are wide are doubted."""
+    choose = {"roughness": {"asperity_height_deviation": {"low": "5 nm", "high": "50 um"}}}
+    free, claimed = (
+        design(case(LEAST, choose, model="greenwood_williamson_1966", validity=validity)) for validity in ("any", "claimed")
+    )
+    assert float(free["roughness.asperity_height_deviation"][0]) > 0.09 * 50e-6
+    assert float(claimed["roughness.asperity_height_deviation"][0]) <= 0.09 * 50e-6 and bool(claimed["kept"][0])
+
+
+TWO = [LEAST, {"minimise": "contact_area"}]
+
+
+def test_a_front_is_of_designs_that_none_beats():
+    choose = {
+        "roughness": {"asperity_height_deviation": {"low": "10 nm", "high": "200 nm"}},
+        "coating": {"thickness": {"low": "20 nm", "high": "2 um"}},
+    }
+    table = coated(TWO, choose)
+    found = design(table)
+    front = np.column_stack([found[f"front_{name}"].values for name in ("friction_coefficient", "contact_area")])
+    assert len(front) > 10 and (np.diff(front[:, 0]) > 0).all() and (np.diff(front[:, 1]) < 0).all()
+    from xarray import DataArray
+
+    subject = subject_of(table)
+    rng = np.random.default_rng(0)
+    rough = subject.roughness.replace(asperity_height_deviation=DataArray(10e-9 * 20 ** rng.random(2000), dims="at"))
+    film = subject.coating.replace(thickness=DataArray(20e-9 * 100 ** rng.random(2000), dims="at"))
+    data = solve(subject.replace(coating=film, roughness=rough), load=LOAD)
+    points = np.column_stack([data["friction_coefficient"].values, data["contact_area"].values])
+    # a step of the front apart from it, no point is better in both
+    slack = 1.15
+    beaten = [(slack * points < one).all(axis=1).any() for one in front]
+    assert not any(beaten)
+
+
+def test_a_front_of_points():
+    wishes = np.array([[1.0, 5.0], [2.0, 2.0], [2.0, 3.0], [3.0, 2.0], [4.0, 1.0], [0.5, 0.5]])
+    assert _front(wishes, np.array([0.0, 0.0, 0.0, 0.0, 1e-7, 1.0])).tolist() == [0, 1, 4]
+
+
+@pytest.mark.parametrize("name", ["load_share_yielded", "load_share_substrate_yielded"])
+def test_what_has_yielded_is_the_load_that_is_plastic(name):
+    subject = subject_of(case(LEAST, RADIUS)).replace(interfacial_shear_strength=None, first="copper")
+    choice = Choice("kogut_etsion_2004", tangential="none")
+    problem = make_problem(subject, choice)
+    h = np.array([[0.5, 1.0, 2.0]])
+    data = problem.at(h)
+    share = 1.0 - data["load_elastic"] / data["load"]
+    np.testing.assert_allclose(yielded_shares(problem, h, name), share, rtol=1e-12)
+    assert (share > 0.01).all() and (share < 1.0).all()
+
+
+def test_the_substrate_of_a_film():
+    subject = subject_of(coated(LEAST, RADIUS)).replace(first="copper")
+    subject = subject.replace(coating=subject.coating.replace(thickness="50 nm"))
+    problem = make_problem(subject, Choice("soft_coating_2015", film="sequential"))
+    h = np.array([[0.0, 1.0, 6.0]])
+    substrate, whole = (yielded_shares(problem, h, f"load_share_{name}yielded") for name in ("substrate_", ""))
+    assert (substrate < whole).all() and substrate[0, 2] < 0.01 * substrate[0, 0]
+    with pytest.raises(InputError, match="tells film and substrate apart"):
+        yielded_shares(make_problem(subject, Choice("soft_coating_2015", film="layered")), h, "load_share_substrate_yielded")
+
+
+def test_no_yield_of_the_substrate_is_a_limit():
+    limits = {"load_share_substrate_yielded": {"high": 0.001}}
+    table = coated(MOST, {"coating": {"thickness": {"low": "20 nm", "high": "1 um"}}}, limits)
+    table["contact"]["first"] = "copper"
+    found = design(table)
+    thickness = float(found["coating.thickness"][0])
+    subject = subject_of(table)
+    there = subject.replace(coating=subject.coating.replace(thickness=thickness))
+    h = solve(there, load=LOAD)["mean_separation"].values / 48e-9
+    share = yielded_shares(make_problem(there, Choice()), h.reshape(1, 1), "load_share_substrate_yielded")
+    assert bool(found["kept"][0]) and share.item() == pytest.approx(0.001, rel=1e-3)
+    assert share.item() <= 0.001 * (1 + 1e-6)
+
+
+def test_an_interruption_keeps_the_best_so_far():
+    def stop(count, text):
+        if count > 300:
+            raise KeyboardInterrupt
+
+    plan = plan_of_design(case(MOST, RADIUS, {"area_fraction": {"high": 0.001}}))
+    found = run_design(plan, stop)
+    assert found.stopped and 300 < found.archive.count < 400
+    data = found.data()
+    assert bool(data["kept"][0]) and float(data["friction_coefficient"][0]) > 0.19 and data.attrs["stopped"] == 1
+    with pytest.raises(KeyboardInterrupt):
+        run_design(plan, stop, keep_on_interrupt=False)
+
+
+def test_the_same_seed_gives_the_same_design():
+    one, two = (design(case(MOST, RADIUS, {"area_fraction": {"high": 0.001}}, seed=3)) for _ in range(2))
+    assert one.identical(two)
+
+
+def test_told_at_once():
+    told = []
+    design(case(MOST, RADIUS), tell=lambda count, text: told.append(count))
+    assert told[0] <= 256 and sorted(set(told)) == told
+
+
+@pytest.mark.parametrize(
+    ("table", "said"),
+    [
+        ({"wish": {}}, "design.wish: not given; allowed: one of minimise"),
+        ({"wish": {"minimise": "frction_coefficient"}}, "design.wish: 'frction_coefficient'; allowed: .* friction_coefficient"),
+        ({"wish": {"target": "friction_coefficient"}}, "design.wish.value: not given"),
+        ({"wish": {"target": "contact_area", "value": 1.0}}, "design.wish.value: 1.0; allowed: text with a unit"),
+        ({"wish": [LEAST] * 3}, "one or two"),
+        ({"choose": {}}, "something to choose"),
+        ({"choose": {"roughness": {"asperity_radius": "3 um"}}}, "a table with its ends"),
+        (
+            {"choose": {"coating": {"material": ["silver"]}}},
+            "design.choose.coating.material: .* a number of the contact, first",
+        ),
+        ({"choose": {"first": ["steal"]}}, "'steal'; allowed: a preset"),
+        ({"choose": {"first": {"low": 1, "high": 2}}}, "a list, of which one is taken"),
+        ({"limits": {"area_fraction": {}}}, "low, high or both"),
+        ({"limits": {"contact_area": {"high": "1 N"}}}, "design.limits.contact_area.high: '1 N'"),
+        ({"limits": {"contact_area": {"high": "1 um^2", "low": "2 um^2"}}}, "the low end first"),
+        ({"limits": {"tau": {"high": 1.0}}}, "design: 'tau'; allowed: a result that persson_2001 gives"),
+        ({"validity": "none"}, "design.validity"),
+    ],
+)
+def test_one_line_about_a_bad_table(table, said):
+    given = case(LEAST, RADIUS)
+    given["design"] |= table
+    with pytest.raises(InputError, match=said) as caught:
+        design(given)
+    assert "\n" not in str(caught.value)
+
+
+CASE_FILE = """
+title = "Which metal?"
+[contact]
+first = "hardened_steel_52100"
+second = "hardened_steel_52100"
+work_of_adhesion = "0.3 J/m^2"
+nominal_area = "1 mm^2"
+[contact.roughness]
+asperity_height_deviation = "48 nm"
+asperity_radius = "50 um"
+asperity_density = "1.7e10 1/m^2"
+[contact.coating]
+material = "silver"
+bodies = "first"
+thickness = "200 nm"
+[solve]
+load = "1 N"
+[design]
+wish = [{ minimise = "friction_coefficient" }, { minimise = "contact_area" }]
+validity = "any"
+effort = 5
+[design.choose.coating]
+material = ["silver", "gold"]
+thickness = { low = "20 nm", high = "1 um" }
+"""
+
+
+def test_the_command_writes_everything(tmp_path):
+    (tmp_path / "case.toml").write_text(CASE_FILE, encoding="utf-8")
+    result = CliRunner().invoke(cli.app, ["design", str(tmp_path / "case.toml"), "--out", str(tmp_path / "out")])
+    assert result.exit_code == 0 and "gold" in result.output
+    names = {"designed.toml", "design.csv", "design.png", "design.nc", "front.csv"}
+    assert {one.name for one in (tmp_path / "out").iterdir()} == names
+    again = solve_case(read_case(tmp_path / "out" / "designed.toml"))
+    first = (tmp_path / "out" / "design.csv").read_text().splitlines()
+    at = first[0].split(",").index("friction_coefficient")
+    assert float(again["friction_coefficient"][0]) == pytest.approx(float(first[1].split(",")[at]), rel=1e-8)
+    assert "design" not in tomllib.loads((tmp_path / "out" / "designed.toml").read_text())
+
+
+def test_the_command_is_interrupted_and_keeps(tmp_path, monkeypatch):
+    from stiction.studies import design as module
+
+    def interrupted(found, number, ceiling, tell):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(module, "_searched", interrupted)
+    (tmp_path / "case.toml").write_text(CASE_FILE, encoding="utf-8")
+    result = CliRunner().invoke(cli.app, ["design", str(tmp_path / "case.toml"), "--out", str(tmp_path / "out")])
+    assert result.exit_code == 130 and "stopped before the end: the best so far" in result.output
+    assert (tmp_path / "out" / "designed.toml").exists()

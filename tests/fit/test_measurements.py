@@ -1,0 +1,84 @@
+"""Measured series: units in the heads, several samples, and one line about everything that is wrong."""
+
+import numpy as np
+import pytest
+
+from stiction.quantities.errors import InputError
+from stiction.studies.measurements import read_measurements
+
+CASE = {
+    "contact": {
+        "first": "hardened_steel_52100",
+        "second": "hardened_steel_52100",
+        "nominal_area": "1 mm^2",
+        "roughness": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+        "coating": {"material": "silver", "thickness": "200 nm"},
+    }
+}
+
+
+@pytest.fixture
+def read(tmp_path):
+    def of(text):
+        path = tmp_path / "measured.csv"
+        path.write_text(text, encoding="utf-8")
+        return read_measurements(path, CASE)
+
+    return of
+
+
+def test_a_table_is_read_in_si_units(read):
+    found = read(
+        "# a comment\n"
+        "sample,load [mN],friction_coefficient,friction_coefficient_error,pull_off_force [uN],coating.thickness [nm],note\n"
+        "a,5,0.2,0.01,,50,first\n"
+        "\n"
+        'b,250,,,3,100,"second, drier"\n'
+    )
+    assert found.quantity == ("friction_coefficient", "pull_off_force") and found.sample == ("a", "b")
+    np.testing.assert_allclose(found.load, [0.005, 0.25], rtol=1e-15)
+    np.testing.assert_allclose(found.value, [0.2, 3e-6], rtol=1e-15)
+    assert found.error[0] == 0.01 and np.isnan(found.error[1])
+    thickness = ("contact", "coating", "thickness")
+    assert [one[thickness] for one in found.known] == pytest.approx([50e-9, 100e-9], rel=1e-15) and found.line == (3, 5)
+
+
+def test_what_was_measured_without_a_load(read):
+    found = read("pull_off_force [mN]\n1\n2\n")
+    assert np.isnan(found.load).all() and found.value.tolist() == [0.001, 0.002]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "this file is empty"),
+        ("load [N]\n1\n", "a column of what was measured"),
+        ("load,friction_coefficient\n1,0.2\n", 'like "load \\[N\\]"'),
+        ("load [N],friction_coefficient [mN]\n1,0.2\n", "no unit here"),
+        ("friction_coefficient\n0.2\n", "a column of the loads"),
+        ("load [N],fricton_coefficient\n1,0.2\n", "'fricton_coefficient'; allowed: a column of friction_coefficient"),
+        ("load [N],friction_coefficient,hardness [GPa]\n1,0.2,3\n", "'hardness \\[GPa\\]'"),
+        ("load [N],friction_coefficient\n1,0.2,3\n", "line 2: '3 cells'; allowed: 2"),
+        ("load [N],friction_coefficient\n1,much\n", "line 2, friction_coefficient: 'much'; allowed: a number"),
+        ("load [N],friction_coefficient\n1,-0.2\n", "line 2, friction_coefficient: -0.2; allowed: >= 0"),
+        ("load [km],friction_coefficient\n1,0.2\n", "line 2, load \\[km\\]: '1 km'"),
+        ("load [N],friction_coefficient\n,0.2\n", "line 2: not given; allowed: a load"),
+        ("load [N],friction_coefficient,friction_coefficient_error\n1,0.2,0\n", "line 2, friction_coefficient_error: 0.0"),
+        (
+            "load [N],friction_coefficient,friction_coefficient_error\n1,0.2,0.1\n2,0.2,\n",
+            "line 3, friction_coefficient_error: not given; allowed: a standard error for every value, or for none",
+        ),
+        ("load [N],load [mN],friction_coefficient\n1,1,0.2\n", "'load \\[N\\]'; allowed: each column once"),
+        ("load [N],contact_area_error [m^2],friction_coefficient\n1,1,0.2\n", "a column contact_area beside it"),
+        ("load [N],friction_coefficient\n", "at least one measured value"),
+    ],
+)
+def test_one_line_about_what_is_wrong(read, text, said):
+    with pytest.raises(InputError, match=said) as caught:
+        read(text)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_file_that_is_not_there(tmp_path):
+    with pytest.raises(InputError, match="there is no such file"):
+        read_measurements(tmp_path / "none.csv", CASE)
