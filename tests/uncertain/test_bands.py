@@ -148,7 +148,7 @@ def test_of_contacts_solved_together_the_others_are_as_alone():
 
 
 def test_a_map_is_solved_once_and_has_no_band(tmp_path):
-    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=2e-6, deviation=8e-9)
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=3e-6, deviation=8e-9)
     np.save(tmp_path / "scan.npy", st.gaussian_surface((32, 32), (40e-6, 40e-6), spectrum, seed=1).heights)
     scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
     data = solve_case(case({"roughness": {"first": scan}}, {"load": "0.1 N", "model": "boundary_elements"}))
@@ -156,7 +156,7 @@ def test_a_map_is_solved_once_and_has_no_band(tmp_path):
 
 
 def test_a_number_beside_a_scan_is_not_uncertain(tmp_path):
-    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=2e-6, deviation=8e-9)
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=3e-6, deviation=8e-9)
     np.save(tmp_path / "scan.npy", st.gaussian_surface((32, 32), (40e-6, 40e-6), spectrum, seed=1).heights)
     scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
     other = {"asperity_height_deviation": "5 +/- 1 nm", "asperity_radius": "50 um", "asperity_density": "1e11 1/m^2"}
