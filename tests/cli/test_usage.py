@@ -8,7 +8,6 @@ from typer.testing import CliRunner
 
 from stiction import cli
 
-_COMMANDS = "run, sweep, sensitivity, fit, design, compare, validate, surface"
 CASES = {
     "surface scan.npy --form 5": ("--form: '5'", "less than or equal to 4"),
     "surface scan.npy --form 1.5": ("--form: '1.5'", "integer"),
@@ -22,8 +21,8 @@ CASES = {
     "run case.toml -x": ("option: '-x'", "--model"),
     "run case.toml --json=3": ("--json: 'with a value'", "without a value"),
     "--bad": ("option: '--bad'", "--version, --install-completion, --show-completion, --help"),
-    "no-such-command --out x": ("command: 'no-such-command'", _COMMANDS),
-    "--": ("command: not given", _COMMANDS),
+    "no-such-command --out x": ("command: 'no-such-command'", "run, sweep, sensitivity, fit, design, compare, validate, surface"),
+    "--": ("command: not given", "run, sweep, sensitivity, fit, design, compare, validate, surface"),
 }
 
 
