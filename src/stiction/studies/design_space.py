@@ -52,7 +52,7 @@ class Space:
 
     def __post_init__(self):
         wanted = [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]
-        self.names = list(dict.fromkeys([*wanted, "friction_coefficient", "load"]))
+        self.names = list(dict.fromkeys([*wanted, "friction_coefficient"]))
         self.choice = self._choice()
 
     @property
@@ -181,8 +181,17 @@ class Space:
         return Answers(
             np.column_stack([_worst(one) for one in wishes]),
             np.column_stack([_worst(one) for one in broken]),
-            {name: np.median(table.reshape(len(some), -1), axis=1) for name, table in tables.items()},
+            self._shown(tables, wishes, broken),
         )
+
+    def _shown(self, tables: Mapping, wishes: list[np.ndarray], broken: list[np.ndarray]) -> dict[str, np.ndarray]:
+        """What is shown of each result (designs,): where a limit or a wish of it is kept worst; else in the middle."""
+        found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
+        names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.wishes)]
+        for name, worst in zip(names, [*broken[: len(self.plan.limits)], *wishes], strict=True):
+            table, rows = tables[name], np.arange(len(worst))
+            found[name] = table.reshape(len(rows), -1)[rows, np.argmax(worst.reshape(len(rows), -1), axis=1)]
+        return found
 
     def _table(self, name: str, solved: Pointwise, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
         """A result or a group (designs, samples, loads)."""
