@@ -20,12 +20,13 @@ import stiction as st
 from stiction.contact.materials import material_names
 from stiction.laws.asperity.shared import letting_go as unloading
 from stiction.laws.claims import KINDS_OF_DOUBT
+from stiction.laws.film.shared.measured import summary, summary_on_maps
 from stiction.laws.finding import methods
-from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, records, text_of
+from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, records, text_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.material_tables import LISTED, with_range
 from stiction.solving.conditions import RULES
-from stiction.studies.recommendation import COST_OF_A_DOUBLING, COST_OF_GRADE, COST_UNIT
+from stiction.studies.recommendation import COST_OF_A_DOUBLING, COST_OF_FILM, COST_OF_GRADE, COST_UNIT
 from stiction.surfaces.read import readers
 
 HERE = Path(__file__).parent
@@ -83,7 +84,7 @@ def record_of(model: dict) -> Record:
 def takes(model: dict) -> tuple[str, ...]:
     """The laws that a rough-surface model takes by itself."""
     if not model["asperity"]:
-        return "closed form", "none", "none"
+        return "closed form" if record_of(model).of_map is None else "none: it solves the map", "none", "none"
     laws = {"asperity": model["asperity"], "tangential": model["tangential"], "film": model["default_film"]}
     keys = {kind: key if key != "none" else "" for kind, key in laws.items()}
     return tuple(link({"key": key, "kind": kind}) if key else "none" for kind, key in keys.items())
@@ -99,6 +100,8 @@ def asperities_of(model: dict) -> str:
 
 def friction_of(model: dict) -> str:
     """Which tangential laws a film law goes with."""
+    if getattr(record_of(model), "solved_as_one", False):
+        return "laws of the interface, and those of a film and its body as one"
     known = {"": "any that suits the asperity law", "interface": "laws of the interface"}
     return known.get(model["tangential"]) or f"its own, `{model['tangential']}`"
 
@@ -161,6 +164,7 @@ def section(model: dict) -> str:
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
     lines += [f"- In the limit: {departure}" for departure in model.get("departures", ())]
     lines += [f"- Only with asperity laws marked {trait}: {why}" for trait, why in model.get("wants", {}).items()]
+    lines += [f"- On a sphere, area at given load and load at given approach are off by: {one}" for one in off_by(model)]
     lines += [f"- Marked: {', '.join(model['traits'])}"] if model.get("traits") else []
     lines += more(record)
     lines += [f"- Valid for: {rule}" for rule in model["validity"] or ["no range is stated"]]
@@ -170,6 +174,11 @@ def section(model: dict) -> str:
     return "\n".join(lines)
 
 
+def off_by(model: dict) -> list[str]:
+    """What was measured of a film law, in words."""
+    return model.get("measured_error", [])
+
+
 def more(record: Record) -> list[str]:
     """What is not in the rows of `st.models()`: what a film goes with, what a criterion says, and what a law becomes."""
     lines = []
@@ -177,7 +186,10 @@ def more(record: Record) -> list[str]:
         lines.append("- Brings its own asperity law")
     if isinstance(record, FilmLaw) and record.tangential:
         others = "of the interface" if record.tangential == "interface" else f"`{record.tangential}`, which is built into it"
+        others += " and those of a film and its body as one" * record.solved_as_one
         lines.append(f"- Only with the tangential law{'s' if record.tangential == 'interface' else ''} {others}")
+    if isinstance(record, TangentialLaw) and record.layered:
+        lines.append("- Of a film and its body as one, with film laws that solve them so; else of half-spaces")
     if isinstance(record, AsperityMethod):
         lines += ["- Of maps only"] * (not record.of_profiles)
         lines += ["- May stand for the surface: it finds the summits of a Gaussian surface"] * record.of_summits
@@ -234,7 +246,37 @@ def costs() -> str:
     """What a doubt and a grade cost in the recommendation."""
     doubts = [(f"a doubling outside of a range, {kind}", f"{cost:g}") for kind, cost in COST_OF_A_DOUBLING.items()]
     grades = [(f"grade {grade}", f"{cost:g}") for grade, cost in COST_OF_GRADE.items()]
-    return table(("what", "cost"), [*doubts, *grades, ("c_0, the cost that divides the weight by e", f"{COST_UNIT:g}")])
+    film = ("a film law that was found off by a factor of two in area near this contact", f"{COST_OF_FILM:g}")
+    return table(("what", "cost"), [*doubts, *grades, film, ("c_0, the cost that divides the weight by e", f"{COST_UNIT:g}")])
+
+
+def film_errors_on_a_sphere() -> str:
+    """What film laws make of an elastic sphere, against the exact solution."""
+    rows = []
+    for model in of_kind("film"):
+        for one in summary(model["key"]):
+            name = f"{link(model)}{', ' * bool(one['options'])}{one['options']}"
+            for at, n_E in enumerate(one["n_E"]):
+                pairs = zip(one["area"][at], one["load"][at], strict=True)
+                cells = (f"{_percent(area)}, {_percent(load)}" for area, load in pairs)
+                rows.append((name if not at else "", f"{n_E:g}", *cells))
+            widths = one["a_over_t"]
+    return table(("film law", "E_f/E_s", *(f"a/t = {width:g}" for width in widths)), rows)
+
+
+def _percent(value: float) -> str:
+    return "over +1000" if value > 10.0 else f"{100.0 * value:+.0f}".replace("+0", "0").replace("-0", "0")
+
+
+def film_errors_on_maps() -> str:
+    """What sums over asperities with film laws make of rough surfaces on a film."""
+    models = [*of_kind("film"), *(model for model in of_kind("rough surface") if record_of(model).on_film)]
+    rows = [
+        (f"{link(model)}{', ' * bool(options)}{options}", f"{mean:.2f}", f"{rms:.2f}")
+        for model in models
+        for options, mean, rms in summary_on_maps(model["key"])
+    ]
+    return table(("law", "area over that of the map, geometric mean", "rms of its logarithm"), rows)
 
 
 def letting_go() -> str:
@@ -291,6 +333,7 @@ TABLES = {
         "letting go": letting_go,
     },
     "surfaces.md": {"formats": formats, "methods": ways},
+    "which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},
     "trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt, "costs": costs},
     "materials.md": {"materials": materials, "sources of materials": material_sources},
     "../tests/reference/README.md": {"scripts": reference_scripts},

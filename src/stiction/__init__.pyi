@@ -25,9 +25,12 @@ from .studies.design import design as design
 from .studies.fit import fit as fit
 from .studies.resolution import fan as fan
 from .studies.resolution import resolution_study as resolution_study
+from .studies.sensitivity import sensitivity as sensitivity
 from .studies.surface_analysis import analyse as analyse
 from .studies.surface_analysis import prepared as prepared
 from .studies.sweep import sweep as sweep
+from .studies.uncertainty import uncertainty as uncertainty
+from .studies.validation import validate as validate
 from .surfaces.generate import gaussian_surface as gaussian_surface
 from .surfaces.generate import non_gaussian_surface as non_gaussian_surface
 from .surfaces.heightmap import HeightMap as HeightMap

@@ -33,16 +33,20 @@ def run(*words):
     return result.stdout
 
 
-@pytest.fixture
-def case(tmp_path):
-    path = tmp_path / "case.toml"
-    path.write_text(CASE.format('["0.1 N", "1 N", "10 N"]'))
+FILM = '[contact.coating]\nmaterial = "silver"\nthickness = "200 nm"\n'
+
+
+def case_of(model, loads, folder):
+    """A case file that suits the model: with a film if it is of surfaces with one."""
+    path = folder / "case.toml"
+    path.write_text((CASE.replace("[solve]", FILM + "[solve]") if MODELS[model].on_film else CASE).format(loads))
     return path
 
 
 @pytest.mark.parametrize("tangential", (None, "bowden_tabor_1943"))
 @pytest.mark.parametrize("model", MODELS)
-def test_table_picture_and_json(model, tangential, case, tmp_path):
+def test_table_picture_and_json(model, tangential, tmp_path):
+    case = case_of(model, '["0.1 N", "1 N", "10 N"]', tmp_path)
     words = [case, "--model", model, *(["--tangential", tangential] if tangential else [])]
     text = run(*words, "--out", tmp_path / "out")
     assert "contact area" in text and ("pull-off force" in text) == (model not in NO_SEPARATION)
@@ -57,9 +61,8 @@ def test_table_picture_and_json(model, tangential, case, tmp_path):
 
 
 @pytest.mark.parametrize("model", MODELS)
-def test_a_single_load(model, case, tmp_path):
-    case.write_text(CASE.format('"0.1 N"'))
-    run(case, "--model", model, "--out", tmp_path / "out")
+def test_a_single_load(model, tmp_path):
+    run(case_of(model, '"0.1 N"', tmp_path), "--model", model, "--out", tmp_path / "out")
 
 
 def test_there_are_models_without_separation():

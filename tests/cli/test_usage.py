@@ -21,8 +21,8 @@ CASES = {
     "run case.toml -x": ("option: '-x'", "--model"),
     "run case.toml --json=3": ("--json: 'with a value'", "without a value"),
     "--bad": ("option: '--bad'", "--version, --install-completion, --show-completion, --help"),
-    "no-such-command --out x": ("command: 'no-such-command'", "run, sweep, compare, surface"),
-    "--": ("command: not given", "run, sweep, compare, surface"),
+    "no-such-command --out x": ("command: 'no-such-command'", "run, sweep, sensitivity, compare"),
+    "--": ("command: not given", "run, sweep, sensitivity, compare"),
 }
 
 

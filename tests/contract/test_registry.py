@@ -389,7 +389,8 @@ def test_theories_in_closed_form(record):
     """Load (where the record says so) and area that grow together, from nothing; a shear strength of the interface times the
     area is their friction."""
     low, high = next(((one.low, one.high) for one in record.validity if one.quantity == "roughness_parameter"), (0.0, np.inf))
-    given = draw(30, False, 101, theta=1e6, roughness_parameter=np.geomspace(max(0.02, 1.01 * low), min(0.3, high), 30))
+    densities = np.geomspace(max(0.02, 1.01 * low), min(0.3, high), 30)
+    given = draw(30, record.on_film, 101, theta=1e6, roughness_parameter=densities)
     choice = Choice(record.key, tangential=OF_THE_INTERFACE)
     problem = problem_of(given, choice)
     if record.curve is None:
@@ -408,7 +409,7 @@ def test_theories_in_closed_form(record):
     with pytest.raises(InputError):
         problem_of(given, Choice(record.key, tangential="savkoor_briggs_1977"))
     with pytest.raises(InputError):
-        problem_of(draw(3, True, 5), choice)
+        problem_of(draw(3, not record.on_film, 5), choice)
 
 
 @each_record
@@ -474,7 +475,7 @@ DECIDED = [(record, kind) for kind in CHOSEN for record in of_kind(kind).values(
 @pytest.mark.parametrize(("record", "kind"), [pytest.param(*one, id=f"{one[1].kind}-{one[0].key}") for one in DECIDED])
 def test_a_law_depends_on_what_it_says(record, kind):
     """Groups that `needs` of the laws at work do not name change nothing; each that the record names changes something."""
-    given = draw(50, kind is FilmLaw, 71)
+    given = draw(50, kind is FilmLaw or getattr(record, "on_film", False), 71)
     choice = choice_of(record, kind)
     if kind is FilmLaw and not record.interchangeable:
         choice = Choice(options={"reading": "published"})

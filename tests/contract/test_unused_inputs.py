@@ -80,8 +80,8 @@ def check(contact: st.Contact, **laws) -> None:
 
 
 @pytest.mark.parametrize("model", [key for key, one in of_kind(RoughSurface).items() if one.of_map is None])
-def test_of_a_bare_contact(model):
-    check(BARE, model=model)
+def test_of_a_contact(model):
+    check(BARE.replace(coating=FILM) if of_kind(RoughSurface)[model].on_film else BARE, model=model)
 
 
 @pytest.mark.parametrize("film", [key for key, one in of_kind(FilmLaw).items() if one.interchangeable])

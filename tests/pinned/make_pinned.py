@@ -159,6 +159,8 @@ HEIGHTS: tuple[dict[str, Any], ...] = (
 PLAIN, PAPER = "greenwood_williamson_1966", "soft_coating_2015"
 # Films that are younger than the first rows: asked last, so that what was drawn for the others stays as it was.
 LATER = ("dayson_1971", "kato_1981", "ravindran_ramasamy_laddha_1980")
+# And rough surfaces that are.
+LATER_SURFACES = ("yang_persson_2008", "wang_muser_2017", "xu_zhu_xiao_zhou_2024", "pastewka_robbins_2014_area")
 
 
 def kinds() -> dict[str, dict[str, dict[str, Any]]]:
@@ -204,13 +206,13 @@ class Drawn:
 
 def asked_at_separations(known, drawn: Drawn):
     """Every model, every pair of an asperity and a tangential law, every asperity law with every heights: with every option."""
-    rough, asperities, tangentials = (known[kind] for kind in ("rough surface", "asperity", "tangential"))
+    asperities, tangentials = (known[kind] for kind in ("asperity", "tangential"))
 
     def request(given, laws, **more):
         groups = drawn.groups(*laws)
         return {"call": "solve", "indices": groups, "with": {"separation": drawn.number(-0.5, 2.5)} | given | more}
 
-    for key, model in rough.items():
+    for key, model in surfaces(known).items():
         laws = [model, *(law for law in (asperities.get(model["asperity"]), tangentials.get(model["tangential"])) if law)]
         for options, heights in itertools.product(with_options(*laws), HEIGHTS):
             if model["asperity"]:
@@ -232,6 +234,11 @@ def asked_of_pairs(asperities, tangentials, request):
             interface = tangentials["bowden_tabor_1943"]
             given = {"model": PLAIN, "asperity": key, "tangential": interface["key"]}
             yield request(given, [law, interface], **options, heights=heights)
+
+
+def surfaces(known):
+    """The rough surfaces that were there from the first."""
+    return {key: one for key, one in known["rough surface"].items() if key not in LATER_SURFACES}
 
 
 def films(known, later: bool = False):
@@ -288,7 +295,7 @@ def asked_at_loads(known, drawn: Drawn):
     stiffness before sliding with every asperity law."""
     loads = [0.03, 1.0, 20.0]
     turn = itertools.cycle(loads)
-    for key in known["rough surface"]:
+    for key in surfaces(known):
         yield {"call": "solve", "contact": contact_of(), "with": {"load": next(turn), "model": key}}
         given = {"load": next(turn), "model": key, "tangential": "briscoe_tabor_1978"}
         yield {"call": "solve", "contact": contact_of(), "with": given}
@@ -321,9 +328,16 @@ def asked_at_loads_of(some):
 
 
 def asked_later(known, drawn: Drawn):
-    """Films that came later, at separations and at loads."""
+    """Films that came later, at separations and at loads; then rough surfaces that did, at loads."""
     yield from asked_of_each(films(known, later=True) * 3, known, drawn)
     yield from asked_at_loads_of(films(known, later=True))
+    interface = known["tangential"]["briscoe_tabor_1978"]
+    for key in LATER_SURFACES:
+        for load in (0.03, 1.0, 300.0):
+            given = {"load": load, "model": key, "tangential": interface["key"]}
+            yield {"call": "solve", "contact": contact_of(), "with": given}
+            groups = drawn.groups(known["rough surface"][key], interface)
+            yield {"call": "solve", "indices": groups, "with": given | {"load": drawn.number(-4, 0, True)}}
 
 
 def asked_otherwise(known, drawn: Drawn):

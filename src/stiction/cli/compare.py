@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, written
 
 if TYPE_CHECKING:
     import xarray
@@ -17,14 +17,16 @@ def compare(
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact.")],
     load: Annotated[str | None, typer.Option(help='Working load, e.g. "1 N"; default: the middle one of the case.')] = None,
     out: Out = None,
+    ranges: Ranges = None,
     json: Json = False,
 ) -> None:
     """Every applicable model on one contact: friction of each, their spread at the working load, and which to trust.
 
     A contact that states an interfacial_shear_strength gets a friction coefficient from models of contact only, too.
-    With --out: compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4) and compare.png. Where the case names scans,
-    also the spread of each model over the methods of finding asperities. A working load presses: it is above 0 N; where the
-    middle one of the case is not, the nearest that is stands in, and without any there are only curves.
+    With --out: compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4), compare.png and spread.png: what is due to
+    the inputs, to the methods and to the models, each apart. Where the case names scans, also the spread of each model over the
+    methods of finding asperities; where numbers are uncertain, the band of each. A working load presses: it is above 0 N; where
+    the middle one of the case is not, the nearest that is stands in, and without any there are only curves.
     """
     from stiction.report.files import check_folder
 
@@ -36,7 +38,7 @@ def compare(
         from stiction.studies.case_results import compare_case
         from stiction.studies.comparison import working_load
 
-        chosen = read_case(case)
+        chosen = read_case(case, ranges=ranges)
         at = working_load(chosen, load)
     data = compare_case(chosen, at, bar).assign_attrs(case_file=str(case))
     names = _write_comparison(out, data, chosen.title) if out is not None else []
@@ -50,6 +52,12 @@ def compare(
     terminal.print(comparison_table(data))
     for line in comparison_summary(data):
         terminal.print(line)
+    if "spread_factor" in data:
+        from stiction.report.uncertainty_tables import models_band_table, spread_table, uncertain_notes
+
+        terminal.print(spread_table(data))
+        if "uncertain_inputs" in data.attrs:
+            terminal.print(models_band_table(data), *uncertain_notes(data), sep="\n")
     if chosen.measured is not None:
         from stiction.report.surface_tables import roughness_notes, roughness_table
 
@@ -75,5 +83,9 @@ def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> list[str
         }
         if "working_load" not in data.attrs:
             del files["compare_at_load.csv"]
+        if "spread_factor" in data:
+            from stiction.report.uncertainty_pictures import spread_figure
+
+            files["spread.png"] = lambda path: write_picture(spread_figure(data, title), path)
         write_folder(out, files)
     return list(files)

@@ -182,6 +182,10 @@ Out = Annotated[
     Path | None, typer.Option("--out", parser=folder, metavar="FOLDER", help="Folder for the results; other files in it stay.")
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+Ranges = Annotated[
+    bool | None,
+    typer.Option("--ranges/--no-ranges", help="Numbers of materials vary within their ranges, whatever the case says of that."),
+]
 Reading = Annotated[str | None, typer.Option(help="corrected (default), or published: the 2015 paper to the letter.")]
 
 

@@ -10,8 +10,10 @@ from stiction.cli.output import print_json
 from stiction.cli.program import (
     Json,
     Out,
+    Ranges,
     TakesOptionsOfRecords,
     app,
+    bar,
     busy,
     console,
     keys_of,
@@ -61,6 +63,7 @@ def run(
     all_rows: Annotated[
         bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")
     ] = False,
+    ranges: Ranges = None,
     json: Json = False,
 ) -> None:
     """Solve a case: friction coefficient, contact area and load along a curve.
@@ -69,8 +72,9 @@ def run(
     With --out: curve.csv (with comments after #), curve.nc (netCDF4) and curve.png. What is given here overrides the case file;
     the options of a model or a law may be given too, such as --reading published: stiction models KEY names them.
     Any number of the contact may be several, a list or {start, stop, count, spacing}: then the picture and the table show mu
-    against it. Where the case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in
-    band.png.
+    against it. Where numbers are uncertain, "0.5 +/- 0.1 GPa", {low, high}, {median, factor} or {samples}, or numbers of
+    materials vary within their --ranges, mu has a band, with the error of its sampling, drawn in uncertainty.png. Where the
+    case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
     """
     from stiction.report.files import check_folder
 
@@ -79,7 +83,7 @@ def run(
     with busy("Reading the case"):
         from stiction.studies.case import read_case
 
-        chosen = read_case(case)
+        chosen = read_case(case, ranges=ranges)
         chosen = chosen if load is None else chosen.at_load(load)
     given = {"film": film, "coating_law": coating_law, "presliding": presliding}
     laws = {"model": model, "asperity": asperity, "tangential": tangential} | without_old_names(given)
@@ -98,7 +102,7 @@ def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, s
     with solving():
         from stiction.studies.case_results import solve_case
 
-        return solve_case(case, case.choice.with_changes(laws, options))
+        return solve_case(case, case.choice.with_changes(laws, options), bar)
 
 
 def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
@@ -106,9 +110,10 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     with busy("Writing the results"):
         from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
         from stiction.solving.method_spread import as_columns
+        from stiction.studies.bands import as_columns as with_quantiles
 
         files = {
-            "curve.csv": lambda path: write_csv(as_columns(data), path, comments_of(data)),
+            "curve.csv": lambda path: write_csv(with_quantiles(as_columns(data)), path, comments_of(data)),
             "curve.nc": lambda path: write_netcdf(data, path),
             "curve.png": lambda path: write_picture(_figure(case, data), path),
         }
@@ -116,6 +121,10 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
             from stiction.report.surface_pictures import method_spread_figure
 
             files["band.png"] = lambda path: write_picture(method_spread_figure(data, case.title), path)
+        if "friction_coefficient_quantile" in data and not case.is_several:
+            from stiction.report.uncertainty_pictures import uncertainty_figure
+
+            files["uncertainty.png"] = lambda path: write_picture(uncertainty_figure(data, case.title), path)
         write_folder(out, files)
     return list(files)
 
@@ -156,6 +165,10 @@ def _print_run(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:
     terminal.print(run_summary(case, data), "", _table(case, data, all_rows), "")
     if not all_rows and not case.is_several and (text := rows_shown(data)):
         terminal.print(Text(text, style="dim"), "", sep="\n")
+    if "uncertain_inputs" in data.attrs:
+        from stiction.report.uncertainty_tables import band_table, uncertain_notes
+
+        terminal.print(band_table(data), *uncertain_notes(data), "", sep="\n")
     if "point_spacing" in data:
         from stiction.report.surface_tables import map_notes
 

@@ -1,18 +1,20 @@
 """`stiction surface`: what one scan says."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, app, bar, busy, console, solving, written
 from stiction.quantities.errors import InputError
 
 if TYPE_CHECKING:
     import xarray
 
     from stiction.studies.case import Case
+    from stiction.studies.map_contact import ContactOfMap
     from stiction.studies.surface_analysis import Analysis
     from stiction.surfaces.heightmap import HeightMap
 
@@ -35,11 +37,20 @@ def surface(
         Path | None, typer.Option(help="Case file: draw its mu in the resolution study, with this surface in it.")
     ] = None,
     load: Annotated[str | None, typer.Option(help='Load of that, e.g. "1 N"; default: the middle load of the case.')] = None,
+    contact: Annotated[
+        str | None,
+        typer.Option(help="Solve its contact at these nominal pressures over E* h' (h': rms gradient), e.g. \"0.01 0.1\"."),
+    ] = None,
+    hardness: Annotated[float | None, typer.Option(help="Of that contact, over E* h'; else it is elastic.")] = None,
+    periodic: Annotated[
+        bool, typer.Option("--periodic", help="One period of a surface without end: no form is taken off.")
+    ] = False,
     out: Out = None,
     json: Json = False,
 ) -> None:
     """A measured surface: heights, slopes, curvatures, spectrum, and asperities by every method.
 
+    With --contact, its contact with a flat, solved at every point: real area, separation, stiffness.
     With --out: map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study (how sigma, R and N,
     and with --case mu, change with the method and the shortest wavelength) as fan.png, fan.csv and fan.nc.
     """
@@ -50,24 +61,57 @@ def surface(
     if out is None and (case is not None or load is not None):
         what, value = ("--load", load) if case is None else ("--case", str(case))
         raise InputError(what, value, "together with --out: it is for the resolution study")
+    pressures = _pressures(contact, hardness)
     given = {"size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel}
     with busy("Reading the scan"):
-        from stiction.studies.surface_analysis import analyse, prepared, summary
+        from stiction.studies.surface_analysis import analyse, prepared, prepared_period, summary
         from stiction.surfaces.read import read_scan
 
         chosen, at = _chosen(case, load)
-        scan = prepared(read_scan(file, **given), form, spikes, fill, shortest, longest)
+        scan = replace(read_scan(file, **given), periodic=periodic)
+        made_ready = prepared_period(scan, spikes, fill, shortest, longest) if periodic else None
+        scan = made_ready or prepared(scan, form, spikes, fill, shortest, longest)
     analysis = analyse(scan, progress=bar("Analysing"), tip_radius=tip_radius)
-    names = _write(out, analysis, chosen, at) if out is not None else []
+    solved = _contact(scan, pressures, hardness) if pressures else None
+    names = _write(out, analysis, chosen, at, solved) if out is not None else []
     if json:
-        print_json(summary(analysis))
+        print_json(summary(analysis) | ({} if solved is None else {"contact": _contact_in_json(solved)}))
         return
     from stiction.report.surface_tables import asperity_table, surface_notes, surface_summary
 
     terminal = console()
     terminal.print(surface_summary(analysis), "", asperity_table(analysis), "", *surface_notes(analysis), sep="\n")
+    if solved is not None:
+        from stiction.report.surface_tables import contact_notes, contact_table
+
+        terminal.print("", contact_table(solved), "", *contact_notes(solved), sep="\n")
     if out is not None:
         written(out, names)
+
+
+def _pressures(contact: str | None, hardness: float | None) -> list[float]:
+    """The nominal pressures of --contact; empty where it is not asked for."""
+    if contact is None:
+        if hardness is not None:
+            raise InputError("--hardness", hardness, "together with --contact: it is the hardness of that")
+        return []
+    try:
+        return [float(word) for word in contact.replace(",", " ").split()]
+    except ValueError:
+        raise InputError("--contact", contact, "numbers > 0 with blanks between, e.g. 0.01 0.1") from None
+
+
+def _contact(scan: "HeightMap", pressures: list[float], hardness: float | None) -> "ContactOfMap":
+    with solving():
+        from stiction.studies.map_contact import contact_of_map
+
+        return contact_of_map(scan, pressures, hardness)
+
+
+def _contact_in_json(solved: "ContactOfMap") -> dict[str, Any]:
+    from stiction.studies.map_contact import summary_of_contact
+
+    return summary_of_contact(solved)
 
 
 def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
@@ -89,7 +133,7 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
     return chosen, at
 
 
-def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any) -> list[str]:
+def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any, solved: "ContactOfMap | None") -> list[str]:
     """Write pictures and tables; returns their names."""
     from stiction.report.files import as_json, write_csv, write_folder, write_netcdf, write_picture, write_rows
     from stiction.studies.surface_analysis import spectrum_rows, summary
@@ -109,6 +153,10 @@ def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any) -> l
             "spectrum.csv": lambda path: write_rows(path, *spectrum_rows(analysis.spectrum)),
             "surface.json": lambda path: path.write_text(as_json(summary(analysis)) + "\n", encoding="utf-8"),
         }
+        if solved is not None:
+            rows = zip(*(values.tolist() for values in solved.columns.values()), strict=True)
+            files["contact.csv"] = lambda path: write_rows(path, list(solved.columns), map(list, rows))
+            files["pressure.npy"] = lambda path: _write_pressure(path, solved)
         write_folder(out, files)
     return list(files)
 
@@ -118,3 +166,11 @@ def _resolution(scan: "HeightMap", case: "Case | None", load: Any) -> "xarray.Da
 
     contact = None if case is None else {"contact": case.subject, "load": load, "choice": case.choice}
     return resolution_study(scan, progress=bar("Studying the resolution"), **(contact or {}))
+
+
+def _write_pressure(path: Path, solved: "ContactOfMap") -> None:
+    """Pressure maps over E* h', one for each nominal pressure that was solved."""
+    import numpy as np
+
+    maps = [one.pressure / solved.gradient for one in solved.curve.contacts if one is not None and one.pressure is not None]
+    np.save(path, np.array(maps))

@@ -190,8 +190,15 @@ class Contact(Subject):
     def measured(self) -> Any:
         return self.roughness.measured
 
+    @property
+    def map(self) -> Any:
+        return self.roughness.map
+
     def as_numbers(self) -> "Contact":
-        return self if self.measured is None else self.replace(roughness=self.roughness.replace())
+        if self.measured is None:
+            return self
+        surface = self.roughness.surface
+        return self.replace(roughness=self.roughness.replace(surface=None if surface is None else surface.replace()))
 
     def with_surface_moments(self) -> "Contact":
         surface = self.roughness.surface

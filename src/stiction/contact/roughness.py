@@ -38,6 +38,7 @@ class Roughness(Input):
     height_parameters: dict[str, _Parameter] = Field(default_factory=dict)
     surface: "Roughness | None" = Field(default=None, description="a table with sigma, R and N of a Gaussian surface")
     _measured: Any = PrivateAttr(None)
+    _map: Any = PrivateAttr(None)
 
     @property
     def measured(self) -> Any:
@@ -48,6 +49,17 @@ class Roughness(Input):
         """The same numbers, found in scans that say this."""
         found = self.model_copy()
         found._measured = measured
+        return found
+
+    @property
+    def map(self) -> Any:
+        """The map (a HeightMap) that stands for both faces, where these numbers are from scans that make one; else None."""
+        return self._map
+
+    def with_map(self, surface: Any) -> "Roughness":
+        """The same numbers, of a surface whose map this is."""
+        found = self.model_copy()
+        found._map = surface
         return found
 
     @model_validator(mode="after")

@@ -74,6 +74,11 @@ class Subject(Input):
         """What scans say of the roughness, where it was measured; else None."""
         return None
 
+    @property
+    def map(self) -> Any:
+        """The map that stands for both faces, where the roughness was measured and makes one; else None."""
+        return None
+
     def as_numbers(self) -> "Subject":
         """The same without the memory of what was measured: with the numbers of the method that stands for the surface."""
         return self

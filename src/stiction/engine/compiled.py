@@ -94,7 +94,10 @@ class _KernelCache(NullCache):
         made, checksum = content[:-_CHECKSUM], content[-_CHECKSUM:]
         if not made or hashlib.sha256(made).digest() != checksum:  # cut short or changed: what is in it could do anything
             return None
-        return CompileResult._rebuild(target_context, *pickle.loads(made))
+        try:
+            return CompileResult._rebuild(target_context, *pickle.loads(made))
+        except ImportError:  # the same code, compiled when a part of it stood in a module that is no more
+            return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
         if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted):

@@ -3,7 +3,8 @@
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from stiction.laws.registry import AsperityMethod, Limit, Record, records, text_of
+from stiction.laws.film.shared.measured import summary
+from stiction.laws.registry import AsperityMethod, FilmLaw, Limit, Record, records, text_of
 from stiction.laws.sources import bibliography, bibtex
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import nearest
@@ -45,9 +46,24 @@ def _row(record: Record) -> dict[str, Any]:
         "notes": record.notes,
         "text": text_of(record),
     }
+    if isinstance(record, FilmLaw):
+        row["measured_error"] = _measured(record)
     if isinstance(record, AsperityMethod):
         row["options_mean"] = {name: option.meaning for name, option in record.parameters.items()}
     return row | {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}
+
+
+def _measured(record: FilmLaw) -> list[str]:
+    """What was measured of a film law on a sphere, in words, a line for each of its options and moduli."""
+    lines = []
+    for one in summary(record.key):
+        for at, n_E in enumerate(one["n_E"]):
+            cells = [
+                f"a/t = {width:g}: {area:+.0%}, {load:+.0%}"
+                for width, area, load in zip(one["a_over_t"], one["area"][at], one["load"][at], strict=True)
+            ]
+            lines.append(f"{one['options']}, n_E = {n_E:g}: ".removeprefix(", ") + "; ".join(cells))
+    return lines
 
 
 def _parameters(record: Record) -> dict[str, list[str]]:

@@ -84,13 +84,15 @@ class TangentialLaw(Record):
 
     tangential_resistance(piece, groups, **own options) -> TangentialResistance, or None for a piece that resists nothing.
     wants: trait of the asperity law that it cannot do without -> why. interfacial: it shears the interface, wherever that is:
-    of a coated asperity, the whole load and the outer contact area count, whichever body answers.
+    of a coated asperity, the whole load and the outer contact area count, whichever body answers. layered: it knows a film and
+    its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law.
     """
 
     kind = keyword = "tangential"
     tangential_resistance: Callable
     wants: Mapping[str, str] = field(default_factory=dict)
     interfacial: bool = False
+    layered: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,9 +102,10 @@ class FilmLaw(Record):
     regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
     of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
     `law` is not used. one_body: film and substrate are one, with the film's surface: where that has a work of adhesion of its
-    own, that of the bodies does not count, nor what `law` takes beside its needs. bares_substrate: a law of the interface
-    shears what is film of the contact, and the rest shears at the substrate's own strength. confined: the film may bear more
-    than its own hardness, up to the substrate's.
+    own, that of the bodies does not count, nor what `law` takes beside its needs. solved_as_one: its elastic asperity is a
+    sphere on the layered solid, so that tangential laws that know it (`layered`) go with it, too. bares_substrate: a law of
+    the interface shears what is film of the contact, and the rest shears at the substrate's own strength. confined: the film
+    may bear more than its own hardness, up to the substrate's.
     tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
     interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
     any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
@@ -116,6 +119,7 @@ class FilmLaw(Record):
     wants: Mapping[str, str] = field(default_factory=dict)
     own_asperity: bool = False
     one_body: bool = False
+    solved_as_one: bool = False
     bares_substrate: bool = False
     confined: bool = False
     tangential: str = ""
@@ -141,9 +145,13 @@ class RoughSurface(Record):
     where asperity is "": curve(h, groups, **own options) -> load and area (n, H) in closed form at the separations h (H,), and
     with it, or None, separation_near(load, groups, **own options) -> separations (n, H), about where the loads (n, H) are
     carried, not a number where that is not known: curve then takes separations (n, H), too, and does not adhere; or
-    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation.
+    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation; with
+    it, or None, area_on_map(load, groups, map), the same where the contact has a map (a HeightMap) that stands for both faces,
+    and way(map or None) -> words, how the area is then found.
+    on_film: a theory in closed form of surfaces with a film, which it cannot do without; others know none.
     of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
-    found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it.
+    found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it. adheres:
+    a theory without an asperity law that knows the attraction of the surfaces; of a sum its asperity law says that.
     regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
     that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
     of_map(surface, contact, pressures, **own options) -> boundary_elements.curve.MapCurve: it solves the contact of a measured
@@ -156,11 +164,15 @@ class RoughSurface(Record):
     default_film: str = ""
     film_by_option: Mapping[str, str] = field(default_factory=dict)
     takes_surface_moments: bool = False
+    on_film: bool = False
     up_to_full_contact: bool = False
+    adheres: bool = False
     regimes: Callable | None = None
     curve: Callable | None = None
     separation_near: Callable | None = None
     area_at_load: Callable | None = None
+    area_on_map: Callable | None = None
+    way: Callable | None = None
     of_map: Callable | None = None
 
 
@@ -334,7 +346,10 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
         return ""
     if film.tangential != "interface":
         return f"{film.key} brings its own friction, {film.tangential}"
-    return "" if tangential.interfacial else f"{film.key} goes with laws of the interface only: its friction is there"
+    if tangential.interfacial or (film.solved_as_one and tangential.layered):
+        return ""
+    others = " and with those that know film and body as one" if film.solved_as_one else " only: its friction is there"
+    return f"{film.key} goes with laws of the interface{others}"
 
 
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:

@@ -38,18 +38,23 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "grade": str(one["grade"].item()),
             "outside_validity": [doubt.short for doubt in read_doubts(one["doubts"].item())],
             "doubts": json.loads(one["doubts"].item()),
+            "measured_error": json.loads(one["measured_error"].item()),
             "why_not": one["why_not"].item() or None,
             "family": one["family_of_curve"].item() or None,
             "cost": one["cost"].item(),
             "command": run_command(data, str(name)),
         }
         row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
-        row |= _over_methods(one)
+        row |= _over_methods(one) | _over_inputs(one)
         rows.append(row | {"curve": {key: one[key].values for key in RESULTS}})
     left_out = dict(line.split(": ", 1) for line in data.attrs["left_out"].splitlines())
     attributes = {name: value for name, value in data.attrs.items() if name not in ("left_out", "sources", "criteria")}
     attributes["criteria"] = data.attrs["criteria"].splitlines()
-    return attributes | {"units": units, "models": rows, "left_out": left_out, "sources": data.attrs["sources"].split()}
+    return (
+        attributes
+        | _spreads(data)
+        | {"units": units, "models": rows, "left_out": left_out, "sources": data.attrs["sources"].split()}
+    )
 
 
 def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
@@ -62,6 +67,30 @@ def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
         "friction_coefficient_by_method": dict(zip(each["asperity_method"].values.tolist(), each.values.tolist(), strict=True)),
         "friction_coefficient_low": one[f"{name}_low"].item(),
         "friction_coefficient_high": one[f"{name}_high"].item(),
+    }
+
+
+def _over_inputs(one: "xarray.Dataset") -> dict[str, Any]:
+    """Quantiles of one model over what is uncertain, at the working load, with their errors."""
+    name = "friction_coefficient_at_load_quantile"
+    if name not in one:
+        return {}
+    shares = one["quantile"].values.tolist()
+    return {
+        "friction_coefficient_quantile": [
+            {"share": share, "value": value, "error": error}
+            for share, value, error in zip(shares, one[name].values, one[f"{name}_error"].values, strict=True)
+        ]
+    }
+
+
+def _spreads(data: "xarray.Dataset") -> dict[str, Any]:
+    """What friction at the working load differs by, each apart."""
+    if "spread_factor" not in data:
+        return {}
+    rows = {str(name): data.sel(spread=name) for name in data["spread"].values}
+    return {
+        "spreads": {name: {end: float(one[f"spread_{end}"]) for end in ("low", "high", "factor")} for name, one in rows.items()}
     }
 
 

@@ -15,6 +15,7 @@ from stiction.surfaces.statistics import ProfileMoments
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.studies.map_contact import ContactOfMap
     from stiction.studies.measured import Measured
 
 
@@ -127,6 +128,30 @@ def map_notes(data: "xarray.Dataset") -> list[Text]:
         f"{float(last['load_share_plastic']):.1%} of the load on points that bear the hardness",
     ]
     return [Text(line, style="dim") for line in lines]
+
+
+def contact_table(contact: "ContactOfMap") -> Table:
+    """The contact of a map: a row for each nominal pressure."""
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    for head in contact.columns:
+        for before in (" in ", " load", "/(", "/Sq"):
+            head = head.replace(before, f"\n{before.lstrip()}")
+        table.add_column(head, justify="right")
+    for row in zip(*contact.columns.values(), strict=True):
+        table.add_row(*map(_number, row))
+    return table
+
+
+def contact_notes(contact: "ContactOfMap") -> list[Text]:
+    """How the contact of a map was solved, and what is doubtful."""
+    yields = "elastic" if contact.hardness is None else f"no pressure above {contact.hardness:g} E* h'"
+    of_map = contact.curve.of_map
+    solved = (
+        f"contact: {yields}, h' = {contact.gradient:.3g}, {of_map['points_in_shortest_wave']:.3g} points in the shortest, "
+        f"{of_map['longest_waves_on_a_side']:.3g} of the longest waves on a side"
+    )
+    lines = [Text(solved, style="dim"), *(Text(f"doubtful: {one}", style="bold yellow") for one in contact.all_doubts())]
+    return lines
 
 
 def _table(*more: str) -> Table:

@@ -16,6 +16,7 @@ from stiction.laws.validity import doubts_of, read_doubts
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.comparison_rows import run_command
+from stiction.solving.film_errors import in_words, read_film_errors
 from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:
@@ -191,12 +192,18 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
     elif bool((data["load"] <= 0.0).any()):
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
     notes += [one.say("--") for one in unused_of(data)]
+    notes += _measured(read_film_errors(used.get("measured_error", "[]")))
     notes += [used["remarks"]] if used.get("remarks") else []
     for kind in _NOTED:
         key = used[kind.keyword]
         if key != "none" and (text := find(key, kind).notes):
             notes.append(f"{key}: {text}" if kind is RoughSurface else f"{key} ({kind.kind}): {text}")
     return notes
+
+
+def _measured(rows: list[dict[str, Any]]) -> list[str]:
+    """What was measured of the film law near this result; where nothing was, why not."""
+    return [f"measured: {in_words(row)}" for row in [row for row in rows if "error" in row] or rows[:1]]
 
 
 def outside_validity(data: "xarray.Dataset") -> Text | None:

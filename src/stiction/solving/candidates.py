@@ -30,7 +30,9 @@ def candidates(subject: Subject) -> list[Candidate]:
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
     found = [
-        _of_map(model, subject) if model.of_map is not None else Candidate(key, Choice(key)) for key, model in models.items()
+        _of_map(model, subject) if model.of_map is not None else Candidate(key, Choice(key))
+        for key, model in models.items()
+        if subject.has_film or not model.on_film
     ]
     found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
     if not subject.has_film:

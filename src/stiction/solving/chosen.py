@@ -109,8 +109,12 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
     """InputError for what a theory in closed form cannot be combined with."""
-    if coated:
+    if coated and not model.on_film:
         raise InputError("model", model.key, "a sum over asperities, which this model is not: this contact has a film")
+    if model.on_film and not coated:
+        raise InputError("model", model.key, "another model: this one is of surfaces with a film, and this contact has none")
+    if coated and choice.film:
+        raise InputError("film", choice.film, f"nothing: {model.key} has its own")
     if choice.asperity:
         raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
     if choice.presliding:

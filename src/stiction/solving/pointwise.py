@@ -1,7 +1,7 @@
 """Many contacts at once, of which some may be refused or carry less than is asked: not a number there, and why as data."""
 
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import rules_left, rules_of
-from stiction.solving.inversion import separations_at
+from stiction.solving.inversion import Inversion, pull_off, separations_at
 from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_problem
 from stiction.solving.results import as_variables, summary_of, with_shares
 from stiction.solving.solve import all_dims, convergence, points_asked, pull_off_variables, summed
@@ -51,8 +51,9 @@ def solve_pointwise(
 ) -> Pointwise:
     """What `solve` gives, point by point, without a dataset; keep: names of results, by default all.
 
-    Where `solve` refuses a load that is nowhere carried, there it is not a number. Raises InputError for what is refused of the
-    contacts as a whole.
+    Where `solve` refuses a load that is nowhere carried, there it is not a number, and so are the results of contacts that the
+    model refuses or does not converge for, unless it is all of them. Raises InputError for what is refused of the contacts as a
+    whole, ArithmeticError where no contact converges.
     """
     problem = make_problem(subject, choice)
     given = "load" if separation is None else "mean_separation"
@@ -70,17 +71,79 @@ def solve_pointwise(
     if found is not None and (keep is None or "load_residual" in keep):
         variables |= convergence(found, dims)
     if "mean_separation" in tables and (keep is None or {"pull_off_force", "pull_off_separation"} & set(keep)):
-        variables |= pull_off_variables(problem, factors, found)
+        variables |= _pull_off(problem, factors, found, np.all(why_not & (1 << _REFUSED), axis=1))
     doubts = why_not.astype(np.uint32)
     for bit, left in enumerate(rules_left(problem, tables), start=len(WHY_NOT)):
         doubts |= left.astype(np.uint32) << np.uint32(bit)
-    doubts = doubts.reshape(wanted.shape)
+    doubts = np.where(why_not & (1 << _REFUSED), np.uint32(1 << _REFUSED), doubts).reshape(wanted.shape)
     attributes = summary_of(problem.subject, problem, tables) if keep is None else {}
     return Pointwise(variables, (tuple(dims), doubts), rules_of(problem), problem.subject, attributes)
 
 
 def _tables(problem: Problem, given: str, wanted: np.ndarray, unbroadcast: np.ndarray) -> tuple[dict, np.ndarray, Any]:
     """Normalised results of the full shape, bits of WHY_NOT (contacts, points), and the inversion, if there was one."""
+    try:
+        return _together(problem, given, wanted, unbroadcast)
+    except (InputError, ArithmeticError):
+        if len(problem.groups) == 1:
+            raise
+    return _in_parts(problem, given, wanted)
+
+
+def _in_parts(problem: Problem, given: str, wanted: np.ndarray) -> tuple[dict, np.ndarray, Any]:
+    """The same of contacts of which some are refused: not a number there. Raises what the last one is refused for if it is all
+    of them."""
+    contacts = len(problem.groups)
+    points = wanted.reshape(contacts, -1)
+    found: dict[str, np.ndarray] = {}
+    why_not, inverted = np.full(points.shape, 1 << _REFUSED, dtype=np.uint32), _no_inversion(points.shape)
+    for rows, (tables, why, inversion) in _parts(problem, given, points):
+        for name, table in tables.items():
+            found.setdefault(name, np.full(points.shape, np.nan))[rows] = table.reshape(len(rows), -1)
+        why_not[rows] = why
+        for name in ("h", "residual", "tension", "where") if inversion is not None else ():
+            getattr(inverted, name)[rows] = getattr(inversion, name)
+        inverted = inverted if inversion is None else replace(inverted, evaluations=inversion.evaluations)
+    return {name: table.reshape(wanted.shape) for name, table in found.items()}, why_not, (
+        inverted if given == "load" and not problem.needs_load else None
+    )  # fmt: skip
+
+
+def _parts(problem: Problem, given: str, points: np.ndarray) -> Iterator[tuple[np.ndarray, tuple]]:
+    """Rows that the model takes, with what `_together` says of them. Raises the last refusal if it takes none."""
+    waiting, taken, refusal = [np.arange(len(points))], False, None
+    while waiting:
+        rows = waiting.pop()
+        some = replace(problem.with_groups(rows), dims={"contact": len(rows)})
+        try:
+            solved = _together(some, given, points[rows], points[rows])
+        except (InputError, ArithmeticError) as error:
+            refusal = error
+            waiting += [rows[len(rows) // 2 :], rows[: len(rows) // 2]] if len(rows) > 1 else []
+            continue
+        taken = True
+        yield rows, solved
+    if refusal is not None and not taken:
+        raise refusal
+
+
+def _no_inversion(shape: tuple[int, ...]) -> Inversion:
+    h, tension = np.full(shape, np.nan), np.full(shape[:1], np.nan)
+    return Inversion(h, h.copy(), 0, tension, tension.copy())
+
+
+def _pull_off(problem: Problem, factors: Mapping[str, Any], found: Inversion | None, refused: Any) -> dict[str, tuple]:
+    """The largest tension of each contact, and where it is; not a number of those that are refused (contacts,)."""
+    apart = problem.on_branch("unloading")
+    if not refused.any() or (found is not None and apart is problem):
+        return pull_off_variables(problem, factors, found)
+    of_each, taken = _no_inversion((len(refused), 0)), np.flatnonzero(~refused)
+    of_each.tension[taken], of_each.where[taken] = pull_off(apart.with_groups(taken))
+    return pull_off_variables(apart, factors, of_each)
+
+
+def _together(problem: Problem, given: str, wanted: np.ndarray, unbroadcast: np.ndarray) -> tuple[dict, np.ndarray, Any]:
+    """The same of contacts that are all taken."""
     contacts = len(problem.groups)
     if given == "mean_separation":
         why_not = np.zeros((contacts, wanted.size // contacts), dtype=np.uint32)

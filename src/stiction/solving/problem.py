@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -154,11 +155,13 @@ class ClosedForm(Problem):
 
     @property
     def adheres(self) -> bool:
-        return False
+        return self.record.adheres
 
     @property
     def effects(self) -> list[str]:
-        return ["plasticity"] if "hardness_group" in self.record.needs else []
+        plasticity = "hardness_group" in self.record.needs
+        known = ("adhesion", self.adheres), ("plasticity", plasticity), ("the film", self.record.on_film)
+        return [name for name, there in known if there]
 
     def on_branch(self, branch: str) -> "ClosedForm":
         return self
@@ -190,10 +193,26 @@ class ClosedForm(Problem):
         return self._results(*(np.concatenate(parts) for parts in zip(*rows, strict=True)))
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
-        assert self.record.area_at_load is not None
         if not (load >= 0.0).all():
-            raise InputError("load", float(load.min()), f">= 0: {self.record.key} knows no adhesion")
-        return self._results(load, self.record.area_at_load(load, self.groups, **select_options(self.record, self.options)))
+            unknown = "says nothing of tension" if self.adheres else "knows no adhesion"
+            raise InputError("load", float(load.min()), f">= 0: {self.record.key} {unknown}")
+        return self._results(load, self._area(load))
+
+    @property
+    def map(self) -> Any:
+        """The map of the contact, where the theory takes it; else None."""
+        return None if self.record.area_on_map is None or self.subject is None else self.subject.map
+
+    @property
+    def way(self) -> str:
+        """How the area is found, in words, where the theory has more than one way."""
+        return "" if self.record.way is None else self.record.way(self.map)
+
+    def _area(self, load: np.ndarray) -> np.ndarray:
+        assert self.record.area_at_load is not None
+        if self.map is not None and self.record.area_on_map is not None:
+            return self.record.area_on_map(load, self.groups, self.map)
+        return self.record.area_at_load(load, self.groups, **select_options(self.record, self.options))
 
     def _curve(self, h, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
         if self.record.curve is None:

@@ -53,6 +53,11 @@ class Problem(ABC):
         """Which heights count, in a word: the name of a distribution."""
         return self.heights.key
 
+    @property
+    def way(self) -> str:
+        """How the contact area is found, in words, where the model has more than one way; else ""."""
+        return ""
+
     def records(self) -> list[Record]:
         """The records of all that answers."""
         return self.chosen.records()

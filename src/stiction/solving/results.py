@@ -9,7 +9,7 @@ from stiction.contact.subject import Subject
 from stiction.laws.validity import as_attributes
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.table import QUANTITIES
-from stiction.solving import unused
+from stiction.solving import film_errors, unused
 from stiction.solving.conditions import doubts_of_results
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
@@ -73,9 +73,11 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         **problem.options,
         "options": " ".join(problem.options),
         "heights": problem.heights_taken,
+        **({"area_by": problem.way} if problem.way else {}),
         "grade": max(record.grade for record in records),
         "sources": " ".join(used),
         **as_attributes(doubts_of_results(problem, tables)),
+        **film_errors.as_attributes(problem, tables),
         **unused.as_attributes(unused.unused_inputs(problem)),
         "remarks": "; ".join(subject.remarks()),
         "inputs": "\n".join(f"{name} = {text}" for name, text in subject.inputs()),

@@ -124,7 +124,7 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
         coords[given] = (given, point.values, variables.pop(given)[2])
     data = as_dataset(variables, coords).assign_attrs(summary_of(subject, problem, tables))
     if found is None or carried is None:
-        return _with_interruption(data)
+        return data if problem.record.of_map is None else _with_interruption(data)
     kept = as_variables(subject, {"load": carried}, factors, dims)["load"] if given in data.coords else None
     data = _with_carried(data, carried, wanted, kept)
     return data.assign_attrs(convergence=f"all separations converged in at most {found.evaluations} evaluations")

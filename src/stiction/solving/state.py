@@ -45,7 +45,8 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
         count = _asperities(groups)
         if count is not None:
             found["touching_asperities"] = count * (expected_share(area) if share is None else share)
-    return found | {name: value[:, None] for name, value in _of_the_surface(groups).items()}
+    of_surface = _of_the_surface(groups) | (_of_attraction(groups) if problem.record.adheres else {})
+    return found | {name: value[:, None] for name, value in of_surface.items()}
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
@@ -57,7 +58,19 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
         found["rms_slope"] = groups.sharpness * np.sqrt(slope_squared)
     if groups.sharpness is not None and groups.has_film and groups.film_aspect is not None:
         found["thickness_over_radius"] = groups.film_aspect * groups.sharpness
+    if groups.has_film and groups.film_aspect is not None and groups.roughness_parameter is not None:
+        from stiction.laws.rough_surface.rough_on_film import STIFF, thickness_over_wave  # which a bare contact does without
+
+        whole = groups.resolved()
+        found["stiff_film_over_wave"] = np.where(whole.n_E >= STIFF, thickness_over_wave(whole), np.nan)
     return found
+
+
+def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:
+    """The attraction of the surface (n,), which theories of the whole surface are asked for that know it."""
+    from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
+
+    return {"range_over_gap": range_over_gap(groups), "stickiness_ratio": stickiness(groups)}
 
 
 def _by_asperity(

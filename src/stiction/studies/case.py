@@ -3,7 +3,7 @@
 import tomllib
 import warnings
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +24,20 @@ from stiction.studies.measured import Measured, MeasuredRoughness, measure
 from stiction.studies.own_materials import with_own_materials
 from stiction.studies.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
 from stiction.studies.sweep_plan import Sweep
+from stiction.studies.uncertain import (
+    FORMS,
+    SAMPLE,
+    Uncertain,
+    Uncertainty,
+    expanded,
+    named,
+    placed,
+    uncertain_numbers,
+    usual,
+    with_ranges,
+)
 
-__all__ = ["Case", "json_schema", "parse_case", "read_case"]
+__all__ = ["Case", "as_case", "json_schema", "parse_case", "read_case"]
 
 _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
 
@@ -37,7 +49,8 @@ class Case:
     subject: the Contact or the Indices; where numbers of it are several, they are arrays with named dimensions. separation,
     load: points, one is an array (n,) and the other None; metres and newtons for a Contact, h = d/sigma and load per
     K R^(1/2) sigma^(3/2) and asperity for Indices. Where sigma is several and separations are over it, they are a labelled
-    array. choice: the model, other laws than its own, and options, as the registry knows them.
+    array. choice: the model, other laws than its own, and options, as the registry knows them. uncertain: numbers that are so,
+    of which the subject has the nominal ones; uncertainty: how they are drawn. tables, several: what it was read from.
     """
 
     title: str
@@ -45,6 +58,30 @@ class Case:
     separation: Any
     load: np.ndarray | None
     choice: Choice
+    uncertain: tuple[Uncertain, ...] = ()
+    uncertainty: Uncertainty = field(default_factory=usual)
+    tables: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    several: Mapping[tuple[str, ...], Any] = field(default_factory=dict, repr=False)
+
+    @property
+    def unknowns(self) -> dict[str, list[Uncertain]]:
+        """What is uncertain, by name: numbers that are drawn together are one."""
+        found: dict[str, list[Uncertain]] = {}
+        for one in self.uncertain:
+            found.setdefault(one.dimension, []).append(one)
+        return found
+
+    def with_arrays(self, arrays: Mapping[tuple[str, ...], Any]) -> "Case":
+        """The case with labelled arrays at these places of its tables. Raises InputError."""
+        found = case_of(expanded(self.tables), {**self.several, **arrays})
+        return replace(self, subject=found.subject, separation=None if self.separation is None else found.separation)
+
+    def drawn(self, shares: np.ndarray) -> "Case":
+        """The case with what is uncertain at these shares (n, k) of the distributions, k being the number of `unknowns`, in
+        their order: arrays along `sample`. Raises InputError where a number that follows from these is out of bounds."""
+        columns = list(self.unknowns)
+        at = {one.path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for one in self.uncertain}
+        return self.with_arrays(at)
 
     @property
     def measured(self) -> Measured | None:
@@ -134,6 +171,7 @@ class _CaseFile(Input):
     sweep: Sweep | None = Field(None, description="a table: what `stiction sweep` computes and keeps")
     design: Design | None = Field(None, description="a table: what `stiction design` chooses, and what is wished of it")
     fit: Fit | None = Field(None, description="a table: what `stiction fit` fits to measured series")
+    uncertainty: Uncertainty | None = Field(None, description="a table: how numbers that are uncertain are drawn")
 
     @model_validator(mode="after")
     def _one_subject(self):
@@ -143,14 +181,28 @@ class _CaseFile(Input):
         return self
 
 
-def read_case(path) -> Case:
-    """The case in a TOML file.
+def read_case(path, *, ranges: bool | None = None) -> Case:
+    """The case in a TOML file; ranges: whether numbers of materials vary within their ranges, in place of what the file says.
 
     Raises InputError, one line, if the file cannot be read or is not TOML, for a key that is not known, and
     for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
     are no rough surface: sigma and R swapped, a metre of roughness.
     """
-    return parse_case(read_content(path), Path(path).parent)
+    return parse_case(_with(read_content(path), ranges), Path(path).parent)
+
+
+def as_case(given: Any, ranges: bool | None = None) -> Case:
+    """The case that is given: by the path of its file, as its tables, or as it is. ranges: as `read_case` has it, of the first
+    two. Raises InputError."""
+    if isinstance(given, Case):
+        return given
+    return parse_case(_with(given, ranges)) if isinstance(given, Mapping) else read_case(given, ranges=ranges)
+
+
+def _with(content: Mapping, ranges: bool | None) -> Mapping:
+    if ranges is None or not isinstance(content.get("uncertainty", {}), Mapping):
+        return content
+    return {**content, "uncertainty": {**content.get("uncertainty", {}), "ranges": ranges}}
 
 
 def read_content(path) -> dict[str, Any]:
@@ -175,7 +227,9 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
     materials are named."""
     content, several = opened(content, folder)
-    case = case_of(content, {path: one.array(one.numbers()) for path, one in several.items()})
+    uncertain = named([one for one in several.values() if isinstance(one, Uncertain)])
+    arrays = {path: one.array(one.numbers()) for path, one in several.items() if not isinstance(one, Uncertain)}
+    case = replace(case_of(content, arrays), uncertain=tuple(uncertain), tables=content, several=arrays)
     check_scans(case.subject)
     for question in questions(case.subject):
         warnings.warn(question, InputDoubt, stacklevel=2)
@@ -193,9 +247,30 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...
     """The tables with materials of their own and the roughness that scans show, the first value of what is several in its
     place; and the numbers that are several. Raises InputError."""
     _refuse_bare_numbers(content, "")
-    several = several_numbers(content)
-    content = with_values(content, {path: float(one.values[0]) for path, one in several.items()})
-    return _measured(with_own_materials(content, folder, _tables), folder), several
+    numbers: dict[tuple[str, ...], Several] = dict(several_numbers(content))
+    found = uncertain_numbers(content, folder)
+    used = {one.path: one for one in placed(found, content)}
+    nominal = {path: float(one.values[0]) for path, one in (numbers | found).items()}
+    content = _measured(with_own_materials(with_values(content, nominal), folder, _tables), folder)
+    _refuse_uncertain_scans(content, used)
+    if wants_ranges(content):
+        used |= {one.path: one for one in with_ranges(content, [*numbers, *used])}
+    return content, numbers | {one.path: one for one in named(list(used.values()))}
+
+
+def wants_ranges(content: Mapping) -> bool:
+    """Whether numbers of materials vary within their ranges, as the tables say."""
+    table = content.get("uncertainty", {})
+    return isinstance(table, Mapping) and table.get("ranges") is True
+
+
+def _refuse_uncertain_scans(content: Mapping, uncertain: Mapping[tuple[str, ...], Uncertain]) -> None:
+    """InputError where a number of the roughness is uncertain that was measured."""
+    contact = content.get("contact")
+    rough = contact.get("roughness") if isinstance(contact, Mapping) else None
+    for path, one in uncertain.items():
+        if getattr(rough, "measured", None) is not None and path[:2] == ("contact", "roughness"):
+            raise InputError(one.where, one.distribution.words, "one number, where scans say the roughness")
 
 
 def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:
@@ -210,6 +285,7 @@ def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:
         separation=points_of(solve.separation, "mean_separation", subject, "solve.separation"),
         load=points_of(solve.load, "load", subject, "solve.load"),
         choice=Choice(options=dict(solve.options), **{name: getattr(solve, name) for name in LAWS}),
+        uncertainty=file.uncertainty or usual(),
     )
 
 
@@ -240,7 +316,7 @@ def json_schema() -> dict:
     schema["$defs"]["_Solve"]["properties"] |= {
         name: {"description": "option of a model or of a law", "enum": list(values)} for name, values in all_options().items()
     }
-    numbers_schema(schema)
+    numbers_schema(schema, FORMS)
     schema["$defs"]["_Solve"]["oneOf"] = [{"required": ["separation"]}, {"required": ["load"]}]
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 

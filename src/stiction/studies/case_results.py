@@ -14,8 +14,10 @@ from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import LAWS, Choice
 from stiction.solving.solve import solve
+from stiction.studies.bands import with_bands, with_bands_of_models
 from stiction.studies.case import Case
 from stiction.studies.comparison import compare, working_load
+from stiction.studies.spreads import spreads_of_comparison
 
 if TYPE_CHECKING:
     import xarray
@@ -27,17 +29,22 @@ RECOMMENDED = "recommended"
 _MOST = 1_000_000  # points at once in memory
 
 
-def solve_case(case: Case, choice: Choice | None = None) -> "xarray.Dataset":
+def solve_case(
+    case: Case, choice: Choice | None = None, progress: Callable[[str], Callable[[Iterable], Iterable]] = lambda text: iter
+) -> "xarray.Dataset":
     """The points of a case, as `solve` gives them; choice: other laws and options than those of the case; the model may be any
     that `compare` shows, or "recommended": the one that it recommends at the working load.
 
     Where the case names scans, friction_coefficient is that of the method which stands for the surface, and the result has
     also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high; its
-    attributes say the method and what was done to the scans. Raises InputError.
+    attributes say the method and what was done to the scans. Where numbers of the case are uncertain, it is that of the nominal
+    ones, and has also NAME_quantile (quantile, ...) of friction, area, load and pull-off, with NAME_quantile_error.
+    progress: from a text, what wraps a list of steps. Raises InputError.
     """
     _check_size(case)
     choice = choice_of_case(case, choice or case.choice)
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
+    data = with_bands(data, case, choice, progress("Drawing what is uncertain"))
     return with_groups(_said(data, case), case.with_surface_moments(choice.model).subject)
 
 
@@ -80,10 +87,16 @@ def compare_case(
     """Every model on the contact of a case, as `compare` gives them, at a working load [N].
 
     Where the case names scans, the result has also friction_coefficient_at_load_by_method (asperity_method, model),
-    friction_coefficient_at_load_low and friction_coefficient_at_load_high. progress: from a text, what wraps a list of steps.
+    friction_coefficient_at_load_low and friction_coefficient_at_load_high. Where numbers are uncertain, it has also
+    friction_coefficient_at_load_quantile (quantile, model) with its error; and wherever a model is recommended, what its
+    friction differs by, spread_low, spread_high and spread_factor (spread). progress: from a text, what wraps a list of steps.
     Raises InputError.
     """
     data = compare(case.subject, load=load, progress=progress("Asking the models"))
+    if load is not None:
+        at = float(data.attrs["working_load"])
+        data = with_bands_of_models(data, case, at, progress("Drawing what is uncertain"))
+        data = spreads_of_comparison(data, case.uncertainty.coverage)
     if case.load is not None:
         data = data.assign_attrs(case_loads=np.asarray(case.load, dtype=float))
     return _said(data, case)

@@ -14,6 +14,7 @@ from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
+from stiction.solving import film_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding
@@ -142,9 +143,10 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     if situation.target is not None:
         at_load = _at_working_load(problem, situation.target, answer)
     if at_load or situation.target is None:  # of a load that is not carried there is nothing to doubt
-        answer.outside = answer.outside + doubts_of_results(
-            problem, at_load or {name: table[None, :] for name, table in curve.items()}
-        )
+        judged = at_load or {name: table[None, :] for name, table in curve.items()}
+        answer.outside = answer.outside + doubts_of_results(problem, judged)
+        answer.film_off = film_errors.off_by(problem, judged)
+        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_error"]
         answer.adhesion = _largest(state_of(problem, at_load).get("adhesion_share")) if at_load else np.inf
     answer.effects = problem.effects
     answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
@@ -213,6 +215,7 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "grade": [one.grade for one in shown],
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
+        "measured_error": [one.film_errors for one in shown],
         "why_not": [one.why_not for one in shown],
         "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
     }

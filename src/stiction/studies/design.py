@@ -9,6 +9,7 @@ import numpy as np
 
 from stiction import __version__
 from stiction.quantities.table import QUANTITIES
+from stiction.studies.case import wants_ranges
 from stiction.studies.case_text import case_text, show_exactly, with_written
 from stiction.studies.design_plan import LOAD, DesignPlan, Options, make_design_plan
 from stiction.studies.design_space import TOLERANCE, Answers, Space
@@ -337,10 +338,17 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
         "validity": plan.validity,
         "asked": found.archive.count,
         "tolerance": TOLERANCE,
-        "uncertain": ", ".join(".".join(path[1:]) for path in plan.uncertain),
+        "uncertain": _uncertain(plan),
         "verdict": said,
         "stopped": int(found.stopped),
     }
+
+
+def _uncertain(plan: DesignPlan) -> str:
+    ranges = ["numbers of materials within their ranges"] if wants_ranges(plan.given) else []
+    bodies = ("first", "second", "coating") if ranges else ()
+    own = [".".join(one.path[1:]) for one in plan.uncertain if not (len(one.path) > 2 and one.path[1] in bodies)]
+    return ", ".join([*own, *ranges])
 
 
 def _designed_case(found: Designing, out: Path) -> str:

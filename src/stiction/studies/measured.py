@@ -137,7 +137,7 @@ class Measured:
         """The numbers of the method that stands for the surface, which know that they were measured."""
         found, reduced = self.by_method[self.method], self.with_surface_moments()
         if reduced is not self:
-            found = found.replace(surface=self.by_method[self.of_moments].replace().as_measured(reduced))
+            found = found.replace(surface=self.by_method[self.of_moments].as_measured(reduced))
         return found.as_measured(self)
 
     def contacts(self, contact: Contact) -> dict[str, Contact]:
@@ -187,6 +187,21 @@ class Measured:
         }
 
 
+def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap") -> Measured:
+    """What a map says of the roughness of a contact whose map is to be solved, with the asperities that were found in it."""
+    key = asperities.method
+    return Measured(
+        by_method={key: found},
+        method=key,
+        failures={},
+        history={"first": surface.history},
+        notes={key: asperities.note},
+        counts={key: asperities.count},
+        mean_heights={key: asperities.mean_height},
+        solvable=SolvableMaps({"first": surface}),
+    )
+
+
 def roughness_of(scan: Any) -> Roughness:
     """The roughness in a scan of the first body that the user holds, or in a table of scans like that of a case file; it knows
     what was measured. Raises InputError."""
@@ -229,6 +244,9 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     if not found:
         raise InputError("roughness", "no asperities by any method", "scans with asperities: see `stiction surface` of them")
     of_moments = method_of_moments()
+    solvable = SolvableMaps({name: _to_solve(scans[name], maps[name], wanted) for name in maps}, bool(known))
+    if of_moments in surfaces:
+        surfaces[of_moments] = surfaces[of_moments].with_map(_one_map(solvable))
     surfaces = _with_the_surface(surfaces, surfaces.get(of_moments))
     method = wanted.method or _standing(found, counts)
     if method not in found:
@@ -245,7 +263,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
         mean_heights={name: one.mean_height for name, one in found.items()},
         doubts=(*_spikes(maps), *doubts, *_without_moments(failures.get(of_moments))),
         of_moments=of_moments,
-        solvable=SolvableMaps({name: _to_solve(scans[name], maps[name], wanted) for name in maps}, bool(known)),
+        solvable=solvable,
     )
 
 
@@ -255,6 +273,14 @@ def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
     }
+
+
+def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
+    """The map that stands for both faces; None where there is none."""
+    try:
+        return solvable.one()
+    except InputError:
+        return None
 
 
 def independent(found: "Asperities", surface: "HeightMap") -> int:

@@ -20,6 +20,8 @@ from stiction.solving.candidates import Candidate
 # The cost of leaving a range by a factor of two: an effect that is left out weighs more than an assumption strained.
 COST_OF_A_DOUBLING = {"effect": 3.0, "assumption": 1.0, "fit": 0.5, "statistics": 0.0}
 COST_OF_GRADE = {"A": 0.0, "B": 0.1, "C": 0.5}
+# Of a film law that was found off by a factor of two in area near this contact.
+COST_OF_FILM = 0.5
 COST_UNIT = 0.5
 _COSTS = COST_OF_A_DOUBLING | {"impossible": math.inf}
 # A model with less of the weight than this is set aside.
@@ -40,7 +42,8 @@ class Answer:
     curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
     takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
-    over the load. why_not: why it says nothing, or nothing of friction.
+    over the load. film_off: by how many factors of two its film law was found off near this contact, and film_errors: what was
+    measured of it, as JSON. why_not: why it says nothing, or nothing of friction.
     """
 
     candidate: Candidate
@@ -53,6 +56,8 @@ class Answer:
     effects: list[str] = field(default_factory=list)
     of_interface: bool = False
     adhesion: float = math.inf
+    film_off: float = 0.0
+    film_errors: str = "[]"
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
 
@@ -78,7 +83,7 @@ class Answer:
         for doubt in self.outside:
             if doubt.kind != "impossible":
                 worst[doubt.quantity] = max(worst.get(doubt.quantity, 0.0), self.cost_of(doubt))
-        return COST_OF_GRADE[self.grade] + sum(worst.values())
+        return COST_OF_GRADE[self.grade] + COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS) + sum(worst.values())
 
     def cost_of(self, doubt: Doubt) -> float:
         """What one doubt costs."""

@@ -11,18 +11,21 @@ from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 import numpy as np
 
 from stiction.contact.contact import Contact
+from stiction.contact.indices import Groups
 from stiction.laws.finding import Asperities, asperities, method_of_moments, methods_for
 from stiction.laws.registry import RoughSurface, find
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
+from stiction.solving.candidates import with_interface
 from stiction.solving.choice import Choice
 from stiction.solving.method_spread import METHOD
 from stiction.solving.problem import takes_surface_moments
 from stiction.solving.solve import solve
+from stiction.studies.measured import of_one_map
 from stiction.surfaces.height_model import HeightModel, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap, in_metres
 from stiction.surfaces.held import as_height_map
-from stiction.surfaces.prepare import filter_band
+from stiction.surfaces.prepare import filter_band, filter_period
 from stiction.surfaces.spectrum import POINTS_PER_WAVE
 
 if TYPE_CHECKING:
@@ -86,7 +89,9 @@ class _Friction:
             return
         if not isinstance(self.contact, Contact):
             raise InputError("contact", type(self.contact).__name__, "a stiction.Contact")
-        if (self.chosen.tangential or find(self.chosen.model, RoughSurface).tangential) == "none":  # type: ignore[attr-defined]
+        groups, _ = Groups.of(self.contact.indices())
+        tangential = with_interface(self.chosen, groups).tangential or find(self.chosen.model, RoughSurface).tangential
+        if tangential == "none":
             raise InputError("model", self.chosen.model, "a model of friction, or a tangential law beside it")
         for name, array in self.contact.arrays():
             raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
@@ -99,15 +104,25 @@ class _Friction:
         """The model and laws that answer."""
         return self.choice or Choice()
 
-    def coefficient(self, seen: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]) -> float:
+    @property
+    def of_map(self) -> bool:
+        """Whether the map is solved, and no asperities are asked."""
+        return find(self.chosen.model, RoughSurface).of_map is not None
+
+    def coefficient(
+        self, seen: HeightMap, to_solve: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]
+    ) -> float:
         """Static friction coefficient of the contact with these asperities for its rough surface. Theories of the whole surface
-        take its moments, whatever was found; options: of the methods."""
+        take its moments, whatever was found, and what solves a map takes that; options: of the methods."""
         assert self.contact is not None
         if takes_surface_moments(self.chosen.model):
             key = method_of_moments()
             found = asperities(seen, key, **options.get(key, {}))
             heights = height_model(found)
-        other = self.contact.model_copy(update={"roughness": roughness(found, heights)})
+        one = roughness(found, heights)
+        if self.of_map:
+            one = one.as_measured(of_one_map(one, found, to_solve))
+        other = self.contact.model_copy(update={"roughness": one})
         return float(solve(other, load=self.load, **self.chosen.arguments())["friction_coefficient"])
 
 
@@ -128,8 +143,9 @@ def resolution_study(
     prepare.filter_band lets half the amplitude through; 0 leaves the map as it is; by default `default_cutoffs`. methods: keys,
     by default all that the map allows. contact: whose rough surface is replaced by what is found, all its numbers single ones;
     load: of it, one number [N] or text, > 0; choice: model and laws that answer, by default those of `solve`; theories of the
-    whole surface take its moments, and give the same mu after every method. options: of each method by its key.
-    points_per_cutoff: take only every k-th point, with at least this many to a cutoff (>= 2); by default all are kept.
+    whole surface take its moments, boundary_elements the map, and give the same mu after every method. options: of each method
+    by its key. points_per_cutoff: take only every k-th point, with at least this many to a cutoff (>= 2); by default all are
+    kept.
     progress: wraps the list of cutoffs.
 
     Returns an xarray.Dataset over (asperity_method, cutoff): sigma, R, N, mean_height, skewness, count, height_distribution,
@@ -155,6 +171,7 @@ def resolution_study(
     words = {name: np.full((len(keys), len(wanted)), "", dtype=object) for name in ("height_distribution", "failure")}
     for j, cutoff in enumerate(progress(wanted.tolist())):
         seen = _seen(surface, cutoff, points_per_cutoff)
+        to_solve = seen if not asked.of_map else _to_solve(surface, seen, cutoff)
         for i, key in enumerate(keys):
             try:
                 found = asperities(seen, key, **given.get(key, {}))
@@ -163,7 +180,7 @@ def resolution_study(
                 heights = height_model(found)
                 words["height_distribution"][i, j] = heights.name
                 if asked.contact is not None:
-                    numbers[_FRICTION][i, j] = asked.coefficient(seen, found, heights, given)
+                    numbers[_FRICTION][i, j] = asked.coefficient(seen, to_solve, found, heights, given)
             except InputError as error:
                 if error.field in (*given.get(key, {}), *asked.chosen.arguments()):
                     raise  # what was asked for, not what was found
@@ -205,6 +222,13 @@ def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) ->
         return surface
     smooth = filter_band(surface, shortest=cutoff)
     return smooth if points_per_cutoff is None else thinned(smooth, cutoff, points_per_cutoff)
+
+
+def _to_solve(surface: HeightMap, seen: HeightMap, cutoff: float) -> HeightMap:
+    """The map whose contact is solved: of one period the waves are taken off over its ends, so that it stays one."""
+    if not surface.periodic or not surface.complete:
+        return seen
+    return surface if cutoff == 0.0 else filter_period(surface, shortest=cutoff)
 
 
 def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> HeightMap:

@@ -14,24 +14,29 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
+from stiction.studies.distribution import Distribution, is_law
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Points", "Several", "numbers_schema", "points_of", "several_numbers", "with_values"]
+__all__ = [
+    "Along", "Points", "Several", "as_point", "number_of", "numbers_in", "numbers_schema", "points_of", "several_numbers",
+    "with_error", "with_values",
+]  # fmt: skip
 
 _MOST_POINTS = 100_000
 # Dimensions and coordinates of results that are no quantities.
-_TAKEN = ("asperity_method", "separation", "contact", "sample", "block", "rule", "statistic")
+_TAKEN = ("asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread")
 
 
-def _point(value):
+def as_point(value):
+    """Validator of one number, or text with a number and its unit."""
     if isinstance(value, bool) or not isinstance(value, float | int | str):
         raise InputError("", value, "a number, or text with a number and its unit")
     return value
 
 
-_Point = Annotated[Any, BeforeValidator(_point, json_schema_input_type=float | str)]
+_Point = Annotated[Any, BeforeValidator(as_point, json_schema_input_type=float | str)]
 
 
 class Range(Input):
@@ -49,7 +54,7 @@ def _along(value):
     return value
 
 
-_Along = Annotated[Any, BeforeValidator(_along, json_schema_input_type=str)]
+Along = Annotated[Any, BeforeValidator(_along, json_schema_input_type=str)]
 _TOGETHER = "name of a dimension: quantities with the same vary together, point by point"
 
 
@@ -59,14 +64,14 @@ class _Ends(Range):
     count: int | None = Field(  # type: ignore[assignment]  # None where points are drawn
         None, ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}"
     )
-    along: _Along = Field(None, validate_default=False, description=_TOGETHER)
+    along: Along = Field(None, validate_default=False, description=_TOGETHER)
 
 
 class _Values(Input):
     """Values one by one, with the name of their dimension."""
 
     values: list[_Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list, at least one value")
-    along: _Along = Field(None, validate_default=False, description=_TOGETHER)
+    along: Along = Field(None, validate_default=False, description=_TOGETHER)
 
 
 def _points(value):
@@ -74,7 +79,7 @@ def _points(value):
         return Range(**value)
     if value == []:
         raise InputError("", value, "at least one point")
-    return [_point(entry) for entry in (value if isinstance(value, list) else [value])]
+    return [as_point(entry) for entry in (value if isinstance(value, list) else [value])]
 
 
 # Mean separations or loads of [solve].
@@ -145,17 +150,32 @@ class Several:
 
 def several_numbers(content: Mapping) -> dict[tuple[str, ...], Several]:
     """Every number of [contact] or [indices] that is several, by where it stands. Raises InputError."""
-    found: dict[tuple[str, ...], Any] = {}
-    for table in ("contact", "indices"):
-        if isinstance(content.get(table), Mapping):
-            found |= dict(_in_table(content[table], (table,)))
+    found = {path: entry for path, entry in numbers_in(content, ("contact", "indices")) if not with_error(entry)}
     short = [path[-1] for path in found]
     return {path: _read(path, entry, short.count(path[-1]) > 1) for path, entry in found.items()}
 
 
+def numbers_in(content: Mapping, tables: Sequence[str]) -> Iterator[tuple[tuple[str, ...], Any]]:
+    """Where in these tables a number is not one: a list, a range, or uncertain; and what stands there."""
+    for table in tables:
+        if isinstance(content.get(table), Mapping):
+            yield from _in_table(content[table], (table,))
+
+
+def with_error(entry: Any) -> bool:
+    """Whether what stands in the place of a number says how uncertain it is."""
+    if isinstance(entry, str):
+        return any(sign in entry for sign in _ERROR_SIGNS)
+    return is_law(entry) or isinstance(entry, Distribution) or (isinstance(entry, Mapping) and bool(entry.keys() & _ERROR_KEYS))
+
+
+_ERROR_SIGNS = ("+/-", "+-", "±")
+_ERROR_KEYS = {"low", "high", "median", "factor", "samples"}
+
+
 def _in_table(table: Mapping, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Any]]:
     for key, value in table.items():
-        if key in QUANTITIES and isinstance(value, list | Mapping):
+        if key in QUANTITIES and (isinstance(value, list | Mapping) or with_error(value)):
             yield (*path, key), value
         elif isinstance(value, Mapping) and key != "range":  # the ranges of a material are no numbers that it has
             yield from _in_table(value, (*path, key))
@@ -180,16 +200,19 @@ def _read(path: tuple[str, ...], entry: Any, ambiguous: bool) -> Several:
 
 def _numbers(entries: list[Any], path: tuple[str, ...], ends: tuple[str, ...]) -> np.ndarray:
     """The numbers in SI units, each checked as one number of a case file is; ends: what their names end in."""
-    quantity, numbers = QUANTITIES[path[-1]], []
-    for at, entry in enumerate(entries):
-        where = ".".join(path) + ends[min(at, len(ends) - 1)]
-        if quantity.unit and not isinstance(entry, str):
-            raise InputError(where, entry, f"text with a unit: {quantity.meaning}, {quantity.wanted}")
-        try:
-            numbers.append(to_si(entry, quantity.name))
-        except InputError as error:
-            raise InputError(where, error.value, error.allowed) from None
-    return np.array(numbers)
+    where = [".".join(path) + ends[min(at, len(ends) - 1)] for at in range(len(entries))]
+    return np.array([number_of(entry, path[-1], at) for entry, at in zip(entries, where, strict=True)])
+
+
+def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
+    """A number of a case file in SI units; given: what it is part of. Raises InputError."""
+    quantity = QUANTITIES[name]
+    if quantity.unit and not isinstance(entry, str):
+        raise InputError(where, entry, f"text with a unit: {quantity.meaning}, {quantity.wanted}")
+    try:
+        return float(to_si(entry, name))
+    except InputError as error:
+        raise InputError(where, given or error.value, error.allowed) from None
 
 
 def with_values(content: Any, arrays: Mapping[tuple[str, ...], Any]) -> Any:
@@ -249,9 +272,10 @@ def _over_sigma(h: np.ndarray, subject: Any) -> Any:
     return row * subject.roughness.asperity_height_deviation
 
 
-def numbers_schema(schema: dict) -> None:
-    """Let every number of the tables of a contact in a JSON schema also be several."""
-    several = {name: cls.model_json_schema() for name, cls in (("RangeOfNumbers", _Ends), ("ListAlong", _Values))}
+def numbers_schema(schema: dict, more: Sequence[tuple[str, type[Input]]] = ()) -> None:
+    """Let every number of the tables of a contact in a JSON schema also be several, or of one of the other forms, by name."""
+    forms: tuple[tuple[str, type[Input]], ...] = (("RangeOfNumbers", _Ends), ("ListAlong", _Values), *more)
+    several = {name: cls.model_json_schema() for name, cls in forms}
     schema["$defs"] |= several
     for table in ("Contact", "Indices", "Coating", "Roughness", "Material"):
         for name, entry in schema["$defs"].get(table, {}).get("properties", {}).items():
@@ -260,6 +284,7 @@ def numbers_schema(schema: dict) -> None:
                 rest = {key: value for key, value in entry.items() if key not in of_one}
                 several_of = [
                     {"type": "array", "items": of_one, "minItems": 1},
+                    *([] if of_one["type"] == "string" else [{"type": "string", "pattern": "\\+/-|±"}]),
                     *({"$ref": f"#/$defs/{one}"} for one in several),
                 ]
                 schema["$defs"][table]["properties"][name] = rest | {"anyOf": [of_one, *several_of]}

@@ -13,10 +13,10 @@ from pydantic import Field, model_validator
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, nearest
 from stiction.studies.several import Several, with_values
+from stiction.studies.uncertain import SAMPLE, Uncertain, expanded
 
 __all__ = ["Plan", "Sweep", "make_plan"]
 
-SAMPLE = "sample"  # the dimension of points that are drawn or listed
 _METHODS = ("grid", "list", "sobol", "latin_hypercube")
 _MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
 _AT_ONCE = 131_072  # points of a block: about a second of work
@@ -155,7 +155,9 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
 
     content, several = opened(content, folder)
     sweep = _sweep(content.get("sweep", {}))
-    plain = {key: value for key, value in content.items() if key != "sweep"}
+    plain: Mapping[str, Any] = {key: value for key, value in content.items() if key != "sweep"}
+    if any(isinstance(one, Uncertain) for one in several.values()):
+        plain = expanded(plain)
     plan = Plan(plain, several, sweep)
     lengths = _lengths(plan)
     first = replace(plan, dims=lengths).case({dim: slice(0, 1) for dim in lengths})

@@ -51,18 +51,20 @@ def curves(pair: Pair) -> np.ndarray:
 
 def fit(solved: np.ndarray, below: float) -> np.ndarray:
     """The coefficients (CURVES, TERMS) from Responses (radii, 7) at RADII; below: the modulus without a film."""
+    at = {name: column for name, column in zip(Response._fields, solved.T, strict=True)}
+    ends = {"load": np.log(below), "approach": 0.0, "edge": np.log(below)}
+    return np.stack([fit_one(np.log(at[name]), at[f"{name}_slope"], rise) for name, rise in ends.items()])
+
+
+def fit_one(values: np.ndarray, slopes: np.ndarray, rise: float) -> np.ndarray:
+    """The coefficients (TERMS,) of one curve from its values and slopes by ln a at RADII; it rises from 0 by so much in all."""
     root = np.sqrt(RADII)
     z = (root - 1.0) / (root + 1.0)
     by_radius = (1.0 - z * z) / 4.0  # dz/d ln a
     value, slope = _basis(z)
     table = np.concatenate([value, _SLOPE * by_radius[:, None] * slope])
-    at = {name: column for name, column in zip(Response._fields, solved.T, strict=True)}
-    wanted = []
-    for name, rise in (("load", np.log(below)), ("approach", 0.0), ("edge", np.log(below))):
-        left = np.log(at[name]) - 0.5 * (1.0 + z) * rise
-        wanted.append(np.concatenate([left, _SLOPE * (at[f"{name}_slope"] - 0.5 * rise * by_radius)]))
-    found = np.linalg.lstsq(table, np.stack(wanted, axis=1), rcond=1e-12)[0]
-    return found.T @ POWERS
+    wanted = np.concatenate([values - 0.5 * (1.0 + z) * rise, _SLOPE * (slopes - 0.5 * rise * by_radius)])
+    return np.linalg.lstsq(table, wanted, rcond=1e-12)[0] @ POWERS
 
 
 def _basis(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

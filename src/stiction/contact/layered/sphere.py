@@ -18,6 +18,7 @@ side 1) and g_2 (right side s^2):
 and the slopes by ln a from the equation differentiated by s and by a. dP/d delta = S follows from all this, it is not put in.
 """
 
+from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
@@ -26,10 +27,10 @@ import numpy as np
 
 from stiction.contact.layered.compliance import Pair, compliance
 
-__all__ = ["Response", "respond"]
+__all__ = ["Response", "pressure", "respond", "spherical_waves", "value_of"]
 
 # Waves x = k t between which the compliance is smooth; beyond the last one it is the film's to 1e-9.
-_ENDS = np.array([0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5, 12.0])
+_ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5, 12.0)
 # Most radians of a wave that one rule of nodes spans.
 _LONGEST = 60.0
 
@@ -53,14 +54,9 @@ class Response(NamedTuple):
 
 def respond(pair: Pair, radius: float) -> Response:
     """The response at the contact radius, over the thickness of one film: above 0, and up to 1000 tried; to 1e-6."""
-    k, weights, even, at_edge, edge_slope = _waves(float(radius))
-    softer = weights * (compliance(k / radius, pair) - 1.0)
-    matrix = (even * softer) @ even.T
-    matrix[np.diag_indices_from(matrix)] += 1.0
-    to_edge, to_edge_slope = even @ (softer * at_edge), even @ (softer * edge_slope)
-    flat, square = np.zeros((2, len(matrix)))
-    flat[0], square[:2] = 1.0, (1.0 / 3.0, 2.0 / (3.0 * 5.0**0.5))
-    g_0, g_2, wider = np.linalg.solve(matrix, np.stack([flat, square, -to_edge], axis=1)).T
+    _, _, even, at_edge, edge_slope = _waves(float(radius))
+    softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))
+    to_edge_slope = even @ (softer * edge_slope)
     edge_0, edge_2 = 1.0 - to_edge @ g_0, 1.0 - to_edge @ g_2
     slope_0, slope_2 = -to_edge_slope @ g_0, 2.0 - to_edge_slope @ g_2
     stiffness, approach = g_0[0], edge_2 / edge_0
@@ -78,26 +74,71 @@ def respond(pair: Pair, radius: float) -> Response:
     )
 
 
+def pressure(pair: Pair, radius: float) -> np.ndarray:
+    """The pressure of a sphere (n,), as coefficients of orthonormal even polynomials in g; mean pressure and contact radius 1.
+
+    P(k) = Integral_0^1 g(s) cos(k s) ds is its Hankel transform. radius: as in `respond`.
+    """
+    _, g_0, g_2, _, to_edge = _solve(pair, float(radius))
+    g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2
+    g[0] -= value_of(g, np.array(1.0))  # the little that is left at the edge would be infinite there
+    return g / (2.0 * g[0])
+
+
+def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Wavenumbers over 1/a (m,), their weights with the factor 2/pi, and the transforms (n, m) of orthonormal even
+    polynomials."""
+    k, weights, even, _, _ = _waves(float(radius))
+    return k, weights, even
+
+
+def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
+    """g(s) of coefficients (n,) of orthonormal even polynomials on 0 to 1; s may be complex."""
+    series = np.zeros(2 * g.size - 1)
+    series[::2] = g * np.sqrt(4.0 * np.arange(g.size) + 1.0)
+    return np.polynomial.legendre.legval(s, series)
+
+
+def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
+    """P(k) at k (m,) > 0, over 1/a."""
+    order = np.arange(g.size)
+    return (g * np.sqrt(4.0 * order + 1.0) * (-1.0) ** order) @ _even_bessel(k, g.size)
+
+
+def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
+    """Weights of the waves times what the compliance is more than the surfaces'; g_0, g_2, and the solution for what the edge
+    adds, as coefficients; and what the edge gets of each coefficient."""
+    k, weights, even, at_edge, _ = _waves(radius)
+    softer = weights * (compliance(k / radius, pair) - 1.0)
+    matrix = (even * softer) @ even.T
+    matrix[np.diag_indices_from(matrix)] += 1.0
+    to_edge = even @ (softer * at_edge)
+    flat, square = np.zeros((2, len(matrix)))
+    flat[0], square[:2] = 1.0, (1.0 / 3.0, 2.0 / (3.0 * 5.0**0.5))
+    g_0, g_2, wider = np.linalg.solve(matrix, np.stack([flat, square, -to_edge], axis=1)).T
+    return softer, g_0, g_2, wider, to_edge
+
+
 @lru_cache(maxsize=256)
 def _waves(radius: float) -> tuple[np.ndarray, ...]:
     """Wavenumbers k (m,) over 1/a, their weights with the factor 2/pi, the transforms (n, m) of orthonormal even polynomials on
     0 to 1, cos k, and -k sin k. They know no material, and are kept."""
-    x, weights = _nodes(radius)
+    x, weights = gauss(_ENDS, radius)
     k = radius * x
     order = np.arange(int(9.0 + 4.0 * radius**0.5))
     even = _even_bessel(k, order.size) * (np.sqrt(4.0 * order + 1.0) * (-1.0) ** order)[:, None]
     return k, 2.0 / np.pi * radius * weights, even, np.cos(k), -k * np.sin(k)
 
 
-def _nodes(radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and weights of Gauss-Legendre over all waves x = k t, dense enough for cos^2(k a)."""
+def gauss(ends: Sequence[float], radius: float) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and weights of Gauss-Legendre over waves x = k t between these ends, dense enough for cos^2(x radius)."""
     nodes, weights = [], []
-    for low, high in pairwise(_ENDS):
-        ends = np.linspace(low, high, 2 + int((high - low) * radius / _LONGEST))
-        t, w = np.polynomial.legendre.leggauss(int(12.0 + (ends[1] - low) * radius))
-        half = (ends[1] - low) / 2.0
-        nodes.append((ends[:-1, None] + half * (t + 1.0)).ravel())
-        weights.append(np.tile(half * w, ends.size - 1))
+    for low, high in pairwise(ends):
+        places = np.linspace(low, high, 2 + int((high - low) * radius / _LONGEST))
+        t, w = np.polynomial.legendre.leggauss(int(12.0 + (places[1] - low) * radius))
+        half = (places[1] - low) / 2.0
+        nodes.append((places[:-1, None] + half * (t + 1.0)).ravel())
+        weights.append(np.tile(half * w, places.size - 1))
     return np.concatenate(nodes), np.concatenate(weights)
 
 

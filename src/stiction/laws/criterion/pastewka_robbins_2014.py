@@ -25,7 +25,8 @@ from stiction.laws.registry import Criterion
 from stiction.laws.sources import Source
 from stiction.surfaces.theory.moments import slope_over_sharpness
 
-_KAPPA = 2.0  # area over load, A E* h' / (A0 p), from simulations
+KAPPA = 2.0  # area over load, A E* h' / (A0 p), from simulations
+_CURVATURE = math.sqrt(3.0 * math.pi / 32.0)  # h'' sigma over sigma/R
 
 
 def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_length):
@@ -34,18 +35,31 @@ def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_lengt
     rms_slope: h' [1]; rms_curvature: h'' of half the Laplacian [1/m]; interaction_range: rho [m]; adhesion_length: w/E* [m].
     """
     spot = rms_slope * rms_slope / (rms_curvature * interaction_range)
-    return rms_slope * interaction_range / (_KAPPA * adhesion_length) * spot ** (2.0 / 3.0)
+    return rms_slope * interaction_range / (KAPPA * adhesion_length) * spot ** (2.0 / 3.0)
+
+
+def interaction_range(groups: Groups) -> np.ndarray:
+    """rho over sigma (n,), the equilibrium distance: (16/9)^(1/3) theta^(-2/3) / mu_T by the definition of mu_T."""
+    return np.cbrt(16.0 / 9.0) * groups.theta ** (-2.0 / 3.0) / groups.tabor_parameter
+
+
+def range_over_gap(groups: Groups) -> np.ndarray:
+    """rho over (16/3) h'^2/h'', the scale of the gap beside a contact spot (n,): the theory is for short ranges.
+
+    Source: Monti, Sanner & Pastewka 2021, as the authors' group restates it. In units of sigma; sqrt(sigma/R) drops out.
+    """
+    slope = slope_over_sharpness(groups.roughness_parameter)
+    return interaction_range(groups) / (16.0 / 3.0 * slope * slope / _CURVATURE)
 
 
 def stickiness(groups: Groups) -> np.ndarray:
     """The same of n contacts (n,): isotropic Gaussian surfaces with these summits; rho is the equilibrium distance.
 
-    In units of sigma, with s = sqrt(sigma/R): w/E* = (4/3) s / theta by the definition of theta, rho = (16/9)^(1/3)
-    theta^(-2/3) / mu_T by that of the Tabor parameter, h'' = sqrt(3 pi/32) s^2. s drops out.
+    In units of sigma, with s = sqrt(sigma/R): w/E* = (4/3) s / theta by the definition of theta, h'' = sqrt(3 pi/32) s^2. s
+    drops out.
     """
-    interaction_range = np.cbrt(16.0 / 9.0) * groups.theta ** (-2.0 / 3.0) / groups.tabor_parameter
     slope = slope_over_sharpness(groups.roughness_parameter)  # over s; so are h''/s^2 and (w/E*)/s
-    return stickiness_ratio(slope, math.sqrt(3.0 * math.pi / 32.0), interaction_range, 4.0 / (3.0 * groups.theta))
+    return stickiness_ratio(slope, _CURVATURE, interaction_range(groups), 4.0 / (3.0 * groups.theta))
 
 
 RECORD = Criterion(

@@ -40,10 +40,7 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import kernel, unpack
-from stiction.engine.regime import Regime, columns
-from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
-from stiction.laws.film.shared.layered_sphere import (
+from stiction.contact.layered.asperity import (
     EDGED,
     PLAIN,
     edged,
@@ -53,6 +50,9 @@ from stiction.laws.film.shared.layered_sphere import (
     pulled_off,
     touch,
 )
+from stiction.engine.compiled import kernel, unpack
+from stiction.engine.regime import Regime, columns
+from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
 from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
 from stiction.laws.joining import Law, normal_states
 from stiction.laws.piece import NormalPiece
@@ -117,6 +117,7 @@ RECORD = FilmLaw(
     regimes=regimes,
     wants={"Hertz's shape": "its elastic asperity is Hertz's, JKR's or DMT's, on layered bodies"},
     tangential="interface",
+    solved_as_one=True,
     composites={"hardness": "bhattacharya_nix_1988"},
     own_options={"soft_film_exponent": ("2", "1")},
     verified="integral equation solved another way, at 90 cases; closed limits; energy of an adhesive contact; asperity laws "

@@ -30,12 +30,12 @@ from stiction.contact.pair import compliance_of, pair_of
 from stiction.laws.claims import Validity
 from stiction.laws.registry import RoughSurface
 from stiction.laws.sources import Source
-from stiction.surfaces.boundary_elements import doubts
+from stiction.surfaces.boundary_elements import limits
+from stiction.surfaces.boundary_elements.bodies import Bodies
 from stiction.surfaces.boundary_elements.compliance import Film
-from stiction.surfaces.boundary_elements.curve import Bodies, MapCurve, curve_of_map
-from stiction.surfaces.boundary_elements.solve import TOLERANCE
 
 if TYPE_CHECKING:
+    from stiction.surfaces.boundary_elements.curve import MapCurve
     from stiction.surfaces.heightmap import HeightMap
 
 
@@ -60,8 +60,10 @@ def _film(material: Material, thickness: float, substrate: Material) -> Film:
 
 def of_map(
     surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str
-) -> MapCurve:  # fmt: skip
+) -> "MapCurve":  # fmt: skip
     """Contacts of the map at nominal pressures [Pa]. Raises InputError for a map or a pressure that cannot be solved."""
+    from stiction.surfaces.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
+
     bodies = bodies_of(contact)
     if yielding == "none":
         bodies = replace(bodies, hardness=None)
@@ -85,15 +87,15 @@ RECORD = RoughSurface(
     verified="Hertz, Westergaard, Johnson, Greenwood & Higginson; a quadratic program of few points; ContactMechanics",
     own_options={"points": ("all", "sampled"), "yielding": ("at_hardness", "none")},
     validity=(
-        Validity("points_in_shortest_wave", doubts.LEAST_PIXELS, inf, "the area is not converged in points"),
-        Validity("longest_waves_on_a_side", doubts.LEAST_WAVES, inf, "the map is no sample of its surface", "statistics"),
-        Validity("points_in_contact", doubts.LEAST_CONTACT, inf, "so few points give a rough area only"),
-        Validity("map_gradient", 0.0, doubts.STEEPEST, "slopes are too steep for half-spaces"),
-        Validity("load_at_ends", 0.0, doubts.MOST_AT_ENDS, "the map ends within the contact"),
+        Validity("points_in_shortest_wave", limits.LEAST_PIXELS, inf, "the area is not converged in points"),
+        Validity("longest_waves_on_a_side", limits.LEAST_WAVES, inf, "the map is no sample of its surface", "statistics"),
+        Validity("points_in_contact", limits.LEAST_CONTACT, inf, "so few points give a rough area only"),
+        Validity("map_gradient", 0.0, limits.STEEPEST, "slopes are too steep for half-spaces"),
+        Validity("load_at_ends", 0.0, limits.MOST_AT_ENDS, "the map ends within the contact", "statistics"),
         Validity("points_in_film", 1.0, inf, "the film is thinner than a point of the map is wide"),
-        Validity("film_over_side", 0.0, doubts.THICKEST, "what presses at the ends is less exact"),
-        Validity("solution_residual", 0.0, TOLERANCE, "the solution did not converge", "effect"),
-        Validity("load_error", 0.0, doubts.LEAST_LOAD_ERROR, "the pressures do not carry the load", "effect"),
+        Validity("film_over_side", 0.0, limits.THICKEST, "what presses at the ends is less exact"),
+        Validity("solution_residual", 0.0, limits.TOLERANCE, "the solution did not converge", "effect"),
+        Validity("load_error", 0.0, limits.LEAST_LOAD_ERROR, "the pressures do not carry the load", "effect"),
     ),
     notes=(
         "Solved on the map, prepared as its roughness says; one period (periodic = true, and made maps) has no form taken off "

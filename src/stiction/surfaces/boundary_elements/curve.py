@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from stiction.surfaces.boundary_elements.compliance import Film
+from stiction.surfaces.boundary_elements.bodies import Bodies
 from stiction.surfaces.boundary_elements.kept import solve_kept
 from stiction.surfaces.boundary_elements.measures import waves
 from stiction.surfaces.boundary_elements.sampled import solve_sampled
@@ -15,18 +15,7 @@ from stiction.surfaces.boundary_elements.solve import MapContact, MapContacts
 from stiction.surfaces.boundary_elements.telling import tell
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["Bodies", "MapCurve", "curve_of_map"]
-
-
-@dataclass(frozen=True)
-class Bodies:
-    """What presses: modulus: E* of what has no film [Pa], infinite: nothing; film, counter_film: on one body and on both;
-    hardness: the largest pressure [Pa], None: elastic."""
-
-    modulus: float
-    film: Film | None = None
-    counter_film: Film | None = None
-    hardness: float | None = None
+__all__ = ["MapCurve", "curve_of_map"]
 
 
 @dataclass(frozen=True)

@@ -7,18 +7,19 @@ import numpy as np
 
 from stiction.quantities.units import show
 from stiction.surfaces.boundary_elements.compliance import Film
+from stiction.surfaces.boundary_elements.limits import (
+    LEAST_CONTACT,
+    LEAST_LOAD_ERROR,
+    LEAST_PIXELS,
+    LEAST_WAVES,
+    MOST_AT_ENDS,
+    STEEPEST,
+    THICKEST,
+)
 from stiction.surfaces.boundary_elements.measures import waves
 from stiction.surfaces.boundary_elements.minimise import Found
 
 __all__ = ["MapDoubt", "doubts_of_load", "doubts_of_map", "share_at_ends"]
-
-LEAST_PIXELS = 8.0  # in the shortest wave
-LEAST_WAVES = 6.0  # longest waves along a side
-STEEPEST = 0.3  # rms gradient: small slopes are assumed
-LEAST_CONTACT = 100  # points in contact
-MOST_AT_ENDS = 0.01  # share of the load on the outermost points of a map that ends
-LEAST_LOAD_ERROR = 1e-9
-THICKEST = 0.15  # of a film beside a map that ends: side of the map
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ stopped. The oldest go where they are more than fit.
 import hashlib
 import json
 import os
+import zipfile
 from collections.abc import Sequence
 from dataclasses import asdict, fields
 from functools import cache
@@ -90,14 +91,14 @@ def _file(name: str, load: float) -> Path:
 def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
     """The contact in a file; None where there is none, or it is damaged."""
     try:
-        with np.load(path, allow_pickle=False) as file:
+        with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
             numbers = json.loads(file["numbers"].item())
             doubts = tuple(MapDoubt(**one) for one in json.loads(file["doubts"].item()))
             pressure = np.zeros(shape)
             pressure[np.unpackbits(file["where"], count=pressure.size).reshape(shape).astype(bool)] = file["pressure"]
         os.utime(path)
         return MapContact(**numbers, doubts=doubts, pressure=pressure)
-    except (OSError, ValueError, KeyError, TypeError, EOFError):
+    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
         return None
 
 

@@ -19,6 +19,7 @@ from stiction.quantities.inputs import nearest
 from stiction.surfaces.boundary_elements.compliance import Compliance, Film
 from stiction.surfaces.boundary_elements.doubts import MapDoubt, doubts_of_load, doubts_of_map, share_at_ends
 from stiction.surfaces.boundary_elements.increments import stiffness_per_area
+from stiction.surfaces.boundary_elements.limits import TOLERANCE
 from stiction.surfaces.boundary_elements.measures import PIXEL_EXCESS, edges, rms_step
 from stiction.surfaces.boundary_elements.memory import require_memory
 from stiction.surfaces.boundary_elements.minimise import Found, Problem, minimise
@@ -27,7 +28,6 @@ from stiction.surfaces.heightmap import size_in_metres
 
 __all__ = ["MapContact", "MapContacts", "Progress", "checked", "solve_map", "sum_of_maps"]
 
-TOLERANCE = 1e-5  # of the residual: gaps where there is contact, over the rms height difference of neighbouring points
 MOST_STEPS = 2000
 _COARSE = 96  # points along a side of the coarsest start
 _COARSE_TOLERANCE = 1e-2

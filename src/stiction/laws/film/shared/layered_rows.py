@@ -5,29 +5,28 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.contact.layered.bodies import columns_of, film_share, per_root
 from stiction.contact.layered.compliance import Layer, poisson_excess
 from stiction.contact.layered.curves import curves
 from stiction.contact.layered.table import curves_of_films
-from stiction.quantities.errors import InputError
-
-# A film that is not there; one without an end.
-_THINNEST, _THICKEST = 1e-60, 1e200
 
 
 def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
-    """The parameters (n,) that `layered_sphere` takes, for contacts with a film whose groups are complete (`resolved`). pull:
-    of adhesion, as the formulas take it. Raises InputError for bodies that cannot be."""
+    """The parameters (n,) that `contact.layered.asperity` takes, for contacts with a film whose groups are complete
+    (`resolved`). pull: of adhesion, as the formulas take it. Raises InputError for bodies that cannot be."""
     laws = len(groups)
-    aspect = np.broadcast_to(groups.film_aspect / groups.films, laws)
-    n_E = np.where(aspect > 0.0, groups.n_E, 1.0)
-    per_root = 1.0 / np.sqrt(np.clip(aspect, _THINNEST, _THICKEST))
-    return np.log(n_E), per_root, np.broadcast_to(pull, laws), *coefficients(groups).reshape(laws, -1).T
+    n_E = np.where(groups.film_aspect > 0.0, groups.n_E, 1.0)
+    return (
+        np.log(np.broadcast_to(n_E, laws)),
+        per_root(groups),
+        np.broadcast_to(pull, laws),
+        *coefficients(groups).reshape(laws, -1).T,
+    )
 
 
 def coefficients(groups: Groups) -> np.ndarray:
     """The curves (n, CURVES, TERMS) of all contacts: each pair of materials is looked up once."""
-    named = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
-    given = np.stack([np.broadcast_to(getattr(groups, name), len(groups)) for name in named])
+    given = columns_of(groups)
     if (given == given[:, :1]).all():
         return np.broadcast_to(_curves(given[:, :1]), (len(groups), *_curves(given[:, :1]).shape[1:]))
     each, which = np.unique(given, axis=1, return_inverse=True)
@@ -35,18 +34,12 @@ def coefficients(groups: Groups) -> np.ndarray:
 
 
 def _curves(given: np.ndarray) -> np.ndarray:
-    """The same of the rows of `named` (6, n)."""
+    """The same of the rows of `columns_of` (6, n)."""
     n_E, bodies, first, nu, nu_first, nu_second = given
     alike = (bodies == 2.0) & (first == 0.5) & (nu_first == nu_second)
-    one = bodies == 1.0
-    # The film's share in the compliance of the surfaces that meet: all of it if the bodies and their films are alike.
-    share = np.where(one, 1.0 - (1.0 - first) * n_E, 1.0)
-    if (share <= 0.0).any():
-        at = int(np.argmax(share <= 0.0))
-        raise InputError("n_E", float(n_E[at]), f"less than 1/(1 - coated_share), {1.0 / (1.0 - first[at]):.6g} here")
-    ratio = np.where(one, first * n_E / share, n_E)
+    share, ratio = film_share(given)
     out = curves_of_films(share, np.maximum(ratio, 1e-12), poisson_excess(ratio, nu, nu_first))
-    for i in np.flatnonzero(~one & ~alike):
+    for i in np.flatnonzero((bodies == 2.0) & ~alike):
         films = [
             Layer.of(0.5, 2.0 * n_E[i] * part, nu[i], below)
             for part, below in ((first[i], nu_first[i]), (1.0 - first[i], nu_second[i]))

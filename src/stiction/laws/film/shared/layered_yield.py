@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.contact.layered.asperity import _hertzian, edged, touch
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import columns
-from stiction.laws.film.shared.layered_sphere import _hertzian, edged, touch
 from stiction.laws.joining import Law, normal_states
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import Composite

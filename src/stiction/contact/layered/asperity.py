@@ -85,13 +85,26 @@ def _edge(z, by_u, row):
 
 
 @formula
+def _stiffness(E_P, D, load_slope, approach_slope):
+    """(3/2) E_S = (dP_H/du)/(dw_H/du)/u^2."""
+    return E_P * (6.0 + load_slope) / (D * (4.0 + approach_slope))
+
+
+@formula
+def parted(u, row):
+    """P_H, and by how much the load of an adhesive contact on the same radius is less."""
+    z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
+    u3, softness = u * u * u, _edge(z, by_u, row)[0]
+    return E_P * u3 * u3, _stiffness(E_P, D, load_slope, approach_slope) * row[2] * softness * u3
+
+
+@formula
 def edged(u, *row):
     """With the edge's energy; the pull is s."""
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     softness, softness_slope = _edge(z, by_u, row)
     u3, back = u * u * u, row[2] * softness
-    # (3/2) E_S = (dP_H/du)/(dw_H/du)/u^2
-    stiffness = E_P * (6.0 + load_slope) / (D * (4.0 + approach_slope))
+    stiffness = _stiffness(E_P, D, load_slope, approach_slope)
     stretch = D * u3 * (4.0 + approach_slope) - back * (1.0 + softness_slope)
     return u * (D * u3 - back), stretch, u3 * (E_P * u3 - stiffness * back), u3 * u
 

@@ -1,0 +1,85 @@
+"""Draws friction of one map against load, solved point by point and by the models of asperities, and against the cutoff.
+
+    python docs/draw_map_contact.py                                     # a made map: docs/boundary-elements.png
+    python docs/draw_map_contact.py SCAN --size "20 um" --out mu.png    # any scan that stiction reads
+
+The bodies are steel on silicon nitride with an interface of 300 MPa; a scan is levelled, and its missing points are filled.
+"""
+
+import argparse
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+import stiction as st
+from stiction.solving.choice import Choice
+from stiction.studies.surface_analysis import prepared
+from stiction.surfaces.heightmap import HeightMap
+
+SOLVED = "boundary_elements"
+MODELS = ("greenwood_williamson_1966", "zhao_maietta_chang_2000", "jackson_green_2005", "persson_2001_elastoplastic")
+LENGTH = 20e-6
+
+
+def made() -> HeightMap:
+    """A Gaussian map, 8 points in its shortest waves and 8 of its longest on a side."""
+    return st.gaussian_surface((256, 256), (LENGTH, LENGTH), st.SelfAffine(0.8, LENGTH / 8, LENGTH / 32, 30e-9), seed=1)
+
+
+def contact_of(surface: HeightMap) -> st.Contact:
+    """Steel on silicon nitride."""
+    return st.Contact(
+        first="hardened_steel_52100", second="silicon_nitride", roughness=surface,
+        interfacial_shear_strength="300 MPa", nominal_area="1 mm^2",
+    )  # fmt: skip
+
+
+def loads_of(contact: st.Contact) -> np.ndarray:
+    """Eight, up to a tenth of the hardness on the nominal area."""
+    most = 0.1 * min(contact.first.hardness, contact.second.hardness) * contact.nominal_area
+    return np.geomspace(0.01, 1.0, 8) * most
+
+
+def draw(surface: HeightMap, out: Path) -> None:
+    """Both panels, as a picture."""
+    contact = contact_of(surface)
+    loads = loads_of(contact)
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10.0, 4.2), layout="constrained")
+    for model in MODELS:
+        data = st.solve(contact, load=loads, model=model)
+        (line,) = left.plot(loads, data["friction_coefficient"], label=model)
+        low, high = (data.get(f"friction_coefficient_{end}") for end in ("low", "high"))
+        if low is not None:
+            left.fill_between(loads, low, high, color=line.get_color(), alpha=0.15, linewidth=0.0)
+    left.plot(loads, st.solve(contact, load=loads, model=SOLVED)["friction_coefficient"], "ko-", label=SOLVED)
+    left.set(xscale="log", xlabel="net normal load [N]", ylabel="friction coefficient", ylim=(0.0, None))
+    left.legend(fontsize="small")
+    for model, look in ((SOLVED, "ko-"), ("persson_2001_elastoplastic", "s--")):
+        choice = Choice(model, tangential="bowden_tabor_1943")
+        study = st.resolution_study(surface, methods=["mccool"], contact=contact, load=float(loads[4]), choice=choice)
+        there = study["cutoff"].values > 0.0
+        right.plot(study["cutoff"].values[there] * 1e6, study["mu"].values[0][there], look, label=model)
+    right.set(xscale="log", xlabel="shortest wavelength left [um]", ylabel=f"friction coefficient at {loads[4]:.3g} N")
+    right.legend(fontsize="small")
+    figure.savefig(out, dpi=110)
+
+
+def main() -> None:
+    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("scan", nargs="?", help="a scan; left out, a map is made")
+    words.add_argument("--size", help='along x, e.g. "20 um", in place of what the file says')
+    words.add_argument("--unit", help="of the numbers in the file")
+    words.add_argument("--out", type=Path, default=Path(__file__).with_name("boundary-elements.png"))
+    given = words.parse_args()
+    surface = made()
+    if given.scan:
+        surface = prepared(st.read_scan(given.scan, size=given.size, unit=given.unit), fill="harmonic")
+    draw(surface, given.out)
+
+
+if __name__ == "__main__":
+    main()

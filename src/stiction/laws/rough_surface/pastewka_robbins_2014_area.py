@@ -1,0 +1,73 @@
+r"""Area against load of a rough surface that attracts but does not stick: Pastewka & Robbins 2014.
+
+*Assumes*: as the criterion [`pastewka_robbins_2014`](#pastewka_robbins_2014): attraction acts on rims around the
+contact spots, repulsion in the spots, both in proportion to their area, which is in proportion to the load. *Source*:
+[pastewka_robbins_2014]: the abstract (area in proportion to the load; the factor rises in proportion to weak attraction, and
+changes sign at a threshold), and eq. (10) as restated by the authors' group. *Reconstructed*: eq. (10) says where the two
+pressures cancel, $Q=1$; here they are subtracted also where they do not:
+
+$$
+p=\left(1-\frac1Q\right)\frac{E^*h'}{\kappa}\frac A{A_n},\qquad
+Q=\frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3},\qquad\kappa=2
+$$
+
+*Limit*: $A/A_n=2p/(E^*h')$ without attraction. *Check*: $A/A_n=0.021463$ at $p/(E^*h')=0.01$ and $Q=14.666$. *Unknown*: the
+area law in the authors' form, and whether the border is $Q=1$, as restated, or $Q=\pi(3/16)^{2/3}=1.03$.
+
+A surface that sticks ($Q\le1$) is in contact without a load, has no area here, and is refused. The area is in
+proportion to the load up to a tenth of the nominal area; the range of the attraction has to be short against
+$\tfrac{16}3h'^2/h''$ ([monti_sanner_pastewka_2021]). It knows no separation: results have none.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.laws.criterion.pastewka_robbins_2014 import KAPPA, stickiness
+from stiction.laws.registry import RoughSurface, Validity
+from stiction.laws.sources import Source
+from stiction.quantities.errors import InputError
+from stiction.surfaces.theory.moments import reduced_pressure
+
+
+def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H). Of several contacts those that stick have
+    none, not a number. Raises InputError where all do."""
+    ratio = stickiness(groups)[:, None]
+    if not (ratio > 1.0).any():
+        of_ratio = f"{float(ratio[0, 0]):.3g}, and has to be above 1"
+        allowed = f"such that the surface does not stick: its ratio of repulsion to attraction is {of_ratio}"
+        raise InputError("tabor_parameter", float(groups.tabor_parameter[0]), allowed)
+    density = groups.roughness_parameter[:, None]
+    kappa = np.divide(KAPPA, 1.0 - 1.0 / ratio, where=ratio > 1.0, out=np.full(ratio.shape, np.nan))
+    return kappa * reduced_pressure(np.maximum(load, 0.0), density) / (math.pi * density)
+
+
+RECORD = RoughSurface(
+    key="pastewka_robbins_2014_area",
+    title="Contact of a randomly rough surface with weak attraction around its contact spots, elastic",
+    grade="C",
+    sources=(
+        Source("pastewka_robbins_2014", "abstract and eq. (10)", "reconstructed: the balance of eq. (10) away from its border"),
+        Source("monti_sanner_pastewka_2021", "", "how short the range has to be, as the authors' group restates it"),
+        Source("nayak_1971", "", "gradient and curvature that belong to sigma, R and N"),
+    ),
+    area_at_load=area_at_load,
+    takes_surface_moments=True,
+    adheres=True,
+    verified="pressures in spots and on rims in SI units; no attraction; none where they cancel",
+    needs=("theta", "roughness_parameter", "tabor_parameter"),
+    validity=(
+        Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect"),
+        Validity(
+            "stickiness_ratio",
+            1.0,
+            math.inf,
+            "the surface sticks, without a load",
+            "impossible",
+        ),
+        Validity("range_over_gap", 0.0, 0.1, "the attraction reaches beyond the rims of the contact spots"),
+    ),
+    notes="The range of the attraction is taken as the equilibrium distance. Surfaces that stick are refused.",
+)

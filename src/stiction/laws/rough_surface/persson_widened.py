@@ -1,0 +1,94 @@
+r"""Persson's area of contact, widened to what solved maps show; of a scan, the solution of its own contact: this project's own.
+
+*Assumes*: half-spaces without adhesion and friction; one hardness. *Source*: this project: a fit to maps of rough surfaces whose
+contact was solved point by point ([the set](truth.md)); [persson_2001] for the form, and [nayak_1971] for the moments. With
+$p$ over $E^*h'$, $h'$ the root mean square gradient, and $\alpha=m_0m_4/m_2^2$,
+
+$$
+\frac{A_\text{el}}{A_n}=\operatorname{erf}\left(\sqrt2\,p\left[1+c\left(1-\sqrt{\operatorname{erf}(\sqrt2\,p)}\right)\right]\right),\qquad
+c=c_0-c_1\ln\alpha
+$$
+
+and with the hardness $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$. So it is where the contact is given by numbers, $\sigma$,
+$R$ and $N$: what is then left out, skewness, wear, a lay and chance of a small map, is the larger part of its error. Where the
+contact names scans, it solves the contact of their map at every pressure with the fewest points that are enough (four in the
+shortest wave, 1000 in contact), elastic or up to the hardness; a map with more points than that can be done for takes one of the
+formulas of `area_estimates`. `area_by` of the result says which it was.
+
+*Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load; with $c=0$ it is [`persson_2001`](#persson_2001), and $A=pA_n/H$ for a soft body.
+"""
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.laws.registry import RoughSurface, Validity
+from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
+from stiction.laws.sources import Source
+from stiction.surfaces.boundary_elements.area_estimates import WIDEST_BAND, of_moments, with_hardness
+from stiction.surfaces.boundary_elements.map_area import map_area
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, LEAST_DENSITY, bandwidth, density_of_bandwidth, reduced_pressure
+from stiction.surfaces.theory.moments import slope_over_sharpness as slope_of
+
+WAYS = {
+    "moments": "formula from the moments of the surface, which is taken for Gaussian and isotropic",
+    "solution": "solution of the contact of the map, at points enough of it",
+    "top slopes": "formula from the slopes of the map's highest points: the map has too many points to be solved",
+    "ranks": "formula from the slopes of the map by height: the map has too many points to be solved",
+}
+
+
+def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H), by the formula of the moments; none under tension."""
+    density = groups.roughness_parameter[:, None]
+    pressure = reduced_pressure(np.maximum(load, 0.0), density)
+    elastic = of_moments(pressure, np.maximum(bandwidth(density), LEAST_BANDWIDTH))
+    return with_hardness(elastic, pressure, hardness_over_slope(groups)[:, None]) / (np.pi * density)
+
+
+def area_on_map(load: np.ndarray, groups: Groups, surface: HeightMap) -> np.ndarray:
+    """The same, of the map itself: all contacts have its surface."""
+    density = groups.roughness_parameter[:, None]
+    slope = groups.sharpness[:, None] * slope_of(density)
+    pressure = reduced_pressure(np.maximum(load, 0.0), density) * slope  # over E*
+    hardness = hardness_over_slope(groups) * slope[:, 0]
+    area = map_area(surface)
+    shares = [area.share(row, float(h)) for row, h in zip(pressure, hardness, strict=True)]
+    return np.array(shares).reshape(load.shape) / (np.pi * density)
+
+
+def way(surface: HeightMap | None) -> str:
+    """How the area is found, a key of WAYS. surface: the map, None where there is none."""
+    return "moments" if surface is None else map_area(surface).way
+
+
+RECORD = RoughSurface(
+    key="persson_widened",
+    title="Persson's contact area widened to that of solved maps; of a scan, the solution of its own contact",
+    grade="B",
+    sources=(
+        Source("persson_2001", "", "the form of the area"),
+        Source("nayak_1971", "", "gradient and bandwidth that belong to sigma, R and N"),
+        Source("polonsky_keer_1999", "", "how the contact of a map is solved"),
+    ),
+    area_at_load=area_at_load,
+    area_on_map=area_on_map,
+    way=lambda surface: WAYS[way(surface)],
+    takes_surface_moments=True,
+    up_to_full_contact=True,
+    verified="solved maps that took no part in the fit, periodic, Gaussian and not, elastic and with a hardness",
+    needs=("hardness_group", "roughness_parameter"),
+    validity=(
+        Validity(
+            "roughness_parameter",
+            LEAST_DENSITY,
+            float(density_of_bandwidth(WIDEST_BAND)),
+            "no such surfaces were solved",
+            "fit",
+        ),
+    ),
+    notes=(
+        "By numbers it is the formula for Gaussian isotropic surfaces; by scans the solution of their map. The hardness is the "
+        "same at all scales, that of the softer body."
+    ),
+)

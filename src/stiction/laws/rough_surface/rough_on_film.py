@@ -1,0 +1,173 @@
+r"""The area law of a rough surface with the modulus that a sphere as wide as its spots feels on the film: this project's own.
+
+*Assumes*: a Gaussian isotropic surface, frictionless and without adhesion; a film bonded to its body; pressure nowhere above
+the film's hardness, without hardening. *Source*: this project's own (grade B: its evidence are solved maps). The bare area law
+$F$ is that of moments in `surfaces/boundary_elements/area_estimates.py`, $p$ the mean pressure,
+
+$$
+\frac{A_\mathrm{el}}{A_n}=F\!\left(\frac p{E_\mathrm{eff}h'}\right),\qquad
+E_\mathrm{eff}^2=\frac{\sum k^2S(k)\,E_P^2(a/t)}{\sum k^2S(k)},\qquad
+a=\frac{2.06}k\left(\frac{A_\mathrm{el}}{A_n}\right)^{0.086}\left(\frac{E_f}{E_s}\right)^{-0.047}
+$$
+
+solved for $A_\mathrm{el}$. $E_P(a/t)$ is the modulus that carries a sphere on the film at the contact radius $a$, exact, as in
+[`layered`](#layered): a wave of the spectrum $S$ meets the film with spots of its own size. Weighting the film's compliance at
+the wave itself does not do: pressures vary over shorter waves than heights. With the film's hardness $H_f$
+
+$$
+\left(\frac A{A_n}\right)^{3.5}=\left(\frac{A_\mathrm{el}}{A_n}\right)^{3.5}+\left(\frac p{H_f}\right)^{3.5},\qquad A\le A_n
+$$
+
+*Spectrum*: of sigma, R and N only the moments are known; their surface is taken as self-affine, $S\propto k^{-2-2H}$ with
+$H=0.8$ between two waves that give it these moments. A spectrum that was measured is taken in its place by `area_of_waves`.
+
+*Limit*: the bare area law, for a film of no thickness with the modulus of the bodies, for one without end with the film's own.
+*Check*: where film and bodies are alike, $p=0.05\,E^*h'$ and $F=G$ of Nayak's $\alpha=6.93$ ($NR\sigma=0.05$) as `by_moments`
+has it; with a film of ten times the modulus and $a/t\to\infty$ the same.
+"""
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.contact.layered.curves import TERMS
+from stiction.laws.film.shared.layered_rows import coefficients
+from stiction.laws.registry import RoughSurface, Validity
+from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
+from stiction.laws.sources import Source
+from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, require_gaussian
+
+# a k, with the powers of area and modulus.
+_SIZE, _BY_AREA, _BY_MODULUS = 2.06, 0.086, -0.047
+# Of elastic and plastic area.
+_POWER = 3.5
+_HURST, _WAVES = 0.8, 24
+# Ratios of the shortest to the longest wave between which the bandwidth is looked up.
+_RATIOS = np.concatenate([[1.0], 1.0 + np.geomspace(1e-4, 1.0, 60), np.geomspace(2.0, 1e12, 600)[1:]])
+_STEPS, _AT_ONCE = 40, 20_000
+STIFF = 5.0  # over the modulus of the bodies: under such films, where they are thin, it is weak
+
+
+class Waves(NamedTuple):
+    """A spectrum as it counts here. wavevector: (n, m) or (m,), over 1/sqrt(R sigma) where the film's thickness is over
+    sqrt(R sigma), or both in SI; share: of the mean square gradient, alike in shape, of sum 1."""
+
+    wavevector: np.ndarray
+    share: np.ndarray
+
+
+def waves_of_moments(density: np.ndarray) -> Waves:
+    """The self-affine surface that has the moments of N R sigma (n,), in units of sqrt(R sigma).
+
+    Between k_l and k_s = z k_l its integrals M_n of k^(n + 1) k^(-2 - 2 H) give Nayak's alpha = (3/2) M_0 M_4/M_2^2, from
+    which z follows, and m4/m2 = (3/4) M_4/M_2, which is 6 pi sqrt(3) N (Nayak 1971).
+    """
+    log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
+    t, weight = np.polynomial.legendre.leggauss(_WAVES)
+    at = 0.5 * (t - 1.0) * log_ratio  # ln k/k_s
+    share = weight * np.exp((2.0 - 2.0 * _HURST) * at)
+    share /= share.sum(axis=1, keepdims=True)
+    mean_square = np.sum(share * np.exp(2.0 * at), axis=1, keepdims=True)  # M_4/M_2 over k_s^2
+    shortest = np.sqrt(8.0 * math.pi * math.sqrt(3.0) * density[:, None] / mean_square)
+    return Waves(shortest * np.exp(at), share)
+
+
+def _log_bandwidths() -> np.ndarray:
+    """ln alpha at _RATIOS."""
+    log = np.log(_RATIOS)
+
+    def moment(order: float) -> np.ndarray:
+        power = order - 2.0 * _HURST
+        return np.where(log > 0.0, np.expm1(power * log) / power, log)
+
+    with np.errstate(invalid="ignore", divide="ignore"):
+        found = np.log(1.5 * moment(0.0) * moment(4.0) / moment(2.0) ** 2)
+    found[0] = math.log(1.5)
+    return found
+
+
+def thickness_over_wave(groups: Groups) -> np.ndarray:
+    """Thickness of one film over the shortest wave of the surface (n,)."""
+    shortest = waves_of_moments(groups.roughness_parameter).wavevector[:, -1]
+    return groups.film_aspect / groups.films * shortest / (2.0 * math.pi)
+
+
+def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
+    """E_P at a/t (n, ...) over the modulus of the bodies without film. curve: its coefficients (n, TERMS); n_E: (n,)."""
+    more = a_over_t.ndim - 1
+    z = 1.0 - 2.0 / (np.sqrt(a_over_t) + 1.0)
+    sums = np.zeros_like(z)
+    for term in range(TERMS - 1, -1, -1):
+        sums = sums * z + curve[(slice(None), term, *(None,) * more)]
+    return np.exp(0.5 * (1.0 - z) * np.log(n_E)[(slice(None), *(None,) * more)] + (1.0 - z * z) * sums)
+
+
+def area_of_waves(
+    pressure: np.ndarray, bare: Callable[[np.ndarray], np.ndarray], waves: Waves, thickness: np.ndarray, groups: Groups
+) -> np.ndarray:
+    """Elastic area over the nominal one (n, H). pressure: mean, over E* h' of the bodies without film, (n, H), >= 0; bare: the
+    area law, of arrays like it; thickness: of one film (n,), in the unit of the waves; groups: complete, of film and bodies."""
+    curve, n_E = coefficients(groups)[:, 0], np.broadcast_to(groups.n_E, len(pressure))
+    k = np.broadcast_to(waves.wavevector, (len(pressure), np.shape(waves.wavevector)[-1]))[:, None, :]
+    share = np.broadcast_to(waves.share, k[:, 0].shape)[:, None, :]
+    with np.errstate(divide="ignore"):
+        width = (_SIZE * n_E**_BY_MODULUS / thickness)[:, None, None] / k  # a/t of the whole area
+    area = bare(pressure)
+    for _ in range(_STEPS):  # the area changes a by its power .086: every step leaves a tenth of the error, and less
+        at = width * np.maximum(area, 1e-300)[..., None] ** _BY_AREA
+        modulus = np.sqrt(np.sum(share * sphere_modulus(curve, n_E, at) ** 2, axis=-1))
+        area, before = bare(pressure / modulus), area
+        if np.all(np.abs(area - before) <= 1e-14 * area):
+            break
+    return area
+
+
+def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); none under tension."""
+    whole = groups.resolved()
+    require_gaussian(whole.roughness_parameter)
+    step = max(1, _AT_ONCE // max(load.shape[1], 1))
+    parts = [_area(load[at : at + step], whole[at : at + step]) for at in range(0, len(load), step)]
+    return np.concatenate(parts) if parts else np.empty_like(load)
+
+
+def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
+    from stiction.surfaces.boundary_elements.area_estimates import widened, width_by_moments  # slow to import
+
+    density = groups.roughness_parameter[:, None]
+    pressure = reduced_pressure(np.maximum(load, 0.0), density)
+    c = width_by_moments(bandwidth(density))
+    thickness = np.broadcast_to(groups.film_aspect / groups.films, len(load))
+    elastic = area_of_waves(pressure, lambda p: widened(p, c), waves_of_moments(groups.roughness_parameter), thickness, groups)
+    plastic = pressure / (hardness_over_slope(groups) * groups.n_H)[:, None]
+    return np.minimum((elastic**_POWER + plastic**_POWER) ** (1.0 / _POWER), 1.0) / (math.pi * density)
+
+
+RECORD = RoughSurface(
+    key="rough_on_film",
+    title="Area law of a rough surface on a film, with the modulus that a sphere feels at the size of a spot, elastic-plastic",
+    grade="B",
+    sources=(
+        Source("persson_2001", "", "the form of the bare area law, widened here"),
+        Source("perriot_barthel_2004", "", "the sphere on a film, whose modulus is weighted here"),
+        Source("nayak_1971", "", "the moments that belong to sigma, R and N"),
+    ),
+    area_at_load=area_at_load,
+    takes_surface_moments=True,
+    on_film=True,
+    up_to_full_contact=True,
+    verified="maps solved by boundary elements on a film, elastic and with hardness; closed limits of no film and nothing else",
+    needs=(
+        "hardness_group", "roughness_parameter", "nu", "n_E", "n_H", "film_aspect", "films", "coated_share", "layer_nu",
+        "coated_nu", "counter_nu",
+    ),
+    validity=(
+        Validity("n_E", 0.1, 10.0, "films with which it was compared with solved maps", "fit"),
+        Validity("stiff_film_over_wave", 0.15, math.inf, "under a thin film five times as stiff as the bodies its area is off"),
+    ),
+    notes="The hardness is the film's, wherever it is: a soft film that a hard body confines bears more, and under a hard film "
+    "the body may yield first; neither is counted. Of sigma, R and N the spectrum is taken as self-affine, Hurst exponent 0.8.",
+)  # fmt: skip

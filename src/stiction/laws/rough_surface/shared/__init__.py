@@ -1,0 +1,1 @@
+"""What several theories of rough surfaces share."""

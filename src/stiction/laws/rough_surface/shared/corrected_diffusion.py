@@ -1,0 +1,88 @@
+r"""Persson's diffusion of the pressure at a rate that depends on the area already in contact.
+
+Let V be the variance that the pressure at a point has reached, V_c that of full contact at the same resolution, and A the share
+of the nominal area in contact, A = erf(p / sqrt(2 V)). Persson (2001) has dV = dV_c. Corrected theories have
+
+    dV/dV_c = S(A),   V = 0 at V_c = 0,   S(1) = 1,   at the end V_c = (E* h')^2 / 4
+
+(h': root mean square gradient). V_c alone plays the part of time, so that nothing but h' is asked of the spectrum. With
+q = p / sqrt(2 V), V = p^2 / (2 q^2), the equation is a quadrature,
+
+    1 / (4 x^2) = J(q) = Int_q^inf dt / (t^3 S(erf t)),   x = p / (E* h'),   A = erf(q),
+
+and with S = 1 gives Persson's q = sqrt(2) x again. J falls with q, and beyond q = 6, where erf is 1 in double precision,
+J = 1 / (2 q^2).
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from scipy.special import erf
+
+from stiction.contact.indices import Groups
+from stiction.surfaces.theory.moments import reduced_pressure
+
+Rate = Callable[[np.ndarray], np.ndarray]
+
+_FULL = 6.0  # erf is 1 from here on
+_LIGHTEST = 1e-9  # below this q the rate is that of no contact, to rounding
+_PANELS, _NODES, _STEPS = 120, 16, 8
+
+
+@dataclass(frozen=True)
+class _Table:
+    """ln q of the ends of panels, from light contact to full, and J there."""
+
+    log_q: np.ndarray
+    J: np.ndarray
+
+
+def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
+    """A/A0 at the reduced pressures p / (E* h') >= 0, any shape. rate: S, of arrays of A/A0, positive and 1 at 1; the same
+    function each time, since its table is kept."""
+    table = _table(rate)
+    goal = np.asarray(pressure, dtype=float)
+    x = np.clip(goal, 1e-150, _FULL)
+    wanted = 1.0 / (4.0 * x * x)
+    light, between = wanted > table.J[0], (wanted <= table.J[0]) & (wanted > table.J[-1])
+    q = math.sqrt(2.0) * x  # S = 1, beyond _FULL
+    q[light] /= math.sqrt(float(rate(np.zeros(1))[0]))
+    q[between] = _solved(wanted[between], table, rate)
+    return np.where(goal > 0.0, erf(q), 0.0)
+
+
+def _solved(wanted: np.ndarray, table: _Table, rate: Rate) -> np.ndarray:
+    """q with J(q) as wanted (n,): Newton's method in the logarithms of both, in which J is nearly straight."""
+    panel = np.searchsorted(-table.J, -wanted)  # J falls along the table; this is the first that is not above
+    log_q = np.interp(np.log(wanted), np.log(table.J[::-1]), table.log_q[::-1])
+    for _ in range(_STEPS):
+        J = table.J[panel] + _integral(log_q, table.log_q[panel], rate)
+        q = np.exp(log_q)
+        log_q = log_q + np.log(J / wanted) * J * q * q * rate(erf(q))
+    return np.exp(log_q)
+
+
+def _integral(low: np.ndarray, high: np.ndarray, rate: Rate) -> np.ndarray:
+    """Int dt / (t^3 S(erf t)) between arrays of ln t."""
+    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    half = (high - low) / 2.0
+    t = np.exp((low + half)[:, None] + half[:, None] * nodes)
+    return half * np.sum(weights / (t * t * rate(erf(t))), axis=1)
+
+
+@cache
+def _table(rate: Rate) -> _Table:
+    log_q = np.linspace(math.log(_LIGHTEST), math.log(_FULL), _PANELS + 1)
+    parts = _integral(log_q[:-1], log_q[1:], rate)
+    J = np.concatenate([np.cumsum(parts[::-1])[::-1], [0.0]]) + 1.0 / (2.0 * _FULL * _FULL)
+    return _Table(log_q, J)
+
+
+def area_per_asperity(load: np.ndarray, groups: Groups, share: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension. share: A/A0 at reduced
+    pressures p / (E* h')."""
+    density = groups.roughness_parameter[:, None]
+    return share(reduced_pressure(np.maximum(load, 0.0), density)) / (math.pi * density)

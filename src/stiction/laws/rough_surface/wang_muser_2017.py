@@ -1,0 +1,58 @@
+r"""Persson's diffusion with a rate fitted to solutions up to full contact, elastic: Wang & Müser 2017.
+
+*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), with another factor. *Source*: [wang_muser_2017], as the program
+published with [xu_zhu_xiao_zhou_2024] restates it (the text was not available):
+
+$$
+\frac{dV}{dV_c}=\frac59-\frac29\left(\frac A{A_n}\right)^2+\frac69\left(\frac A{A_n}\right)^4,\qquad
+\frac A{A_n}=\operatorname{erf}\frac p{\sqrt{2V}},\qquad V_c=\frac{(E^*h')^2}4
+$$
+
+*Limit*: $\kappa\to\sqrt{72/(5\pi)}=2.1410$ at light load, full contact at high load. *Check*:
+
+| $p/(E^*h')$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.5 | 1 |
+|---|---|---|---|---|---|---|
+| $A/A_n$ | 0.02142 | 0.10706 | 0.21174 | 0.39748 | 0.73837 | 0.95703 |
+
+The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) it meets
+within -10 to +5 %. The source is about surfaces that attract each other; here is its correction for those that do not. It
+knows no separation: results have none.
+"""
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.laws.registry import RoughSurface, Validity
+from stiction.laws.rough_surface.shared.corrected_diffusion import area_per_asperity, area_share
+from stiction.laws.sources import Source
+
+
+def rate(share: np.ndarray) -> np.ndarray:
+    """dV/dV_c at shares of the area in contact. Source: Wang & Müser 2017, as restated by Xu et al. 2024."""
+    squared = share**2
+    return (5.0 - 2.0 * squared + 6.0 * squared**2) / 9.0
+
+
+def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
+    return area_per_asperity(load, groups, lambda pressure: area_share(pressure, rate))
+
+
+RECORD = RoughSurface(
+    key="wang_muser_2017",
+    title="Contact of randomly rough surfaces by diffusion of the pressure, at a rate fitted up to full contact, elastic",
+    grade="B",
+    sources=(
+        Source("wang_muser_2017", "", "the factor, as restated in the program of Xu et al. 2024; the text was not available"),
+        Source("xu_zhu_xiao_zhou_2024", "", "the factor in a program"),
+        Source("persson_2001", "", "the diffusion"),
+        Source("nayak_1971", "", "the gradient that belongs to sigma, R and N"),
+    ),
+    area_at_load=area_at_load,
+    takes_surface_moments=True,
+    up_to_full_contact=True,
+    verified="the differential equation by an independent integrator; its limits at light load and full contact",
+    needs=("roughness_parameter",),
+    validity=(Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect"),),
+    notes="h' is that of an isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2).",
+)

@@ -1,0 +1,88 @@
+r"""Tangential force at which a coated asperity first yields anywhere: film, interface or body; von Mises.
+
+*Assumes*: a sphere on a bonded film fails when film or body first yields, looked at everywhere; the pressure is that of the
+frictionless contact, and the traction in proportion to it, as in [`hamilton_1983`](#hamilton_1983). *Source*:
+[osullivan_king_1988] have such stresses, under a sphere dragged over a layer, by least squares; solved anew here, wave by wave
+(`contact/layered`). With the mean pressure $s$, the mean traction $q$ and the von Mises stresses $N$ that both together make
+at the worst place,
+
+$$
+N_f(s,q)=Y_f\quad\text{or}\quad N_s(s,q)=Y_s,\qquad T=q\,\pi a^2,\qquad Y_f=n_HY_s,\quad Y_s=H/k
+$$
+
+whichever comes first. $N$ is a norm in $(s,q)$ that depends on $a/t$ and the elastic constants; it is tabulated once for each
+pair of materials, over 61 directions and 27 radii, to 0.2 % in the mean and 3 % at worst, where another place becomes the
+first. Its largest over all directions around the axis is exact: the worst place may lie beside the plane of symmetry.
+
+What it says of films: a soft film yields in the middle of the surface that is dragged; a stiff one is bent by its load, and
+yields where it meets the body below the axis ($a\approx t$), or, on wider contacts, where it is stretched over the body as a
+skin, so that little load is left before it cracks.
+
+*Limit*: [`hamilton_1983`](#hamilton_1983) without a film, for a film like its body, and in the film's groups for $t\to\infty$.
+A thin film yields as what is bonded to the body and stretched with it. *Check*, $\nu=0.3$, $Y_f=Y_s$, rigid sphere: mean
+pressure over the yield stress at first yield (1.075 and 0.697 on a half-space), and where: f film, i interface, b body,
+
+| $E_f/E_s$ | | $a/t=0.5$ | 1 | 2 | 5 |
+|---|---|---|---|---|---|
+| 0.1 | $q=0$ | 1.005 f | 0.921 f | 0.911 f | 0.931 b |
+| 2 | | 1.126 f | 1.132 i | 0.879 i | 1.136 b |
+| 10 | | 1.313 f | 0.607 i | 0.416 i | 0.588 f |
+| 0.1 | $q=s/2$ | 0.689 f | 0.656 f | 0.573 f | 0.538 f |
+| 2 | | 0.704 f | 0.684 f | 0.619 f | 0.536 f |
+| 10 | | 0.732 f | 0.601 i | 0.416 i | 0.321 f |
+
+*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+"""
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import Limit, TangentialLaw
+from stiction.laws.sources import Source
+from stiction.laws.tangential.hamilton_1983 import tangential_resistance as of_a_half_space
+from stiction.laws.tangential.shared.coated_strength import strength_at, strengths
+
+
+@formula
+def resistance(u, w, load, area, *row):
+    """T = q A. row: eta/k, where the load alone yields, and what the spline takes."""
+    if u >= row[1]:
+        return 0.0, 0.0
+    return 0.0, row[0] * area * strength_at(u, row[2], row[3], row[4:]) ** 0.5
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
+    """The force at which an elastic asperity first yields; one that has yielded resists nothing."""
+    if groups.n_E is None:
+        return of_a_half_space(piece, groups)
+    if piece.state != "elastic":
+        return None
+    curve, bends = strengths(piece, groups.resolved())
+    end = np.ascontiguousarray(curve[0])[:, None]
+    scale = np.broadcast_to(groups.eta / groups.hardness_to_yield, len(groups))
+    return TangentialResistance(resistance, (scale, *curve), np.concatenate([bends, end], axis=1), branch=end)
+
+
+RECORD = TangentialLaw(
+    key="layered_first_yield",
+    title="First yield anywhere in a pressed and sheared sphere on a film",
+    grade="B",
+    sources=(
+        Source("osullivan_king_1988", "", "stresses in a dragged layer; derived and solved anew here"),
+        Source("hamilton_1983", "stresses under the normal and the tangential load", "of which it is the limit"),
+    ),
+    tangential_resistance=tangential_resistance,
+    layered=True,
+    verified="stresses: Hamilton's for like materials, plane waves, equilibrium; first yield by a denser search of space",
+    needs=("hardness_group", "nu", "hardness_to_yield"),
+    accuracy=1e-3,
+    limits=(Limit("hamilton_1983", {}, ("friction_force",), 1e-9),),
+    wants={
+        "Hertz": "the traction is in proportion to the pressure of a sphere that is pressed",
+        "no adhesion": "adhesion changes the pressure and its stresses",
+    },
+    notes="Of a coated asperity, the largest shear force without yield anywhere in film or body. A film law that takes film "
+    "and body as two half-spaces gets Hamilton's force for each. The counterbody is taken not to yield.",
+)

@@ -1,0 +1,81 @@
+r"""Tangential force at which an adhesive contact on a film peels: the energy balance of Savkoor & Briggs with its stiffness.
+
+*Assumes*: the edge of an adhesive contact is a crack in mixed mode, which peels where $G_N+\zeta\,G_T=\gamma$, as in
+[`savkoor_briggs_1977`](#savkoor_briggs_1977); the contact stays round. *Source*: [savkoor_briggs_1977] for the balance;
+[mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, in place of which the layered contact's own is
+solved (`contact/layered/shear`). With the stiffnesses $S$, $S_T$ and their derivatives by the radius,
+
+$$
+G_N=\frac{(P_H-P)^2}{4\pi a}\frac{S'}{S^2},\qquad G_T=\frac{T^2}{4\pi a}\frac{S_T'}{S_T^2}=\frac{\beta T^2}{32\pi a^3}(1-e),
+\qquad e=\frac{d\ln\beta}{d\ln a}
+$$
+
+and $T$ is the largest at which a radius fulfils the balance under the load before shearing. $\beta$ goes from the film's for
+small contacts to that of the bodies for large ones; its ends are `film_K_beta` and `K_beta`. The curve of a contact is a
+spline, to 0.1 % where it was compared.
+
+*Limit*: [`savkoor_briggs_1977`](#savkoor_briggs_1977) without a film, for a film like its body, and in the film's groups for
+$t\to\infty$; the bodies' own for $t\to0$. *Check*, $\nu=0.3$, rigid sphere: $K\beta$ (6.4762 without a film)
+
+| $E_f/E_s$ | $a/t=0.1$ | 0.5 | 1 | 2 | 5 | 20 |
+|---|---|---|---|---|---|---|
+| 0.1 | 62.26 | 53.11 | 44.64 | 34.23 | 21.60 | 11.27 |
+| 10 | 0.717 | 0.980 | 1.253 | 1.666 | 2.470 | 4.024 |
+
+*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import Limit, TangentialLaw
+from stiction.laws.sources import Source
+from stiction.laws.tangential.savkoor_briggs_1977 import tangential_resistance as of_a_half_space
+from stiction.laws.tangential.shared.coated_peeling import peeling_at, peelings
+from stiction.quantities.errors import InputError
+
+
+@formula
+def resistance(u, w, load, area, *row):
+    """row: sqrt(32 pi n_g/(theta zeta)), where the curve starts, its coefficients."""
+    return row[0] * peeling_at(u, row[1], row[2:]), 0.0
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
+    """On the elastic pieces of a JKR asperity; a plastic one does not peel by this energy balance, and resists nothing."""
+    if groups.n_E is None:
+        return of_a_half_space(piece, groups)
+    if piece.state != "elastic":
+        return None
+    whole = groups.resolved()
+    share = 1.0 if whole.peeling is None else whole.peeling
+    if np.any(share == 0.0):
+        raise InputError("peeling", 0.0, "more than 0: what never peels has no peeling force; take another tangential law")
+    scale = np.broadcast_to(np.sqrt(32.0 * math.pi * whole.n_g / (whole.theta * share)), len(groups))
+    curve, vanishes = peelings(piece, whole)
+    return TangentialResistance(resistance, (scale, *curve), vanishes[:, None] if piece.lowest < 0.0 else None)
+
+
+RECORD = TangentialLaw(
+    key="layered_peeling",
+    title="Peeling of an adhesive contact on a film by shear",
+    grade="B",
+    sources=(
+        Source("savkoor_briggs_1977", "", "energy balance, with the stiffness of the layered contact"),
+        Source("mindlin_1949", "", "the tangential stiffness of a half-space, the limit of thick and thin films"),
+    ),
+    tangential_resistance=tangential_resistance,
+    layered=True,
+    wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
+    verified="tangential stiffness by another method; largest force by trying radii; closed limits",
+    needs=("theta", "K_beta"),
+    takes=("peeling",),
+    accuracy=1e-4,
+    limits=(Limit("savkoor_briggs_1977", {}, ("friction_force",), 1e-9),),
+    notes="Slip resistance alone: no yield. `peeling` is zeta in G_N + zeta G_T = gamma, as of savkoor_briggs_1977. Asperities "
+    "that are no longer elastic resist nothing. A film law that takes film and body as two half-spaces gets that law's force.",
+)

@@ -1,0 +1,145 @@
+"""The tangential force at which an adhesive asperity on a film peels, along its elastic piece: a curve of every contact.
+
+Under the load P and a shear force T the edge of a contact on the radius a releases
+
+    G = (P_H - P)^2 S'/(4 pi a S^2) + zeta T^2 S_T'/(4 pi a S_T^2),    S_T = 8 a/beta,    S_T'/S_T^2 = (1 - e) beta/(8 a^2),
+
+S_T the tangential stiffness and e = d ln beta/d ln a. In equilibrium G is the work of adhesion: where T grows at the same P,
+the contact shrinks, up to the largest T at which there is such a radius. With c = (P_H - P)/L, L the pull that JKR's contact
+has on that radius, this is the largest of T^2 = 32 pi n_g u^6/(theta zeta K beta (1 - e)) (1 - c^2) over c from 0 to 1.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.contact.layered.asperity import EDGED, parted
+from stiction.contact.layered.bodies import bodies_of, per_root
+from stiction.contact.layered.curves import TERMS
+from stiction.contact.layered.shear import shear_curve
+from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.regime import columns
+from stiction.laws.piece import NormalPiece
+from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
+
+__all__ = ["peeling_at", "peelings"]
+
+# The logarithm of u over its first value that lies halfway along the knots.
+_HALFWAY = 2.0
+_GOLDEN, _NARROWING = 0.5 * (math.sqrt(5.0) - 1.0), 22
+_MOST_STEPS = 60
+
+
+@formula
+def _softness(u, root, curve):
+    """K beta, and 1 - e, from the logarithms of its ends and the coefficients between them."""
+    rest = 1.0 / (root * u + 1.0)
+    z, by_radius = 1.0 - 2.0 * rest, rest * (1.0 - rest)  # dz/d ln a
+    value = slope = 0.0
+    for at in range(TERMS - 1, -1, -1):
+        slope = slope * z + value
+        value = value * z + curve[2 + at]
+    rise = curve[1] - curve[0]
+    e = by_radius * (0.5 * rise + 4.0 * rest * (1.0 - rest) * slope - 2.0 * z * value)
+    return math.exp(curve[0] + 0.5 * (1.0 + z) * rise + 4.0 * rest * (1.0 - rest) * value), 1.0 - e
+
+
+@formula
+def _narrower(start, c, load, row):
+    """The largest u at which P_H - c L is the load, from a wider one, by the secant method; less than nothing where it nowhere
+    is."""
+    u = start
+    before = before_u = slope = 0.0
+    for step in range(_MOST_STEPS):
+        hertz, pull = parted(u, row)
+        here = hertz - c * pull - load
+        slope = (6.0 * hertz - 3.0 * c * pull) / u if step == 0 else (here - before) / (u - before_u)
+        if not slope > 0.0:
+            return -1.0
+        before, before_u = here, u
+        u -= here / slope
+        if not u > 0.0:
+            return -1.0
+        if abs(u - before_u) <= 1e-8 * u:
+            break
+    return u
+
+
+@formula
+def _largest(start, load, row, root, curve):
+    """The largest T^2 theta zeta/(32 pi n_g) over c, by golden sections: it rises to it from either side."""
+    low, high = 0.0, 1.0
+    at_first, at_second, best = -1.0, -1.0, 0.0
+    for _ in range(_NARROWING):
+        of_first = at_first < 0.0
+        c = high - _GOLDEN * (high - low) if of_first else low + _GOLDEN * (high - low)
+        u = _narrower(start, c, load, row)
+        held = 0.0
+        if u > 0.0:
+            K_beta, left = _softness(u, root, curve)
+            held = u**6 * (1.0 - c * c) / (K_beta * left)
+        best = max(best, held)
+        if of_first:
+            at_first = held
+        else:
+            at_second = held
+        if at_first >= 0.0 and at_second >= 0.0:
+            if at_first > at_second:
+                high, at_second, at_first = low + _GOLDEN * (high - low), at_first, -1.0
+            else:
+                low, at_first, at_second = high - _GOLDEN * (high - low), at_second, -1.0
+    return best
+
+
+@kernel
+def _fill(rows, root, curves, first, out):
+    """out[i]: sqrt(T^2 theta zeta/(32 pi n_g))/u^3 at the knots from first[i] on; negative on contacts that a given load would
+    tear off, whose wider likes carry the same."""
+    for i in range(root.size):
+        row = unpack(rows[i], EDGED)
+        for at in range(PIECES):
+            y = at / PIECES
+            u = first[i] * math.exp(_HALFWAY * y / (1.0 - y))
+            hertz, pull = parted(u, row)
+            load = hertz - pull
+            start, sign = 1.0001 * u, 1.0
+            hertz, pull = parted(start, row)
+            while hertz - pull < load:
+                sign = -1.0
+                start *= 1.05
+                hertz, pull = parted(start, row)
+            out[i, at] = sign * math.sqrt(_largest(start, load, row, root[i], curves[i])) / u**3
+        out[i, PIECES] = math.exp(-0.5 * curves[i, 1])
+
+
+def peelings(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    """Where the curve starts, and its coefficients, columns (n,), for the JKR asperity of a film law that solves film and body
+    as one; and the coordinate (n,) at which the force vanishes, or the first. groups: complete, of contacts with a film."""
+    laws, first = len(groups), np.ascontiguousarray(piece.edges[:, 0])
+    different, which = bodies_of(groups)
+    shapes = np.array([shear_curve(one) for one in different])[which]
+    # K beta of film and bodies are the contact's own; what lies between them is solved.
+    film = np.where(groups.film_aspect > 0.0, groups.film_K_beta / groups.n_E, groups.K_beta)
+    ends = [np.broadcast_to(np.log(one), laws) for one in (film, groups.K_beta)]
+    values = np.empty((laws, PIECES + 1))
+    _fill(columns(piece.parameters, laws), per_root(groups), np.column_stack([*ends, shapes]), first, values)
+    return (first, *(values @ to_coefficients().T).T), _vanishes(first, values)
+
+
+def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Where the values at the knots change their sign, between two of them in a straight line."""
+    at = np.maximum((values < 0.0).sum(axis=1), 1)
+    below, above = (np.take_along_axis(values, one[:, None], axis=1)[:, 0] for one in (at - 1, at))
+    y = (at - np.clip(above / (above - below), 0.0, 1.0)) / PIECES
+    return np.where(below < 0.0, first * np.exp(_HALFWAY * y / (1.0 - y)), first)
+
+
+@formula
+def peeling_at(u, first, coefficients):
+    """sqrt(T^2 theta zeta/(32 pi n_g)) at the coordinate u."""
+    y = 1.0
+    if u < 1e100:
+        part = math.log(max(u / first, 1.0))
+        y = part / (part + _HALFWAY)
+    return u**3 * abs(spline(y, coefficients))

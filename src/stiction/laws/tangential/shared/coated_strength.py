@@ -1,0 +1,129 @@
+"""The mean traction at which a coated asperity first yields, along its elastic piece: a curve of every contact, as a spline.
+
+The norms of `contact.layered.first_yield` say when film and body yield under any mean pressure and traction; the piece says the
+pressure. Knots are spaced evenly in 1 - sqrt(1 - y), y as ln(1 + p), p in proportion to the square root of the radius: they
+crowd towards y = 1, where the load alone yields, because the traction falls over the last few per cent of the pressure. Its
+square, which comes to nothing in a straight line, is the spline.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.contact.layered.bodies import Bodies, bodies_of, per_root
+from stiction.contact.layered.first_yield import ANGLES, PLACES, table_of_norms
+from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.regime import columns
+from stiction.laws.piece import NormalPiece
+from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
+
+__all__ = ["strength_at", "strengths"]
+
+# To this part of its end the knots are as dense as there.
+_FARTHEST = 50.0
+_PER_PLACE = (PLACES.size - 1) / 2.0
+_ANGLES, _COS, _SIN = ANGLES.size, np.cos(ANGLES), np.sin(ANGLES)
+_BENDS = 3
+_STEP, _LEAST, _MOST = 1.06, 1e-9, 1e30
+
+
+@formula
+def _norms_at(p, table, angle, film_strength, film):
+    """N over the yield stress of the body at p = (a/t)^(1/2), in a direction of ANGLES: of film or body, whichever is
+    larger."""
+    place = min((1.0 + (p - 1.0) / (p + 1.0)) * _PER_PLACE, 2.0 * _PER_PLACE - 1e-9) if p < 1e15 else 2.0 * _PER_PLACE - 1e-9
+    at = int(place)
+    share = place - at
+    of_film = film * (table[0, at, angle] * (1.0 - share) + table[0, at + 1, angle] * share) / film_strength
+    felt = p * p * p * p / (1.0 + p * p * p * p) if p < 1e30 else 1.0
+    return max(of_film, felt * (table[1, at, angle] * (1.0 - share) + table[1, at + 1, angle] * share))
+
+
+@formula
+def _traction(p, s, table, film_strength, film):
+    """The square of the mean traction at which it yields under the mean pressure s, both over the body's yield stress."""
+    before_s = before_q = 0.0
+    for angle in range(_ANGLES):
+        norm = _norms_at(p, table, angle, film_strength, film)
+        s_2, q_2 = (_COS[angle] / norm) ** 2, (_SIN[angle] / norm) ** 2
+        if s_2 <= s * s or angle == _ANGLES - 1:
+            if angle == 0:
+                return 0.0
+            return before_q + (q_2 - before_q) * (before_s - s * s) / (before_s - s_2)
+        before_s, before_q = s_2, q_2
+    return 0.0
+
+
+@cache
+def _filling(normal: Callable, parameters: int) -> Any:
+    @formula
+    def excess(u, row, scale, root, table, film_strength, film):
+        """Mean pressure over that at which it alone yields, less 1."""
+        _, _, load, area = normal(u, *row)
+        return load / (scale * area) * _norms_at(root * area**0.25, table, 0, film_strength, film) - 1.0
+
+    @kernel
+    def fill(rows, scale, root, film_strength, film, which, tables, place, out):
+        """place[i]: the coordinate where the load alone yields, what ln(1 + p) counts p in, and 1 over ln(1 + p) there;
+        out[i]: the square of the traction at the knots."""
+        for i in range(scale.size):
+            row, table = unpack(rows[i], parameters), tables[which[i]]
+            low = high = _LEAST
+            while high < _MOST and excess(high, row, scale[i], root[i], table, film_strength[i], film[i]) < 0.0:
+                low = high
+                high *= _STEP
+            for _ in range(60):
+                middle = 0.5 * (low + high)
+                if excess(middle, row, scale[i], root[i], table, film_strength[i], film[i]) < 0.0:
+                    low = middle
+                else:
+                    high = middle
+            unit = min(root[i], _FARTHEST / high)
+            place[i, 0], place[i, 1], place[i, 2] = high, unit, 1.0 / np.log1p(unit * high)
+            for at in range(PIECES + 1):
+                left = 1.0 - at / PIECES
+                u = max(np.expm1((1.0 - left * left) / place[i, 2]) / unit, 1e-12 * high)
+                _, _, load, area = normal(u, *row)
+                s = load / (scale[i] * area)
+                out[i, at] = _traction(root[i] * area**0.25, s, table, film_strength[i], film[i])
+            out[i, PIECES] = 0.0
+
+    return fill
+
+
+def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Coordinates (n, _BENDS) of the knots at which the curves bend the most: where another place begins to yield first."""
+    bent = np.abs(np.diff(values, n=2, axis=1))
+    at = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)
+    left = 1.0 - at / PIECES
+    return np.expm1((1.0 - left * left) / place[:, 2:]) / place[:, 1:2]
+
+
+def strengths(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    """For the elastic piece of a film law that solves film and body as one: where the load alone yields, what `strength_at`
+    counts the coordinate in, 1 over its ln(1 + p) there, and the coefficients, columns (n,); and the
+    coordinates (n, k) of its bends. groups: complete, of contacts with a film."""
+    laws = len(groups)
+    different, which = bodies_of(groups)
+    tables = np.exp(np.stack([_table(one) for one in different]))
+    place, values = np.empty((laws, 3)), np.empty((laws, PIECES + 1))
+    there = np.broadcast_to((groups.film_aspect > 0.0) & (groups.tau > 0.0), laws).astype(float)
+    scale = np.ascontiguousarray(np.broadcast_to(groups.eta / groups.hardness_to_yield, laws))
+    strength = np.ascontiguousarray(np.broadcast_to(groups.n_H, laws))
+    fill = _filling(piece.normal, len(piece.parameters))
+    fill(columns(piece.parameters, laws), scale, per_root(groups), strength, there, which, tables, place, values)
+    return (*place.T, *(values @ to_coefficients().T).T), _bends(place, values)
+
+
+def _table(bodies: Bodies) -> np.ndarray:
+    return table_of_norms(bodies.pair, tuple(dict.fromkeys(bodies.coated)))
+
+
+@formula
+def strength_at(u, unit, scale, coefficients):
+    """The square of the traction; nothing where the spline, next to its end, is below it."""
+    y = 1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5
+    return max(spline(y, coefficients), 0.0)

@@ -1,0 +1,38 @@
+"""Cubic splines with evenly spaced knots between 0 and 1, as formulas: a curve of every contact that is tabulated once."""
+
+from functools import lru_cache
+
+import numpy as np
+from scipy.interpolate import BSpline
+
+from stiction.engine.compiled import formula
+
+__all__ = ["PIECES", "spline", "to_coefficients"]
+
+PIECES = 56
+
+
+@lru_cache(maxsize=1)
+def to_coefficients() -> np.ndarray:
+    """From values at the PIECES + 1 knots to the PIECES + 3 coefficients of the B-splines (a matrix): not-a-knot at both
+    ends."""
+    knots = np.arange(-3.0, PIECES + 4.0)
+    basis = BSpline(knots, np.eye(PIECES + 3), 3)
+    third = basis.derivative(3)
+    same = np.stack([third(at + 0.5) - third(at - 0.5) for at in (1.0, PIECES - 1.0)])
+    return np.linalg.inv(np.concatenate([basis(np.arange(PIECES + 1.0)), same]))[:, : PIECES + 1]
+
+
+@formula
+def spline(y, coefficients):
+    """The value at y, 0 to 1."""
+    place = min(y * PIECES, PIECES - 1e-9)
+    at = int(place)
+    t = place - at
+    r = 1.0 - t
+    return (
+        r * r * r * coefficients[at]
+        + (3.0 * t * t * t - 6.0 * t * t + 4.0) * coefficients[at + 1]
+        + (3.0 * r * r * r - 6.0 * r * r + 4.0) * coefficients[at + 2]
+        + t * t * t * coefficients[at + 3]
+    ) / 6.0

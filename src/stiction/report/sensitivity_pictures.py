@@ -1,0 +1,130 @@
+"""The picture of sensitivity: inputs by their Sobol indices, by Morris, over load, and all numbers by their elasticities."""
+
+from typing import TYPE_CHECKING
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from stiction.quantities.table import QUANTITIES
+from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, finish, heading, label, say
+from stiction.report.sensitivity_tables import at_working_load, head_of, ranked, results_of, working_place
+from stiction.report.several_tables import of_point, points_dimension
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["sensitivity_figure"]
+
+_SHOWN = 12  # bars of a panel at most
+_COLOURS = (BLUE, ORANGE, GREEN, RED)
+
+
+def sensitivity_figure(data: "xarray.Dataset") -> Figure:
+    """Ranked Sobol indices at the working load, the total ones over load, the effects of Morris, and the elasticities of all
+    numbers; the last alone where nothing is uncertain."""
+    if "input" not in data.dims:
+        figure = Figure(figsize=(7.5, 5.6), layout="constrained")
+        _elasticities(figure.subplots(), data)
+    else:
+        figure = Figure(figsize=(13.5, 9.4), layout="constrained")
+        (indices, over_load), (screening, slopes) = figure.subplots(2, 2)
+        name = results_of(data, "total_order")[0]
+        _indices(indices, data, name)
+        _over_load(over_load, data, name)
+        _screening(screening, data, name)
+        _elasticities(slopes, data)
+    figure.suptitle(heading(data, data.attrs.get("case", "")), fontsize=11)
+    return figure
+
+
+def _symbol(name: str) -> str:
+    return f"${QUANTITIES[name].latex}$"
+
+
+def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
+    """Total and first indices of one result, with their intervals; of the others the total ones as marks."""
+    one = at_working_load(data)
+    order = ranked(one, name, "total_order", "input")[:_SHOWN]
+    y = np.arange(len(order))[::-1]
+    for kind, shift, colour in (("total", 0.2, BLUE), ("first", -0.2, ORANGE)):
+        value, low, high = (one[f"{name}_{kind}_order{end}"].values[order] for end in ("", "_low", "_high"))
+        error = np.nan_to_num(np.abs([value - low, high - value]))
+        look = {"elinewidth": 1.0, "capsize": 2.0}
+        axes.barh(y + shift, np.nan_to_num(value), height=0.38, xerr=error, color=colour, error_kw=look,
+                  label=f"{kind} index of ln {_symbol(name)}")  # fmt: skip
+    for other, mark in zip(results_of(data, "total_order")[1:], "so^", strict=False):
+        axes.plot(one[f"{other}_total_order"].values[order], y + 0.2, mark, color="black", mfc="none", markersize=5,
+                  label=f"total, {head_of(other)}")  # fmt: skip
+    axes.set_yticks(y, [str(one["input"].values[at]) for at in order], fontsize=9)
+    axes.set(xlabel=f"share of the variance, 95 % intervals; {of_point(data, working_place(data))}")
+    axes.set_xlim(left=0.0)
+    axes.set_title("which input should be measured better?", fontsize=10)
+    _finished(axes)
+
+
+def _over_load(axes: Axes, data: "xarray.Dataset", name: str) -> None:
+    dim = points_dimension(data)
+    if dim is None or data.sizes[dim] < 2:
+        say(axes, "one load only")
+        axes.set_axis_off()
+        return
+    order = ranked(at_working_load(data), name, "total_order", "input")[:8]
+    colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.9, len(order)))
+    for at, colour in zip(order, colours, strict=True):
+        one = data.isel(input=int(at))
+        axes.plot(data[dim].values, one[f"{name}_total_order"].values, color=colour, marker="o", markersize=4,
+                  label=str(one["input"].item()))  # fmt: skip
+    if data[dim].values.min() > 0.0:
+        axes.set_xscale("log")
+    axes.set(xlabel=label(data[dim]), ylabel=f"total Sobol index of ln {_symbol(name)}")
+    axes.set_ylim(bottom=0.0)
+    finish(axes)
+    axes.legend(fontsize=8, framealpha=0.9)
+
+
+def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
+    one = at_working_load(data)
+    size, deviation, error = (one[f"{name}_effect{end}"].values for end in ("", "_deviation", "_error"))
+    if not np.isfinite(size).any():
+        say(axes, "not known")
+        return
+    axes.errorbar(size, deviation, xerr=error, linestyle="", marker="o", color=BLUE, elinewidth=0.8)
+    for at in ranked(one, name, "effect", "input")[:_SHOWN]:
+        if np.isfinite(size[at]):
+            axes.annotate(str(one["input"].values[at]), (size[at], deviation[at]), fontsize=8, xytext=(4, 4),
+                          textcoords="offset points")  # fmt: skip
+    axes.set_xlim(0.0, 1.6 * max(float(np.nanmax(size)), 1e-9))
+    axes.set(xlabel=f"mean size of its effect on ln {_symbol(name)}, from end to end", ylabel="deviation: it depends on others")
+    axes.set_ylim(bottom=0.0)
+    axes.set_title("effects of Morris", fontsize=10)
+    finish(axes)
+
+
+def _elasticities(axes: Axes, data: "xarray.Dataset") -> None:
+    one, names = at_working_load(data), results_of(data, "elasticity")
+    if not names:
+        say(axes, "not known")
+        return
+    order = ranked(one, names[0], "elasticity", "number")
+    order = np.array([at for at in order if any(abs(_known(one, name, at)) > 1e-4 for name in names)][:_SHOWN], dtype=int)
+    y, height = np.arange(len(order))[::-1], 0.8 / len(names)
+    for at, (name, colour) in enumerate(zip(names, _COLOURS, strict=False)):
+        values = [_known(one, name, place) for place in order]
+        axes.barh(y + 0.4 - (at + 0.5) * height, values, height=height, color=colour, label=head_of(name))
+    axes.set_yticks(y, [str(one["number"].values[at]) for at in order], fontsize=9)
+    axes.axvline(0.0, color="black", linewidth=0.8)
+    axes.set(xlabel="elasticity: % by which 1 % more changes it")
+    axes.set_title("at the nominal numbers", fontsize=10)
+    _finished(axes)
+
+
+def _known(one: "xarray.Dataset", name: str, at: int) -> float:
+    return float(np.nan_to_num(one[f"{name}_elasticity"].values[at]))
+
+
+def _finished(axes: Axes) -> None:
+    finish(axes)
+    axes.grid(False, axis="y")
+    axes.legend(fontsize=8, framealpha=0.9)

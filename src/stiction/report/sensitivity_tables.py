@@ -1,0 +1,113 @@
+"""What the command line prints of sensitivity: the inputs from the most to the least important, at the working load."""
+
+import json
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from stiction.laws.validity import doubts_of
+from stiction.report.several_tables import of_point, points_dimension
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["at_working_load", "elasticities_table", "indices_table", "results_of", "sensitivity_notes", "working_place"]
+
+_LEAST = 5e-5  # an elasticity that is less is none
+_HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", "pull_off_force": "pull-off"}
+
+
+def results_of(data: "xarray.Dataset", end: str) -> list[str]:
+    """The results of which there are such tables, by how their names end, friction first; those of which nothing is known left
+    out, but for the first."""
+    there = [name for name in _HEADS if f"{name}_{end}" in data]
+    return there[:1] + [name for name in there[1:] if np.isfinite(data[f"{name}_{end}"].values).any()]
+
+
+def head_of(name: str) -> str:
+    return _HEADS[name]
+
+
+def working_place(data: "xarray.Dataset") -> int:
+    """The place of the working load among the points; the middle one where none presses."""
+    dim = points_dimension(data)
+    count = data.sizes[dim] if dim else 1
+    if "working_load" not in data.attrs or dim != "load":
+        return (count - 1) // 2
+    return int(np.argmin(np.abs(data["load"].values - data.attrs["working_load"])))
+
+
+def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
+    """The results at the working load."""
+    dim = points_dimension(data)
+    return data.isel({dim: working_place(data)}) if dim else data
+
+
+def ranked(one: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
+    """The places along a dimension, from the largest size of a table down; what is not known last."""
+    size = np.abs(one[f"{name}_{end}"].values)
+    return np.argsort(np.where(np.isfinite(size), -size, np.inf), kind="stable")
+
+
+def indices_table(data: "xarray.Dataset") -> Table:
+    """Sobol indices and Morris effects of friction (or the first result there is) at the working load, and of the others the
+    total indices; the most important input first."""
+    one, (first, *others) = at_working_load(data), results_of(data, "total_order")
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column(f"{of_point(data, working_place(data))}\n", overflow="fold")
+    heads = [f"{_HEADS[first]}\ntotal", "\n95 %", "\nfirst", "\neffect", *(f"{_HEADS[name]}\ntotal" for name in others)]
+    for head in heads:
+        table.add_column(head, justify="right", no_wrap=True)
+    for at in ranked(one, first, "total_order", "input"):
+        row = one.isel(input=int(at))
+        low, high = (float(row[f"{first}_total_order_{end}"]) for end in ("low", "high"))
+        cells = [_share(row, f"{first}_total_order"), f"{max(low, 0.0):.2f} to {high:.2f}" if np.isfinite(low) else "-"]
+        cells += [_share(row, f"{first}_first_order"), _share(row, f"{first}_effect")]
+        table.add_row(str(row["input"].item()), *cells, *(_share(row, f"{name}_total_order") for name in others))
+    return table
+
+
+def _share(row: "xarray.Dataset", name: str) -> str:
+    value = float(row[name])
+    return f"{value:.2f}".replace("-0.00", "0.00") if np.isfinite(value) else "-"
+
+
+def elasticities_table(data: "xarray.Dataset") -> Table:
+    """d ln y/d ln x of every number of the contact at the working load, the largest of friction first."""
+    one, names = at_working_load(data), results_of(data, "elasticity")
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column("1 % more of", no_wrap=True)
+    for name in names:
+        table.add_column(f"{_HEADS[name]}, %", justify="right")
+    for at in ranked(one, names[0], "elasticity", "number") if names else []:
+        row = one.isel(number=int(at))
+        table.add_row(str(row["number"].item()), *(_signed(float(row[f"{name}_elasticity"])) for name in names))
+    return table
+
+
+def _signed(value: float) -> str:
+    if not np.isfinite(value):
+        return "-"
+    return "0" if abs(value) < _LEAST else f"{value:+.3g}"
+
+
+def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
+    """What was varied, how, and what is doubtful of the nominal contact."""
+    used = data.attrs
+    if "input" in data.dims:
+        for line in used["uncertain_inputs"].splitlines():
+            yield Text(f"uncertain: {line}", style="dim")
+        if used["methods"]:
+            yield Text(f"methods of finding asperities, each as likely: {', '.join(used['methods'].split())}", style="dim")
+        models = ", ".join(f"{name} {weight:.0%}" for name, weight in json.loads(used["models"]).items())
+        yield Text(f"models: {models}", style="dim")
+        yield Text(f"drawn: {used['uncertainty']}", style="dim")
+        yield Text("total, first: share of the variance of the logarithm; effect: its change from end to end", style="dim")
+    else:
+        yield Text('nothing is uncertain: give numbers errors, "0.5 +/- 0.1 GPa", or use --ranges', style="bold")
+    yield Text(f"elasticities: by {used['model']}, at the nominal numbers", style="dim")
+    for doubt in doubts_of(data):
+        yield Text(f"doubtful: {doubt}", style="bold yellow")

@@ -1,0 +1,88 @@
+"""What the command line prints of what is uncertain: bands, and what friction differs by."""
+
+import json
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from stiction.report.several_tables import of_point, points_dimension, shown_quantity, some, varied
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["MEANINGS", "band_table", "models_band_table", "spread_table", "uncertain_notes"]
+
+_ROWS = 12
+# What a spread is due to, in words.
+MEANINGS = {
+    "inputs": "what is uncertain of the inputs",
+    "methods": "the ways of finding asperities",
+    "models": "the models",
+}
+
+
+def band_table(data: "xarray.Dataset") -> Table | Text:
+    """The nominal result and its quantiles at about twelve of the points, with the largest error of their sampling."""
+    name = shown_quantity(data)
+    if f"{name}_quantile" not in data:
+        return Text(f"{name} does not vary with what is uncertain", style="dim")
+    dim, several = points_dimension(data), varied(data)
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    for head in ("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "error of these"):
+        table.add_column(head, justify="right", no_wrap=True)
+    # Where numbers are several, of each the first: the files have them all.
+    whole = data.isel({one: 0 for one in several})
+    for at in some(data.sizes[dim] if dim else 1, _ROWS):
+        one = whole.isel({dim: int(at)}) if dim else whole
+        band, error = one[f"{name}_quantile"].values, one[f"{name}_quantile_error"].values
+        worst = float(np.nanmax(error)) if np.isfinite(error).any() else np.nan
+        table.add_row(of_point(data, int(at)), *(_short(value) for value in (float(one[name]), *band)), _short(worst, 2))
+    return table
+
+
+def _short(value: float, digits: int = 4) -> str:
+    return f"{value:.{digits}g}" if np.isfinite(value) else "-"
+
+
+def uncertain_notes(data: "xarray.Dataset") -> Iterator[Text]:
+    """What is uncertain, how it was drawn, and how often nothing is known."""
+    used = data.attrs
+    for line in used["uncertain_inputs"].splitlines():
+        yield Text(f"uncertain: {line}", style="dim")
+    if "uncertainty" in used:
+        yield Text(f"drawn: {used['uncertainty']}", style="dim")
+    for text, share in json.loads(used.get("doubts_of_points", "{}")).items():
+        yield Text(f"in {share:.1%} of the points drawn: {text}", style="dim")
+
+
+def spread_table(data: "xarray.Dataset") -> Table:
+    """What friction at the working load differs by, each apart."""
+    coverage = data.attrs.get("coverage", 0.9)
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    for head, side in (("mu differs by", "left"), ("from", "right"), ("to", "right"), ("a factor", "right")):
+        table.add_column(head, justify="right" if side == "right" else "left", no_wrap=True)
+    for name in data["spread"].values:
+        one = data.sel(spread=name)
+        cells = [_short(float(one[f"spread_{end}"]), 3) for end in ("low", "high", "factor")]
+        table.add_row(f"{MEANINGS[str(name)]}{'' if name == 'methods' else f', {coverage:.0%}'}", *cells)
+    return table
+
+
+def models_band_table(data: "xarray.Dataset") -> Table:
+    """Quantiles of every model over what is uncertain, at the working load."""
+    name = "friction_coefficient_at_load"
+    told = [0, data.sizes["quantile"] // 2, -1]  # the ends and the median
+    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column("over what is uncertain", overflow="fold")
+    for head in ("nominal", *(f"{share:.0%}" for share in data["quantile"].values[told]), "error"):
+        table.add_column(head, justify="right", no_wrap=True)
+    for at in np.argsort(data[name].values):
+        one = data.isel(model=int(at))
+        band, error = one[f"{name}_quantile"].values, one[f"{name}_quantile_error"].values
+        if np.isfinite(band).any():
+            cells = [_short(value, 3) for value in (float(one[name]), *band[told])]
+            table.add_row(str(one["model"].item()), *cells, _short(float(error.max()), 2))
+    return table

@@ -1,0 +1,82 @@
+"""Models against a measured series, as a table and as rows of files."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from rich.box import SIMPLE_HEAD
+from rich.table import Table
+from rich.text import Text
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["origin_lines", "row_rows", "validation_record", "validation_table"]
+
+_HOW = {
+    "printed": "as printed",
+    "digitised": "read off a picture",
+    "data file": "from a data file",
+    "computed": "computed, to show the format",
+}
+
+
+def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
+    """Title, source and what else is said of the values."""
+    about = data.attrs
+    if about["kind"] == "synthetic":
+        yield Text("SYNTHETIC: these values were made up; nobody measured them.", style="bold yellow")
+    if about["title"]:
+        yield Text(about["title"], style="bold")
+    where = [about["source"], about["place"], about["doi"], _HOW[about["read"]]]
+    yield Text("; ".join(part for part in where if part))
+    if about["note"]:
+        yield Text(about["note"])
+    count, quantities = data.sizes["row"], dict.fromkeys(map(str, data["quantity"].values))
+    yield Text(f"{count} value{'s' * (count > 1)} of {' and '.join(quantities)}")
+
+
+def validation_table(data: "xarray.Dataset") -> Table:
+    """Model by model: grade, how many values it answers, how far it is off, and what it is outside of."""
+    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
+    for head, justify in (("model", "left"), ("grade", "left"), ("values", "right"), ("mean ratio", "right")):
+        table.add_column(head, justify=justify, no_wrap=head == "model")  # type: ignore[arg-type]
+    table.add_column("factor off", justify="right")
+    if np.isfinite(data["error"].values).any():
+        table.add_column("in errors", justify="right")
+    table.add_column("outside of")
+    for name in data["model"].values:
+        one = data.sel(model=name)
+        cells = [str(name), str(one["grade"].values), str(int(one["answered"])), _short(one["bias"]), _short(one["factor"])]
+        cells += [_short(one["in_errors"])] if len(table.columns) == 7 else []
+        table.add_row(*cells, Text(str(one["outside"].values), style="dim"))
+    return table
+
+
+def _short(value: Any) -> str:
+    number = float(value)
+    return f"{number:.3g}" if np.isfinite(number) else ""
+
+
+def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
+    """Heads and rows of a file: every measured value, and beside it what each model says, in SI units."""
+    columns = ["quantity", "sample", "load", "measured", "error"]
+    models = [str(name) for name in data["model"].values]
+    rows = [
+        [*(data[name].values[at].item() for name in columns), *(float(value) for value in data["predicted"].values[:, at])]
+        for at in range(data.sizes["row"])
+    ]
+    return [*columns, *models], rows
+
+
+def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
+    """All of it as data for JSON."""
+    over_models = ("grade", "answered", "bias", "factor", "in_errors", "outside_validity")
+    models = [
+        {"model": str(name)}
+        | {key: data[key].values[at].item() for key in over_models}
+        | {"predicted": data["predicted"].values[at].tolist()}
+        for at, name in enumerate(data["model"].values)
+    ]
+    rows = {name: data[name].values.tolist() for name in ("quantity", "sample", "load", "measured", "error")}
+    return {**data.attrs, "rows": rows, "models": models}

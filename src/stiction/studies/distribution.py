@@ -1,0 +1,160 @@
+"""What is known of a number that is uncertain: a distribution of scipy.stats, or values that were measured.
+
+The errors that are written are standard ones: `0.5 +/- 0.1` has a standard deviation of 0.1 (a standard uncertainty after
+JCGM 100:2008, 2.3.1), and a median with a factor has the logarithm of the factor as the standard deviation of its logarithm.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
+
+__all__ = ["Distribution", "between", "in_range", "is_law", "normal", "of_law", "of_samples", "within_factor"]
+
+# The share of a distribution that may be beyond the bounds of its quantity; it is cut off there.
+_BEYOND = 0.025
+# Shares are kept so far from 0 and 1: there the tails of a distribution are infinite.
+_LEAST_SHARE = 1e-12
+
+
+@dataclass(frozen=True)
+class _Values:
+    """The distribution of values (n,), each as likely, in the order in which they stand: in a file, rows stay together."""
+
+    values: np.ndarray
+
+    def ppf(self, share: Any) -> np.ndarray:
+        at = (np.asarray(share) * self.values.size).astype(int)
+        return self.values[np.minimum(at, self.values.size - 1)]
+
+    def cdf(self, value: Any) -> Any:
+        return np.searchsorted(np.sort(self.values), value, side="right") / self.values.size
+
+
+def _scipy(name: str) -> Callable[..., Any]:
+    def made(*parameters: float) -> Any:
+        import scipy.stats  # takes a second
+
+        return getattr(scipy.stats, name)(*parameters)
+
+    return made
+
+
+# Kind of a distribution -> its law, of its parameters.
+_LAWS: dict[str, Callable[..., Any]] = {
+    "normal": _scipy("norm"),
+    "log-normal": lambda median, factor: _scipy("lognorm")(np.log(factor), 0.0, median),
+    "uniform": lambda low, high: _scipy("uniform")(low, high - low),
+    "log-uniform": _scipy("loguniform"),
+    "values": lambda *values: _Values(np.array(values)),
+}
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """What is known of a number of this quantity, in SI units.
+
+    nominal: the number where one is asked for; kind, parameters: which distribution; words: how it is told. Beyond the bounds
+    of the quantity it is cut off. `ppf(share)` is its inverse: the value (any shape) below which that share lies, 0 to 1.
+    """
+
+    quantity: str
+    nominal: float
+    kind: str
+    parameters: tuple[float, ...]
+    words: str
+    law: Any = field(default=None, compare=False, repr=False)
+
+    @cached_property
+    def _law(self) -> Any:
+        return self.law if self.law is not None else _LAWS[self.kind](*self.parameters)
+
+    @cached_property
+    def _ends(self) -> tuple[float, float]:
+        """The shares of the law below the lower and the upper bound of the quantity."""
+        quantity = QUANTITIES[self.quantity]
+        if self.kind in ("uniform", "log-uniform", "values"):
+            return 0.0, 1.0  # each end was read as a value of the quantity
+        return float(self._law.cdf(quantity.lower)), float(self._law.cdf(quantity.upper))
+
+    @property
+    def beyond(self) -> float:
+        """The share of the law beyond the bounds of the quantity."""
+        low, high = self._ends
+        return low + 1.0 - high
+
+    def ppf(self, share: Any) -> np.ndarray:
+        """The values below which these shares lie."""
+        low, high = self._ends
+        inside = np.clip(np.asarray(share, dtype=float), _LEAST_SHARE, 1.0 - _LEAST_SHARE)
+        return np.asarray(self._law.ppf(low + inside * (high - low)), dtype=float)
+
+    def as_table(self) -> dict[str, Any]:
+        """What it is, as plain numbers."""
+        return {"distribution": self.kind, "parameters": list(self.parameters), "nominal": self.nominal}
+
+
+def normal(quantity: str, mean: float, deviation: float, field: str, given: Any) -> Distribution:
+    """A number with a standard deviation. Raises InputError where it would often be out of bounds."""
+    words = f"{show(mean, quantity)} ± {show(deviation, quantity)}"
+    return _checked(Distribution(quantity, mean, "normal", (mean, deviation), words), field, given)
+
+
+def within_factor(quantity: str, median: float, factor: float, field: str, given: Any) -> Distribution:
+    """A median with the factor that is one standard deviation of the logarithm. Raises InputError where it would often be out
+    of bounds."""
+    words = f"{show(median, quantity)}, within a factor {factor:g}"
+    return _checked(Distribution(quantity, median, "log-normal", (median, factor), words), field, given)
+
+
+def between(quantity: str, low: float, high: float, log: bool) -> Distribution:
+    """Anything from low to high, or any logarithm: its nominal value is the middle."""
+    nominal = (low * high) ** 0.5 if log else (low + high) / 2.0
+    return in_range(quantity, low, high, nominal, log)
+
+
+def in_range(quantity: str, low: float, high: float, nominal: float, log: bool) -> Distribution:
+    """Anything from low to high, or any logarithm, with a nominal value that need not be the middle."""
+    words = f"{show(low, quantity)} to {show(high, quantity)}" + (", by its logarithm" if log else "")
+    return Distribution(quantity, nominal, "log-uniform" if log else "uniform", (low, high), words)
+
+
+def of_samples(quantity: str, values: np.ndarray, ordered: bool) -> Distribution:
+    """Values that were measured, each as likely; ordered: by size, or as they stand."""
+    known = np.sort(values) if ordered else values
+    ends = " to ".join(show(float(end), quantity) for end in (values.min(), values.max()))
+    words = f"one of {values.size} values, {ends}"
+    return Distribution(quantity, float(np.median(values)), "values", tuple(known.tolist()), words)
+
+
+def is_law(value: Any) -> bool:
+    """Whether a value is a distribution, such as those of scipy.stats with their parameters."""
+    return callable(getattr(value, "ppf", None)) and callable(getattr(value, "cdf", None))
+
+
+def of_law(quantity: str, law: Any, field: str) -> Distribution:
+    """A distribution of scipy.stats, in SI units: its nominal value is the median. Raises InputError where it would often be
+    out of bounds."""
+    name = getattr(getattr(law, "dist", None), "name", type(law).__name__)
+    given = f"scipy.stats.{name}"
+    median = float(law.ppf(0.5))
+    if not np.isfinite(median):
+        raise InputError(field, given, "a distribution with a median")
+    shares = np.array([0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.999])
+    parameters = tuple(np.asarray(law.ppf(shares), dtype=float).tolist())
+    return _checked(Distribution(quantity, median, given, parameters, given, law), field, given)
+
+
+def _checked(found: Distribution, field: str, given: Any) -> Distribution:
+    quantity = QUANTITIES[found.quantity]
+    if found.beyond > _BEYOND:
+        advice = "less of an error, or { median, factor }, or { low, high }"
+        shown = given if not isinstance(given, Mapping) else dict(given)
+        raise InputError(field, shown, f"{quantity.allowed} but for {_BEYOND:.1%}, here {found.beyond:.1%} is beyond: {advice}")
+    return found

@@ -1,0 +1,102 @@
+"""The contact of one map alone, without materials: pressures are over the modulus times the gradient."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import floats
+from stiction.surfaces.boundary_elements.bodies import Bodies
+from stiction.surfaces.boundary_elements.curve import MapCurve, curve_of_map
+from stiction.surfaces.boundary_elements.doubts import MapDoubt, doubts_of_map
+from stiction.surfaces.boundary_elements.measures import waves
+from stiction.surfaces.heightmap import HeightMap
+
+__all__ = ["PRESSURES", "ContactOfMap", "contact_of_map", "summary_of_contact"]
+
+PRESSURES = (0.005, 0.02, 0.05, 0.1, 0.2)
+
+
+@dataclass(frozen=True)
+class ContactOfMap:
+    """The contact of a map with a flat, or of the map that stands for two faces.
+
+    pressures: nominal ones over E* h'; gradient: h', root mean square of the map; hardness: the largest pressure of a point
+    over E* h', None: elastic; height: Sq, root mean square [m]; curve: the solutions, for E* = 1 Pa. doubts: of the map.
+    """
+
+    pressures: np.ndarray
+    gradient: float
+    hardness: float | None
+    height: float
+    curve: MapCurve
+    doubts: tuple[MapDoubt, ...]
+
+    @property
+    def columns(self) -> dict[str, np.ndarray]:
+        """Head -> numbers without units, one for each pressure; not a number where it was interrupted."""
+        curve = self.curve
+        side = np.sqrt(curve.array("nominal_area"))
+        return {
+            "p/(E* h')": self.pressures,
+            "A/A0": curve.fraction,
+            "A/A0 in points": curve.array("area_pixels") / curve.array("nominal_area"),
+            "plastic load": curve.array("plastic_share"),
+            "separation/Sq": curve.array("separation") / self.height,
+            "mean gap/Sq": curve.array("mean_gap") / self.height,
+            "stiffness/(E* L)": curve.array("stiffness") / side,
+        }
+
+    def all_doubts(self) -> list[str]:
+        """In words, each once: of the map, then of single pressures."""
+        said = {str(one): None for one in self.doubts}
+        for pressure, contact in zip(self.pressures, self.curve.contacts, strict=True):
+            if contact is None:
+                said[f"p/(E* h') = {pressure:g}: interrupted before it was solved"] = None
+            else:
+                said |= {f"p/(E* h') = {pressure:g}: {one}": None for one in contact.doubts}
+        return list(said)
+
+
+def contact_of_map(
+    surface: HeightMap, pressures: Sequence[float] = PRESSURES, hardness: float | None = None, *, sampled: bool = False
+) -> ContactOfMap:
+    """Contact of a prepared map at nominal pressures over E* h', > 0; hardness: over E* h', > 0; sampled: only as many points
+    as the area needs. Raises InputError for a profile, missing points, or what cannot be carried."""
+    allowed = "a row of numbers > 0, nominal pressures over E* h'"
+    wanted = floats(list(pressures), "pressures", allowed)
+    if wanted.ndim != 1 or not wanted.size or not (np.isfinite(wanted) & (wanted > 0.0)).all():
+        raise InputError("pressures", pressures, allowed)
+    if hardness is not None and not 0.0 < hardness < math.inf:
+        raise InputError("hardness", hardness, "> 0, over E* h'")
+    if surface.is_profile:
+        raise InputError("scan", "a profile", "a map: a profile has no contact to solve")
+    if not surface.complete:
+        raise InputError("fill", None, f"harmonic or nearest: {surface.missing} points have no height")
+    if float(np.ptp(surface.heights)) == 0.0:
+        raise InputError("scan", "heights all alike", "a rough map: a flat face touches everywhere")
+    gradient = waves(surface.heights, surface.size, surface.periodic).gradient
+    if hardness is not None and wanted.max() >= hardness:
+        raise InputError("pressures", float(wanted.max()), f"< {hardness:g}, the hardness over E* h'")
+    bodies = Bodies(1.0, hardness=None if hardness is None else hardness * gradient)
+    curve = curve_of_map(surface, bodies, (wanted * gradient).tolist(), sampled=sampled)
+    of_map = doubts_of_map(surface.heights, surface.size, None, surface.periodic)
+    return ContactOfMap(wanted, gradient, hardness, float(np.std(surface.heights)), curve, of_map)
+
+
+def summary_of_contact(contact: ContactOfMap) -> dict[str, Any]:
+    """Everything as plain numbers, for JSON."""
+    return {
+        "rms_gradient": contact.gradient,
+        "hardness": contact.hardness,
+        "every": contact.curve.every,
+        "points_in_shortest_wave": contact.curve.of_map["points_in_shortest_wave"],
+        "longest_waves_on_a_side": contact.curve.of_map["longest_waves_on_a_side"],
+        "columns": {head: values.tolist() for head, values in contact.columns.items()},
+        "residual": contact.curve.array("residual").tolist(),
+        "doubts": [asdict(one) for one in contact.doubts],
+        "doubts_in_words": contact.all_doubts(),
+    }

@@ -1,0 +1,10 @@
+"""Where the solution of a map becomes doubtful: numbers that its record, too, reads."""
+
+TOLERANCE = 1e-5  # of the residual: gaps where there is contact, over the rms height difference of neighbouring points
+LEAST_PIXELS = 8.0  # in the shortest wave
+LEAST_WAVES = 6.0  # longest waves along a side
+STEEPEST = 0.3  # rms gradient: small slopes are assumed
+LEAST_CONTACT = 100  # points in contact
+MOST_AT_ENDS = 0.01  # share of the load on the outermost points of a map that ends
+LEAST_LOAD_ERROR = 1e-9
+THICKEST = 0.15  # of a film beside a map that ends: side of the map

@@ -1,0 +1,204 @@
+"""What was measured of film laws: the tables against closed forms of the laws on the independent table of the exact sphere, and
+against numbers that others found; and what stands of it beside results."""
+
+import importlib
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import stiction as st
+from stiction.contact.contact import Contact
+from stiction.laws.film.shared import measured
+from stiction.laws.film.shared.measured import on_a_sphere, on_maps, summary
+from stiction.laws.registry import FilmLaw, of_kind
+from stiction.solving.candidates import Candidate
+from stiction.solving.choice import Choice
+from stiction.solving.film_errors import film_errors, in_words, off_by, read_film_errors
+from stiction.solving.problem import make_problem
+from stiction.studies.recommendation import COST_OF_FILM, Answer
+from tables import column, read
+
+TRUTH = Path(__file__).parents[2] / "truth"
+PLAIN = "greenwood_williamson_1966"
+# Films that flow: nothing elastic is in them.
+FLOW = {"chang_1997", "dayson_1971", "kato_1981", "liu_neville_reuben_2002", "ravindran_ramasamy_laddha_1980"}
+WIDTHS = np.array([0.1, 0.5, 1.0, 2.0, 5.0, 20.0])
+
+
+def at(law, n_E, width, options=None, ratio=1e-3):
+    n_E, width = np.broadcast_arrays(np.asarray(n_E, dtype=float), np.asarray(width, dtype=float))
+    return on_a_sphere(law, options or {}, n_E, width, np.full(n_E.shape, ratio))
+
+
+def exact_rows():
+    """One film on a rigidly pressed body, nu = 0.3: modulus, a/t, E_P over the film's and D, of the independent table."""
+    rows = [row for row in read("layered.csv") if float(row["share"]) == 1.0 and row["nu"] == row["nu_below"] == "0.3"]
+    rows = [row for row in rows if float(row["ratio"]) in (0.1, 0.5, 2.0, 10.0)]
+    assert len(rows) == 24
+    return (column(rows, name) for name in ("ratio", "radius", "load", "approach"))
+
+
+def test_laws_whose_errors_are_in_closed_form():
+    """Half-spaces carry E a^3 4/(3R) at a^2/R. The body alone (ogilvy_1993): area (E_P/E_s)^(2/3), load D^(3/2)/(E_P/E_s) of
+    what it should be; the film alone (sequential, while it is not pressed through): E_f in place of E_s."""
+    n_E, width, load, approach = exact_rows()
+    for law, modulus in (("ogilvy_1993", n_E * load), ("sequential", load)):
+        found = at(law, n_E, width)
+        pressed = 1e-3 * width**2 * np.maximum(modulus ** (2 / 3), approach)  # over the thickness
+        alone = (pressed < 1.0) | (law == "ogilvy_1993")
+        assert alone.sum() >= 23
+        assert_allclose(found.area[alone], modulus[alone] ** (2 / 3), rtol=2e-3)
+        assert_allclose(found.load[alone], (approach**1.5 / modulus)[alone], rtol=2e-3)
+    found = at("layered", n_E, width)
+    assert_allclose(np.array(found), 1.0, atol=3e-3)
+
+
+# Per cent, area at given load and load at given approach at WIDTHS, as found independently of this project's tables.
+OTHERS = {
+    ("sequential", "", 0.1): ((0, 3, 14, 43, 107, 183), (-8, -33, -53, -69, -82, -88)),
+    ("sequential", "", 2.0): ((0, -2, -8, -19, -28, -34), (7, 34, 57, 77, 90, 97)),
+    ("sequential", "", 10.0): ((0, -8, -29, -53, -68, -75), (50, 279, 488, 665, 790, 855)),
+    ("graded", "", 0.1): ((-27, -53, -60, -59, -50, -28), (55, 155, 159, 117, 56, 14)),
+    ("graded", "", 10.0): ((5, 21, 14, -7, -17, -11), (38, 121, 138, 130, 90, 35)),
+    ("halling_1979", "perriot_barthel_2004", 0.1): ((-3, -16, -22, -25, -27, -21), (-3, -10, -18, -23, -16, 0)),
+    ("halling_1979", "perriot_barthel_2004", 10.0): ((39, 180, 161, 91, 40, 13), (-7, -24, -15, -7, -4, -3)),
+}
+
+
+@pytest.mark.parametrize(("law", "modulus", "n_E"), OTHERS)
+def test_errors_that_others_found(law, modulus, n_E):
+    found = at(law, n_E, WIDTHS, {"modulus": modulus})
+    area, load = OTHERS[law, modulus, n_E]
+    assert_allclose(100.0 * (found.area - 1.0), area, atol=0.8)
+    assert_allclose(100.0 * (found.load - 1.0), load, atol=1.2)
+
+
+def test_between_and_beyond():
+    """Exact at the table's places, geometric means halfway, nothing outside; the thickness over the radius counts for one."""
+    one, two = at("graded", 2.0, 0.5), at("graded", 5.0, 1.0)
+    middle = at("graded", math.sqrt(10.0), math.sqrt(0.5))
+    corners = [float(at("graded", n_E, width).area) for n_E in (2.0, 5.0) for width in (0.5, 1.0)]
+    assert float(middle.area) == pytest.approx(math.exp(np.log(corners).mean()), rel=1e-9)
+    assert float(one.area) != float(two.area)
+    outside = at("graded", [0.004, 2.0, 2.0, 120.0, 2.0], [1.0, 0.04, 25.0, 1.0, 0.0])
+    assert np.isnan(outside.area).all() and np.isnan(outside.load).all()
+    assert at("kato_1981", 1.0, 1.0) is None
+    deep, shallow = at("sequential", 0.1, 20.0, ratio=0.1), at("sequential", 0.1, 20.0, ratio=1e-3)
+    assert float(shallow.area) > 2.5 and float(deep.area) < 1.0  # pressed through, the body answers
+    assert float(at("sequential", 0.1, 20.0, ratio=1e-9).area) == float(shallow.area)
+    for law in ("graded", "layered"):
+        assert float(at(law, 0.3, 3.0, ratio=0.5).area) == float(at(law, 0.3, 3.0).area)
+
+
+def test_every_elastic_film_law_is_there():
+    elastic = {key for key, one in of_kind(FilmLaw).items() if one.interchangeable} - FLOW
+    assert {key for key, _ in measured._sphere()} == elastic
+    assert {key for key, _ in measured._maps()} == elastic | {"rough_on_film"}
+    for law in elastic:
+        assert summary(law) and st.models([law])[0]["measured_error"]
+    assert not st.models(["kato_1981"])[0]["measured_error"]
+    options = {text for key, text in measured._sphere() if key == "finkin_1969"}
+    assert options == {f"bound {value}" for value in of_kind(FilmLaw)["finkin_1969"].options["bound"]}
+
+
+def test_on_maps():
+    """What is best on maps, what is not; nothing outside."""
+    n_E, thickness = np.array([0.2, 8.0, 20.0, 1.5, 1.5]), np.array([1.0, 3.0, 1.0, 0.1, 6.0])
+    best = on_maps("rough_on_film", {}, n_E, thickness)
+    assert np.isnan(best.rms).tolist() == [False, False, True, True, True]
+    for law in ("sequential", "graded", "layered", "ogilvy_1993"):
+        other = on_maps(law, {}, n_E[:1], thickness[:1])
+        assert other.rms[0] > 2.0 * best.rms[0]
+    assert on_maps("dayson_1971", {}, n_E, thickness) is None
+
+
+def test_a_place_of_the_table_again(monkeypatch):
+    """By the script that made it."""
+    monkeypatch.syspath_prepend(str(TRUTH))
+    made = importlib.import_module("film_laws")
+    w = np.geomspace(1e-3, 1e1, 800) * 1e-3
+    load, area = made.asperity(made.LAWS["ogilvy_1993", ""], 2.0, math.sqrt(1e-3), 1.0, w)
+    assert_allclose(load, w**1.5, rtol=1e-6)  # Hertz
+    assert_allclose(area, w, rtol=1e-6)
+    density, given, loads = made.as_groups(made.read_films())
+    assert density.min() > 0.016 and len(given) == len(loads) == 630
+    # NRs and lengths are those of the map: p/(E* h') back from the loads
+    assert_allclose(4 / 3 * density * loads / np.sqrt(math.sqrt(3) / 64 / density), made.read_films()["pressure"], rtol=1e-9)
+
+
+STEEL = {"youngs_modulus": "210 GPa", "poissons_ratio": 0.3, "hardness": "600 GPa"}
+ROUGH = {"asperity_height_deviation": "50 nm", "asperity_radius": "20 um", "asperity_density": "5e10 1/m^2"}
+
+
+def coated(n_E=0.1, thickness=200e-9, **more):
+    film = {"youngs_modulus": 210e9 * n_E, "poissons_ratio": 0.3, "hardness": 600e9}
+    coating = {"material": film, "thickness": thickness, "bodies": "first"}
+    rigid = STEEL | {"youngs_modulus": 1e17}
+    return Contact(first=STEEL, second=rigid, roughness=ROUGH, nominal_area="1 mm^2", coating=coating, **more)
+
+
+@pytest.mark.parametrize("film", ["sequential", "graded", "halling_1979"])
+def test_beside_a_result(film):
+    """Near the radius of the mean contact, by hand from area and number; nothing beside a bare contact."""
+    more = {"work_of_adhesion": 1e-9} if film == "graded" else {}
+    model = "soft_coating_2015" if film == "graded" else PLAIN
+    found = st.solve(coated(**more), load=["10 mN", "1 N"], model=model, film=film)
+    radius = np.sqrt(found["contact_area"].values / (math.pi * found["touching_asperities"].values))
+    sphere, maps = read_film_errors(found.attrs["measured_error"])
+    assert sphere["law"] == maps["law"] == film
+    assert_allclose(sphere["near"]["a_over_t"], [radius.min() / 200e-9, radius.max() / 200e-9], rtol=1e-9)
+    assert_allclose(sphere["near"]["n_E"], 0.1, rtol=1e-4)
+    expected = at(film, 0.1, radius / 200e-9, {"modulus": "gao_chiu_lee_1992"}, ratio=0.01)
+    assert_allclose(sphere["error"], [expected.area.min() - 1.0, expected.area.max() - 1.0], rtol=1e-3)
+    assert_allclose(sphere["load_error"], [expected.load.min() - 1.0, expected.load.max() - 1.0], rtol=1e-3)
+    said = in_words(sphere)
+    assert f"{film} against exact sphere" in said and "% at given load" in said and "a_over_t = " in said
+    bare = st.solve(coated().replace(coating=None), load="1 N", model=PLAIN)
+    assert bare.attrs["measured_error"] == "[]"
+
+
+def test_what_was_not_measured_says_why():
+    flows = st.solve(coated(interfacial_shear_strength="10 MPa"), load="1 N", model=PLAIN, film="kato_1981")
+    (row,) = read_film_errors(flows.attrs["measured_error"])
+    assert "flow" in row["why_not"] and "error" not in row and "flow" in in_words(row)
+    stiff = st.solve(coated(n_E=300.0), load="1 N", model=PLAIN, film="halling_1979")
+    rows = read_film_errors(stiff.attrs["measured_error"])
+    assert len(rows) == 2 and all("measured for n_E" in row["why_not"] for row in rows)
+    area = st.solve(coated(n_E=300.0), load="1 N", model="rough_on_film")
+    (row,) = read_film_errors(area.attrs["measured_error"])
+    assert "0.1 to 10" in row["why_not"]
+
+
+def test_its_cost():
+    """Factors of two in area, where the contact is elastic; what was not measured beyond the table counts as its end."""
+
+    def cost(contact, **laws):
+        problem = make_problem(contact, Choice(**{"model": PLAIN} | laws))
+        results = problem.at_load(np.array([[0.1]])) if problem.needs_load else problem.on_grid(np.array([1.0]))
+        return off_by(problem, results), film_errors(problem, results)
+
+    off, rows = cost(coated(), film="halling_1979")
+    assert off == pytest.approx(abs(math.log2(1.0 + rows[0]["error"][0])), rel=1e-9) and off > 0.5
+    assert cost(coated(), film="layered")[0] < 0.01
+    assert cost(coated(interfacial_shear_strength="10 MPa"), film="kato_1981")[0] == 0.0
+    assert cost(coated(n_E=300.0), film="halling_1979")[0] > 0.0
+    assert 0.0 < cost(coated(), model="rough_on_film")[0] < 0.2
+    soft = coated().replace(first=STEEL | {"hardness": "0.1 GPa"})
+    soft = soft.replace(coating=soft.coating.replace(material=soft.coating.material.replace(hardness="10 MPa")))
+    assert cost(soft, film="halling_1979")[0] < 0.1 * off  # all of it is plastic
+    plain = Answer(Candidate("one", Choice()), grade="C")
+    other = Answer(Candidate("one", Choice()), grade="C", film_off=2.0)
+    assert other.cost == pytest.approx(plain.cost + 2.0 * COST_OF_FILM)
+
+
+def test_in_a_comparison():
+    data = st.compare(coated(thickness=500e-9, interfacial_shear_strength="100 MPa"), load="0.1 N")
+    laws = ("layered", "ogilvy_1993", "rough_on_film")
+    rows = {name: json.loads(data["measured_error"].sel(model=name).item()) for name in laws}
+    assert rows["layered"][0]["error"][1] == pytest.approx(0.0, abs=5e-3)
+    assert rows["ogilvy_1993"][0]["error"][1] < -0.2 and rows["rough_on_film"][0]["rms"] < 0.1
+    assert float(data["cost"].sel(model="layered")) < float(data["cost"].sel(model="halling_1979"))

@@ -1,0 +1,366 @@
+"""The contact of a map as a model: in `solve`, `compare`, case files and commands, against closed forms and the solver."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from typer.testing import CliRunner
+
+import stiction as st
+from stiction import cli
+from stiction.laws.validity import doubts_of
+from stiction.solving.choice import Choice
+from stiction.surfaces.boundary_elements import kept
+from stiction.surfaces.boundary_elements.compliance import Compliance, Film
+from stiction.surfaces.boundary_elements.solve import solve_map
+from stiction.surfaces.boundary_elements.telling import telling
+from stiction.surfaces.generate import gaussian_surface
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.prepare import filter_period, level
+from stiction.surfaces.targets import SelfAffine
+
+SIDE, POINTS = 20e-6, 64
+BODIES = {"first": "hardened_steel_52100", "second": "silver", "interfacial_shear_strength": 20e6}
+ELASTIC = {"youngs_modulus": 2e9, "poissons_ratio": 0.4, "hardness": 1e12}
+FILM = {"youngs_modulus": 4e9, "poissons_ratio": 0.3, "hardness": 1e12}
+MODEL = "boundary_elements"
+
+
+@pytest.fixture(autouse=True)
+def own_cache(monkeypatch, tmp_path):
+    """Nothing that was solved before is read, and nothing is left behind."""
+    monkeypatch.setattr(kept, "_folder", lambda: tmp_path / "kept")
+    with np.errstate(all="ignore"):  # matplotlib divides zero by zero inside
+        yield
+
+
+@pytest.fixture(scope="module")
+def rough() -> HeightMap:
+    return gaussian_surface((POINTS, POINTS), (SIDE, SIDE), SelfAffine(0.8, SIDE / 4, SIDE / 8, 4e-8), 3)
+
+
+@pytest.fixture
+def contact(rough):
+    return st.Contact(**BODIES, roughness=rough, nominal_area=3.0 * SIDE**2)
+
+
+def area(contact):
+    return float(st.solve(contact, load="1 mN", model=MODEL)["area_fraction"])
+
+
+def elastic(rough, **more):
+    return st.Contact(first=ELASTIC, second=ELASTIC, roughness=rough, nominal_area=SIDE**2, **more)
+
+
+def test_waves_in_full_contact_have_their_mean_planes_on_each_other():
+    """Crossed cosines of amplitude a are pressed flat by p = E* k a (Johnson, section 13.2), and touch less by less."""
+    along = 1e-8 * np.cos(4.0 * math.pi * np.arange(64) / 64.0)
+    surface = HeightMap(along[:, None] + along, (SIDE, SIDE), periodic=True)
+    flat = 0.5 * 2e9 / (1.0 - 0.4**2) * 4.0 * math.pi / SIDE * 1e-8 * SIDE**2
+    found = st.solve(elastic(surface), load=[1.01 * flat, 0.9 * flat], model=MODEL)
+    assert float(found["area_fraction"][0]) == pytest.approx(1.0, abs=1e-12) and 0.9 < float(found["area_fraction"][1]) < 1.0
+    assert abs(float(found["plane_separation"][0])) < 1e-13 < 1e-11 < float(found["plane_separation"][1])
+
+
+def test_it_says_what_the_solver_says_of_the_whole_nominal_area(contact, rough):
+    found = st.solve(contact, load=["2 mN", "1 mN"], model=MODEL)
+    first, second = contact.first, contact.second
+    modulus = 1.0 / sum((1.0 - one.poissons_ratio**2) / one.youngs_modulus for one in (first, second))
+    loads = np.array([2e-3, 1e-3]) / 3.0
+    plain = solve_map(rough.heights - rough.heights.mean(), rough.size, modulus=modulus, loads=loads, periodic=True,
+                      hardness=second.hardness)  # fmt: skip
+    for name, own, factor in (
+        ("contact_area", "area", 3.0), ("contact_area_pixels", "area_pixels", 3.0), ("contact_stiffness", "stiffness", 3.0),
+        ("plane_separation", "separation", 1.0), ("load_share_plastic", "plastic_share", 1.0),
+    ):  # fmt: skip
+        assert_allclose(found[name].values, plain.array(own) * factor, rtol=1e-4, err_msg=name)
+    measured = contact.roughness.surface.measured if contact.roughness.surface.measured else contact.measured
+    mean_height = measured.mean_heights[contact.measured.of_moments]
+    assert_allclose(found["mean_separation"].values, found["plane_separation"].values - mean_height, atol=1e-15)
+    assert 0.0 < float(found["load_share_plastic"][0]) < 1.0
+
+
+def test_friction_of_an_interface_is_exact(contact):
+    """T = tau_0 A + alpha P, whatever points bear."""
+    found = st.solve(contact, load="2 mN", model=MODEL)
+    assert_allclose(found["friction_force"], 20e6 * found["contact_area"], rtol=1e-12)
+    more = st.solve(contact.replace(pressure_coefficient=0.1), load="2 mN", model=MODEL)
+    assert float(more["friction_coefficient"]) == pytest.approx(20e6 * float(found["contact_area"]) / 2e-3 + 0.1, rel=1e-9)
+    bare = st.solve(contact, load="2 mN", model=MODEL, tangential="none")
+    assert "friction_force" not in bare
+
+
+def test_no_pressure_is_above_the_hardness_unless_asked_for(contact):
+    found = st.solve(contact, load="40 mN", model=MODEL)
+    free = st.solve(contact, load="40 mN", model=MODEL, yielding="none")
+    assert float(free["load_share_plastic"]) == 0.0 < float(found["load_share_plastic"])
+    least = 40e-3 / contact.second.hardness
+    assert float(free["contact_area"]) < least < float(found["contact_area"])
+    assert "mean_pressure_over_hardness" in {one.quantity for one in doubts_of(free)}
+
+
+def test_a_film_is_solved_with_its_substrate(rough):
+    """A film like its substrate is not felt, a thick one is a half-space, and which body carries it changes nothing."""
+    alike = elastic(rough, coating={"material": ELASTIC, "thickness": "1 um", "bodies": "first"})
+    assert area(alike) == pytest.approx(area(elastic(rough)), rel=1e-3)
+    thick = elastic(rough, coating={"material": FILM, "thickness": "1 mm", "bodies": "both"})
+    whole = st.Contact(first=FILM, second=FILM, roughness=rough, nominal_area=SIDE**2)
+    assert area(thick) == pytest.approx(area(whole), rel=2e-3) and area(thick) < 0.8 * area(elastic(rough))
+    one, other = (alike.replace(coating={"material": FILM, "thickness": 5e-7, "bodies": body}) for body in ("first", "second"))
+    assert area(one) == area(other)
+
+
+def test_two_films_give_way_one_after_the_other():
+    film, other = Film(1e-7, 4e9, 0.3, 2e9, 0.4), Film(1e-7, 4e9, 0.3, 5e9, 0.2)
+    k = np.geomspace(1e4, 1e9, 20)
+    both = Compliance(math.inf, film, other).times_half_k(k)
+    assert_allclose(both, Compliance(math.inf, film).times_half_k(k) + Compliance(math.inf, other).times_half_k(k), rtol=1e-14)
+    assert Compliance(math.inf, film, other).far == pytest.approx(film.far + other.far, rel=1e-14)
+
+
+def test_two_rough_faces_are_one_of_their_sum(rough):
+    """The second is turned over; scans of other size are refused, and a body that is known by numbers."""
+    flipped = replace(rough, heights=rough.heights[:, ::-1].copy())
+    twice = replace(rough, heights=2.0 * rough.heights)
+    two = st.solve(elastic({"first": rough, "second": flipped}), load="1 mN", model=MODEL)
+    one = st.solve(elastic(twice), load="1 mN", model=MODEL)
+    assert float(two["area_fraction"]) == pytest.approx(float(one["area_fraction"]), rel=1e-6)
+    other = gaussian_surface((64, 64), (2 * SIDE, 2 * SIDE), SelfAffine(0.8, SIDE / 4, SIDE / 8, 4e-8), 3)
+    with pytest.raises(st.InputError, match="as many points as the first, over the same size"):
+        st.solve(elastic({"first": rough, "second": other}), load="1 mN", model=MODEL)
+    numbers = {"asperity_height_deviation": 1e-8, "asperity_radius": 1e-6, "asperity_density": 1e12}
+    with pytest.raises(st.InputError, match="a map of every rough body"):
+        st.solve(elastic({"first": rough, "second": numbers}), load="1 mN", model=MODEL)
+
+
+def test_one_period_has_no_form_and_no_ends(rough, tmp_path):
+    """A made map, and a scan that says so, is as it is; another is levelled, and ends."""
+    np.save(tmp_path / "map.npy", rough.heights + 1e-6)
+    given = {"file": str(tmp_path / "map.npy"), "size": "20 um", "unit": "m"}
+    made = st.solve(elastic(rough), load="1 mN", model=MODEL)
+    said = st.solve(elastic({"first": given | {"periodic": True}}), load="1 mN", model=MODEL)
+    ends = st.solve(elastic({"first": given}), load="1 mN", model=MODEL)
+    assert float(said["area_fraction"]) == pytest.approx(float(made["area_fraction"]), rel=1e-6)
+    assert "load_at_ends" in ends and "load_at_ends" not in said
+    assert float(ends["area_fraction"]) != pytest.approx(float(made["area_fraction"]), rel=1e-3)
+    assert "levelled" in ends.attrs["scans"] and "levelled" not in said.attrs["scans"]
+
+
+def test_doubts_are_those_of_the_map(rough):
+    coarse = gaussian_surface((64, 64), (SIDE, SIDE), SelfAffine(0.8, SIDE / 2, SIDE / 20, 2e-6), 3)
+    said = {one.quantity for one in doubts_of(st.solve(elastic(coarse), load="1 mN", model=MODEL))}
+    assert {"points_in_shortest_wave", "longest_waves_on_a_side", "map_gradient", "points_in_contact"} <= said
+    assert "sharpness" not in said and "touching_asperities" not in said
+    thin = elastic(rough, coating={"material": FILM, "thickness": "10 nm", "bodies": "first"})
+    assert "points_in_film" in {one.quantity for one in doubts_of(st.solve(thin, load="1 mN", model=MODEL))}
+
+
+@pytest.mark.parametrize(
+    ("changes", "given", "message"),
+    [
+        ({}, {"load": "-1 mN"}, "knows no adhesion"),
+        ({}, {"separation": "10 nm"}, "a load in its place"),
+        ({}, {"load": "1 kN"}, "the hardness times the area"),
+        ({}, {"load": "1 mN", "tangential": "hamilton_1983"}, "a law of the interface: boundary_elements knows patches"),
+        ({}, {"load": "1 mN", "film": "sequential"}, "solves the film of the contact itself"),
+        ({}, {"load": "1 mN", "heights": "gaussian"}, "takes those of the map"),
+        ({"nominal_area": st.axis("nominal_area", [1e-9, 2e-9])}, {"load": "1 mN"}, "one number"),
+    ],
+    ids=["tension", "separation", "too much", "asperities", "film law", "heights", "several"],
+)  # fmt: skip
+def test_what_cannot_be_is_refused_in_a_line(contact, changes, given, message):
+    coated = "film" in given
+    made = contact.model_copy(update=changes) if changes else contact
+    made = made.replace(coating={"material": "silver", "thickness": "1 um"}) if coated else made
+    with pytest.raises(st.InputError, match=message) as caught:
+        st.solve(made, **given, model=MODEL)
+    assert "\n" not in str(caught.value)
+
+
+def test_maps_that_cannot_be_solved_get_a_line(rough):
+    holed = rough.heights.copy()
+    holed[3, 4] = np.nan
+    with pytest.raises(st.InputError, match="harmonic or nearest"):
+        st.solve(elastic({"first": replace(rough, heights=holed)}), load="1 mN", model=MODEL)
+    filled = elastic({"first": replace(rough, heights=holed), "fill": "harmonic"})
+    assert float(st.solve(filled, load="1 mN", model=MODEL)["contact_area"]) > 0.0
+    numbers = st.Roughness(asperity_height_deviation=1e-8, asperity_radius=1e-6, asperity_density=1e12)
+    with pytest.raises(st.InputError, match="roughness: not given; allowed: a map"):
+        st.solve(elastic(numbers), load="1 mN", model=MODEL)
+    with pytest.raises(st.InputError, match="a map"):
+        st.solve(st.Indices(theta=10.0, lam=10.0, nu=0.3), load=1e-3, model=MODEL)
+
+
+def test_what_was_solved_is_read_and_what_differs_is_not(contact, rough):
+    steps = []
+    with telling(lambda one: steps.append(one.load)):
+        first = st.solve(contact, load=["1 mN", "2 mN"], model=MODEL)
+        solved = len(steps)
+        again = st.solve(contact, load=["2 mN", "1 mN"], model=MODEL)
+        assert solved > 0 and len(steps) == solved
+        for name in first.data_vars:
+            np.testing.assert_array_equal(first[name].values, again[name].values[::-1] if first[name].ndim else again[name])
+        st.solve(contact, load=["1 mN", "3 mN"], model=MODEL)
+        assert set(steps[solved:]) == {0}  # one load was missing
+        solved = len(steps)
+        for other in (contact.replace(second="iron"), contact.model_copy(update={"roughness": elastic(replace(
+            rough, heights=rough.heights * 1.01)).roughness})):  # fmt: skip
+            st.solve(other, load="1 mN", model=MODEL)
+            assert len(steps) > solved
+            solved = len(steps)
+
+
+def test_a_damaged_file_is_solved_again(contact, tmp_path):
+    first = st.solve(contact, load="1 mN", model=MODEL)
+    (path,) = (tmp_path / "kept").iterdir()
+    path.write_bytes(path.read_bytes()[:100])
+    assert float(st.solve(contact, load="1 mN", model=MODEL)["contact_area"]) == float(first["contact_area"])
+
+
+def test_the_oldest_files_make_room(contact, tmp_path, monkeypatch):
+    st.solve(contact, load="1 mN", model=MODEL)
+    monkeypatch.setattr(kept, "_MOST", 1)
+    st.solve(contact, load="2 mN", model=MODEL)
+    assert list((tmp_path / "kept").iterdir()) == []
+
+
+def test_an_interruption_keeps_the_loads_that_are_done(contact):
+    def stop(one):
+        if one.load == 1 and one.step == 2:
+            raise KeyboardInterrupt
+
+    with telling(stop):
+        found = st.solve(contact, load=["3 mN", "1 mN", "2 mN"], model=MODEL)
+    assert np.isnan(found["contact_area"].values).tolist() == [True, False, True]
+    assert "interrupted: 2 of 3 loads were not solved" in found.attrs["outside_validity"]
+
+
+def test_a_comparison_has_it_as_one_more_row(contact):
+    data = st.compare(contact, load="2 mN")
+    row = data.sel(model=MODEL)
+    alone = st.solve(contact, load="2 mN", model=MODEL)
+    assert float(row["friction_coefficient_at_load"]) == float(alone["friction_coefficient"])
+    solved = np.isfinite(row["load"].values)
+    assert solved.sum() == 5 and solved[:5].all() and (row["doubtful"].values[~solved] == 1).all()
+    assert (np.diff(row["contact_area"].values[:5]) > 0.0).all()
+    numbers = st.compare(contact.as_numbers(), load="2 mN")
+    assert MODEL not in numbers["model"] and "boundary_elements: roughness is not given: a map" in numbers.attrs["left_out"]
+
+
+def test_of_many_points_a_comparison_takes_some(contact, monkeypatch):
+    monkeypatch.setattr("stiction.solving.candidates._POINTS", 1000)
+    data = st.compare(contact, load="2 mN")
+    name = "boundary_elements (sampled)"
+    assert name in data["model"] and MODEL not in data["model"]
+    row = st.solve(contact, load="2 mN", model=name)
+    assert row.attrs["points"] == "sampled"
+    assert float(row["friction_coefficient"]) == float(data.sel(model=name)["friction_coefficient_at_load"])
+    monkeypatch.setattr("stiction.solving.on_map._MOST_POINTS", 100)
+    assert "boundary_elements (sampled): at most 100 to solve" in st.compare(contact, load="2 mN").attrs["left_out"]
+
+
+def test_sampled_points_say_so_and_are_near(rough):
+    fine = gaussian_surface((256, 256), (SIDE, SIDE), SelfAffine(0.8, SIDE / 4, SIDE / 8, 4e-8), 3)
+    found, every = (st.solve(elastic(fine), load="3 mN", model=MODEL, points=points) for points in ("sampled", "all"))
+    assert float(found["point_spacing"]) > 1.0 == float(every["point_spacing"])
+    assert float(found["area_fraction"]) == pytest.approx(float(every["area_fraction"]), rel=0.03)
+
+
+# ---- commands
+
+
+def run(*words):
+    result = CliRunner().invoke(cli.app, [*map(str, words)])
+    assert result.exit_code == 0, (result.output, result.exception)
+    return result.stdout
+
+
+@pytest.fixture
+def case(rough, tmp_path):
+    np.save(tmp_path / "map.npy", rough.heights)
+    path = tmp_path / "case.toml"
+    path.write_text(
+        '[contact]\nfirst = "hardened_steel_52100"\nsecond = "silver"\ninterfacial_shear_strength = "20 MPa"\n'
+        'nominal_area = "1 mm^2"\nroughness = { first = { file = "map.npy", size = "20 um", unit = "m", periodic = true } }\n'
+        '[solve]\nload = ["1 N", "3 N"]\nmodel = "boundary_elements"\n'
+    )
+    return path
+
+
+def test_run_and_compare_a_case(case, tmp_path):
+    text = run("run", case, "--out", tmp_path / "out")
+    assert "every point" in text and "counted in points" in text and "persistence" not in text
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"curve.csv", "curve.nc", "curve.png"}
+    found = json.loads(run("run", case, "--json"))
+    mu = 20e6 * np.array(found["variables"]["contact_area"]["values"]) / [1.0, 3.0]
+    assert_allclose(found["variables"]["friction_coefficient"]["values"], mu, rtol=1e-12)
+    rows = {row["model"]: row for row in json.loads(run("compare", case, "--load", "3 N", "--json"))["models"]}
+    assert rows[MODEL]["friction_coefficient"] == pytest.approx(mu[1], rel=1e-12)
+    sampled = json.loads(run("run", case, "--points", "sampled", "--json"))
+    assert sampled["attrs"]["points"] == "sampled"
+
+
+def test_the_contact_of_a_scan_alone(rough, tmp_path):
+    """Over E* h': the same as a contact of materials with that gradient."""
+    np.save(tmp_path / "map.npy", rough.heights)
+    words = ["surface", tmp_path / "map.npy", "--size", "20 um", "--unit", "m", "--periodic", "--contact", "0.05 0.2"]
+    found = json.loads(run(*words, "--json"))["contact"]
+    modulus, slope = 0.5 * 2e9 / (1.0 - 0.4**2), found["rms_gradient"]
+    loads = (np.array([0.05, 0.2]) * modulus * slope * SIDE**2).tolist()
+    other = st.solve(elastic(rough), load=loads, model=MODEL)
+    assert_allclose(found["columns"]["A/A0"], other["area_fraction"], rtol=1e-5)
+    assert_allclose(found["columns"]["separation/Sq"], other["plane_separation"] / rough.heights.std(), rtol=1e-4)
+    assert_allclose(found["columns"]["stiffness/(E* L)"], other["contact_stiffness"] / modulus / SIDE, rtol=1e-3)
+    text = run(*words, "--hardness", "0.5", "--out", tmp_path / "out")
+    assert "no pressure above 0.5 E* h'" in text
+    pressures = np.load(tmp_path / "out" / "pressure.npy")
+    assert pressures.shape == (2, POINTS, POINTS) and pressures.max() == pytest.approx(0.5)
+    assert_allclose(pressures.mean(axis=(1, 2)), [0.05, 0.2], rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--contact", "0.1 x"), "--contact"),
+        (("--contact", "-1"), "pressures"),
+        (("--hardness", "1"), "--hardness"),
+        (("--contact", "0.3", "--hardness", "0.2"), "the hardness over E"),
+    ],
+)
+def test_pressures_that_cannot_be(rough, tmp_path, words, message):
+    np.save(tmp_path / "map.npy", rough.heights)
+    result = CliRunner().invoke(cli.app, ["surface", str(tmp_path / "map.npy"), "--size", "20 um", "--unit", "m", *words])
+    assert result.exit_code == 2 and message in result.stderr and result.stderr.count("\n") == 1
+
+
+# ---- the resolution study
+
+
+def test_mu_of_the_map_against_the_cutoff(rough):
+    """Of one period it is that of the period filtered over its ends, the same after every method; smoother is larger."""
+    contact, choice = elastic(rough, interfacial_shear_strength=2e5), Choice(MODEL)
+    study = st.resolution_study(rough, [0.0, SIDE / 4], contact=contact, load="1 mN", choice=choice)
+    mu = study["mu"].values
+    assert mu.shape == (5, 2) and (mu[0] == mu[np.isfinite(mu).all(axis=1)]).all()
+    assert mu[0, 0] == pytest.approx(float(st.solve(contact, load="1 mN", model=MODEL)["friction_coefficient"]), rel=1e-6)
+    smooth = elastic(filter_period(rough, SIDE / 4), interfacial_shear_strength=2e5)
+    assert mu[0, 1] == pytest.approx(float(st.solve(smooth, load="1 mN", model=MODEL)["friction_coefficient"]), rel=1e-6)
+    assert mu[0, 1] > 1.2 * mu[0, 0]
+
+
+def test_one_period_stays_one_under_a_filter(rough):
+    """The transmission of a wave is that of ISO 16610, and a shifted map filters to the shifted result."""
+    along = np.arange(64) * 2.0 * math.pi / 64.0
+    wave = HeightMap(np.cos(8.0 * along) * np.ones((64, 1)), (SIDE, SIDE), periodic=True)
+    passed = filter_period(wave, shortest=SIDE / 8)
+    assert_allclose(passed.heights, 0.5 * wave.heights, atol=1e-12)
+    assert_allclose(filter_period(wave, longest=SIDE / 8).heights, 0.5 * wave.heights, atol=1e-12)
+    moved = replace(rough, heights=np.roll(rough.heights, (5, 9), (0, 1)))
+    one, other = (filter_period(each, shortest=SIDE / 6).heights for each in (moved, rough))
+    assert_allclose(one, np.roll(other, (5, 9), (0, 1)), atol=1e-20)
+    assert passed.periodic and not level(wave).periodic
+    with pytest.raises(st.InputError, match="without missing points"):
+        filter_period(replace(wave, heights=np.where(wave.heights > 0.99, np.nan, wave.heights)), shortest=SIDE / 8)

@@ -1,0 +1,171 @@
+"""The area law of a surface on a film: against its equations solved by other means, solved maps, and closed limits."""
+
+import csv
+import importlib
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.integrate import quad
+from scipy.special import erf
+
+import stiction as st
+from stiction.contact.indices import Groups
+from stiction.laws.rough_surface import persson_2001
+from stiction.laws.rough_surface.rough_on_film import area_at_load, thickness_over_wave, waves_of_moments
+from stiction.laws.validity import doubts_of
+from stiction.quantities.errors import InputError
+from stiction.surfaces.theory.moments import bandwidth, density_of_bandwidth, slope_over_sharpness
+from tables import column, groups, read
+
+TRUTH = Path(__file__).parents[2] / "truth"
+LAW = "rough_on_film"
+
+
+def share_of(pressure, hardness, density, **film):
+    """A/A_n (n,) at pressures and with a film's hardness over E* h'; film: other groups of the film and the bodies."""
+    density, hardness = np.asarray(density, dtype=float), np.asarray(hardness, dtype=float)
+    slope = slope_over_sharpness(density)
+    eta = 0.75 * math.pi * hardness * slope  # H/(E* h') = (4/3) eta/pi/slope
+    given = groups(roughness_parameter=density, hardness_group=eta, n_H=1.0, tau=1.0, **film)
+    load = np.asarray(pressure) * slope / (4.0 / 3.0 * density)
+    return area_at_load(np.broadcast_to(load, len(given))[:, None], given)[:, 0] * math.pi * density
+
+
+def test_equations():
+    """The sphere of another solution of the integral equation, another sum over the spectrum, bisection: to 0.2 %."""
+    rows = read("rough_on_film.csv")
+    film = {name: column(rows, name) for name in ("n_E", "film_nu", "nu", "film_aspect")}
+    found = share_of(*(column(rows, name) for name in ("pressure", "hardness", "density")), **film)
+    assert_allclose(found, column(rows, "area"), rtol=2e-3)
+
+
+@pytest.mark.parametrize("density", [0.033, 0.05, 0.2, 1.0])
+def test_spectrum_has_the_moments(density):
+    """Nayak's alpha and the number of summits, from the integrals of a power of the wavevector by quadrature."""
+    k = waves_of_moments(np.array([density])).wavevector[0]
+    t = np.polynomial.legendre.leggauss(len(k))[0]
+    log_ratio = math.log(k[-1] / k[0]) * 2.0 / (t[-1] - t[0])
+    highest = k[-1] / math.exp(0.5 * (t[-1] - 1.0) * log_ratio)
+    lowest = highest * math.exp(-log_ratio)
+    m0, m2, m4 = (quad(lambda log: math.exp(log * (n - 1.6)), math.log(lowest), math.log(highest))[0] for n in (0, 2, 4))  # noqa: B023
+    assert 1.5 * m0 * m4 / m2**2 == pytest.approx(bandwidth(density), rel=1e-3)
+    assert 0.75 * m4 / m2 == pytest.approx(6.0 * math.pi * math.sqrt(3.0) * density, rel=1e-3)
+
+
+def bare(pressure, density):
+    """Persson's area, widened."""
+    c = 0.601 - 0.066 * math.log(bandwidth(density))
+    return erf(math.sqrt(2.0) * pressure * (1.0 + c * (1.0 - math.sqrt(erf(math.sqrt(2.0) * pressure)))))
+
+
+@pytest.mark.parametrize(
+    ("film", "modulus"),
+    [
+        ({"n_E": 1.0, "film_aspect": 0.7}, 1.0),
+        ({"n_E": 7.0, "film_aspect": 1e-13}, 1.0),
+        ({"n_E": 7.0, "film_aspect": 1e13}, 7.0),
+        ({"n_E": 0.2, "film_aspect": np.inf}, 0.2),
+        ({"n_E": 0.2, "film_aspect": 0.0}, 1.0),
+    ],
+)
+def test_limits(film, modulus):
+    """No film, nothing but film, a film like its body: the bare law with that modulus; and what hardness alone makes of it."""
+    for pressure in (0.003, 0.05, 0.4):
+        assert share_of(pressure, 1e12, 0.06, **film)[0] == pytest.approx(bare(pressure / modulus, 0.06), rel=1e-5)
+    assert share_of(0.5, 0.5, 0.06, **film)[0] == 1.0
+    assert share_of(0.003, 0.0031, 0.06, **film)[0] == pytest.approx(3.0 / 3.1, rel=0.02)
+
+
+def test_splitting_a_film_changes_nothing():
+    """One film on a rigid counterbody's other side: two halves on like bodies are one whole of each against a rigid plane."""
+    one = share_of(0.05, 1.0, 0.06, n_E=3.0, film_aspect=0.8, coated_share=1.0)
+    two = share_of(0.05, 1.0, 0.06, n_E=3.0, film_aspect=1.6, films=2.0, coated_share=0.5)
+    assert_allclose(one, two, rtol=1e-12)
+
+
+def solved_films():
+    with (TRUTH / "films.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    return {name: np.array([float(row[name] or 1e12) for row in rows]) for name in rows[0]}
+
+
+@pytest.fixture
+def films(monkeypatch):
+    """The script that made the maps."""
+    monkeypatch.syspath_prepend(str(TRUTH))
+    return importlib.import_module("films")
+
+
+def in_units(found):
+    """N R sigma of Gaussian maps of this alpha and t/sqrt(R sigma), where the thickness is over the shortest wave."""
+    density = density_of_bandwidth(found["alpha"])
+    unit = thickness_over_wave(groups(roughness_parameter=density, n_E=1.0, n_H=1.0, tau=1.0, film_aspect=1.0, films=1.0))
+    return density, found["thickness"] / unit
+
+
+def test_solved_maps():
+    """Area within 10 % of layered boundary elements on 90 % of 630 solutions, from alpha alone: film moduli of .1 to 10,
+    thickness .15 to 5 of the shortest wave, p/(E* h') .01 to .2, elastic and with hardness."""
+    found = solved_films()
+    density, aspect = in_units(found)
+    film = {"n_E": found["modulus"], "film_nu": found["nu"], "nu": found["nu_below"], "film_aspect": aspect}
+    area = share_of(found["pressure"], found["hardness"], density, **film)
+    off = np.abs(area / found["area"] - 1.0)
+    hard = found["hardness"] < 1e3
+    assert len(off) == 630 and hard.sum() == 150
+    assert np.mean(off[~hard] < 0.1) > 0.9 and np.mean(off[hard] < 0.1) > 0.98
+    assert np.sqrt(np.mean(off**2)) < 0.06 and off.max() < 0.3
+    # without the film it would not do: the bodies alone, and the film alone
+    for blind in ({"n_E": np.ones_like(aspect)}, {"film_aspect": np.full_like(aspect, np.inf)}):
+        other = share_of(found["pressure"], found["hardness"], density, **film | blind)
+        assert np.mean(np.abs(other / found["area"] - 1.0)[~hard] < 0.1) < 0.6
+
+
+def test_a_solution_again(films):
+    """One row of the table solved anew: map, film and pixels are what the table says."""
+    found = solved_films()
+    at = 3 * 5 + 1
+    row = {name: float(values[at]) for name, values in found.items()}
+    one = films.surface(row["hurst"], row["rolloff"], row["longest"], int(row["seed"]))
+    given = [row[name] for name in ("modulus", "thickness", "nu", "nu_below")]
+    ((area, counted),) = films._solved(one, films.GRADIENT, *given, None, [row["pressure"]])
+    assert area == pytest.approx(row["area"], rel=2e-3) and counted == pytest.approx(row["counted"], rel=2e-3)
+
+
+def test_doubts():
+    """Thin stiff films, and moduli with which nothing was compared; a bare contact, tension and a film law are refused."""
+    film = {"n_E": 8.0, "n_H": 1.0, "tau": 1.0, "film_aspect": 0.05, "roughness_parameter": 0.06}
+
+    def quantities(**more):
+        given = st.Indices(hardness_group=20.0, **film | more)
+        return {one.quantity for one in doubts_of(st.solve(given, load=0.1, model=LAW))}
+
+    assert "stiff_film_over_wave" in quantities() and "n_E" not in quantities()
+    assert "stiff_film_over_wave" not in quantities(n_E=4.0) and "stiff_film_over_wave" not in quantities(film_aspect=1.0)
+    assert "n_E" in quantities(n_E=20.0)
+    for given, load, more, said in (
+        (st.Indices(hardness_group=20.0, roughness_parameter=0.06), 0.1, {}, "has none"),
+        (st.Indices(hardness_group=20.0, **film), 0.1, {"film": "layered"}, "has its own"),
+        (st.Indices(hardness_group=20.0, **film), -0.1, {}, "knows no adhesion"),
+        (st.Indices(hardness_group=20.0, **film | {"roughness_parameter": 0.01}), 0.1, {}, "bandwidth 3/2"),
+    ):
+        with pytest.raises(InputError, match=said):
+            st.solve(given, load=load, model=LAW, **more)
+
+
+def test_many_contacts_are_each_by_itself():
+    """Chunks and broadcasting: the same numbers one by one."""
+    rng = np.random.default_rng(3)
+    given = groups(
+        roughness_parameter=rng.uniform(0.035, 0.3, 50), hardness_group=rng.uniform(1.0, 50.0, 50),
+        n_H=rng.uniform(0.2, 2.0, 50), n_E=10.0 ** rng.uniform(-1, 1, 50), film_aspect=10.0 ** rng.uniform(-1, 1, 50), tau=1.0,
+    )  # fmt: skip
+    load = rng.uniform(0.0, 2.0, (50, 7))
+    whole = area_at_load(load, given)
+    alone = np.concatenate([area_at_load(load[i : i + 1], given[i : i + 1]) for i in range(50)])
+    assert_allclose(whole, alone, rtol=1e-12)
+    assert (np.diff(area_at_load(np.sort(load, axis=1), given), axis=1) >= 0.0).all()
+    assert isinstance(given, Groups) and persson_2001.RECORD.on_film is False

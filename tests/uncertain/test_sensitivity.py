@@ -1,0 +1,206 @@
+"""Sensitivity of a case: exact exponents of power laws, exact indices of their logarithms, and elasticities of sums that are
+made here from the formulas alone."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+import scipy.stats
+from scipy.integrate import quad
+from scipy.optimize import brentq
+from test_bands import ADHESIVE, POWER_LAW, SOLVE, TEXT, case
+from typer.testing import CliRunner
+
+import stiction as st
+from stiction import cli
+from stiction.quantities.errors import InputError
+from stiction.report.sensitivity_pictures import sensitivity_figure
+from stiction.report.sensitivity_tables import elasticities_table, indices_table
+from stiction.studies.case_results import solve_case
+
+S_TAU, S_R = np.log(2.0), 0.5 * np.log(1.5)  # deviations of ln mu by its two inputs
+
+
+@pytest.fixture(scope="module")
+def of_power_law():
+    with np.errstate(all="raise", under="ignore"):
+        return st.sensitivity({"contact": POWER_LAW, "solve": SOLVE}, models=[])
+
+
+def test_a_power_law_has_its_exact_exponents(of_power_law):
+    """mu is tau_0 R^(1/2) E*^(-1) sigma^(-1/2) Gamma(2)/Gamma(5/2) ...; 1/E* is the sum of two terms that are alike."""
+    nu = 2.0 * 0.3**2 / (1.0 - 0.3**2)  # -d ln(1 - nu^2)/d ln nu
+    exact = {
+        "interfacial_shear_strength": 1.0, "asperity_radius": 0.5, "asperity_height_deviation": -0.5, "asperity_density": 0.0,
+        "nominal_area": 0.0, "first.youngs_modulus": -0.5, "second.youngs_modulus": -0.5, "first.poissons_ratio": -0.5 * nu,
+        "second.poissons_ratio": -0.5 * nu, "first.hardness": 0.0, "second.hardness": 0.0,
+    }  # fmt: skip
+    assert set(of_power_law["number"].values) == set(exact)
+    for name, exponent in exact.items():
+        found = of_power_law.sel(number=name)
+        np.testing.assert_allclose(found["friction_coefficient_elasticity"], exponent, atol=2e-8)
+        area = exponent - (name == "interfacial_shear_strength")
+        np.testing.assert_allclose(found["contact_area_elasticity"], area, atol=2e-8)
+
+
+def test_indices_of_a_power_law_are_the_shares_of_its_variance(of_power_law):
+    exact = np.array([S_TAU**2, S_R**2]) / (S_TAU**2 + S_R**2)
+    assert of_power_law["input"].values.tolist() == ["interfacial_shear_strength", "asperity_radius"]
+    for order in ("first", "total"):
+        found = of_power_law[f"friction_coefficient_{order}_order"].values
+        np.testing.assert_allclose(found, np.stack([exact, exact], axis=1), atol=0.03)
+        low, high = (of_power_law[f"friction_coefficient_{order}_order_{end}"].values for end in ("low", "high"))
+        assert np.all(low <= exact[:, None]) and np.all(exact[:, None] <= high) and np.all(high - low < 0.2)
+    np.testing.assert_allclose(of_power_law["contact_area_total_order"].values[:, 0], [0.0, 1.0], atol=0.01)
+
+
+def test_effects_of_a_power_law_are_those_of_its_quantiles(of_power_law):
+    """ln mu is a sum: every step from one level to the one two thirds further is the same, and does not depend on the other."""
+    step = scipy.stats.norm.ppf(0.025 + 0.95 * 2.0 / 3.0) - scipy.stats.norm.ppf(0.025)
+    found = of_power_law["friction_coefficient_effect"].values[:, 0]
+    np.testing.assert_allclose(found, np.array([S_TAU, S_R]) * step / (2.0 / 3.0), rtol=1e-9)
+    np.testing.assert_allclose(of_power_law["friction_coefficient_effect_deviation"], 0.0, atol=1e-9)
+
+
+def gaussian_sums(h):
+    """Greenwood & Williamson 1966, eqs 5 and 6 with Gaussian heights: integrals of (z - h)^(3/2) and (z - h)."""
+    density = lambda z: math.exp(-0.5 * z * z) / math.sqrt(2.0 * math.pi)  # noqa: E731
+    return [quad(lambda z, n=n: (z - h) ** n * density(z), h, h + 12.0, epsabs=0.0, epsrel=1e-12)[0] for n in (1.5, 1.0)]
+
+
+def independent_mu(values, load=1.0):
+    """The friction coefficient of elastic spheres of an interface of constant strength, from the formulas alone."""
+    e_star = 1.0 / sum((1.0 - values[f"nu{i}"] ** 2) / values[f"E{i}"] for i in (1, 2))
+    count = values["N"] * values["A"]
+    per_load = count * 4.0 / 3.0 * e_star * values["R"] ** 0.5 * values["sigma"] ** 1.5
+    h = brentq(lambda h: math.log(per_load * gaussian_sums(h)[0] / load), -1.0, 7.0, xtol=1e-13, rtol=1e-14)
+    return values["tau"] * count * math.pi * values["R"] * values["sigma"] * gaussian_sums(h)[1] / load
+
+
+def test_elasticities_are_central_differences_of_an_independent_evaluation():
+    rough = {"asperity_height_deviation": "50 nm", "asperity_radius": "50 um", "asperity_density": "1.6e10 1/m^2"}
+    second = {"youngs_modulus": "80 GPa", "poissons_ratio": 0.2, "hardness": "100 GPa"}
+    contact = {**POWER_LAW, "second": second, "roughness": rough, "interfacial_shear_strength": "20 MPa"}
+    data = st.sensitivity({"contact": contact, "solve": {**SOLVE, "load": "1 N"}}).isel(load=0)
+    names = {"tau": "interfacial_shear_strength", "R": "asperity_radius", "sigma": "asperity_height_deviation",
+             "N": "asperity_density", "A": "nominal_area", "E1": "first.youngs_modulus", "E2": "second.youngs_modulus",
+             "nu1": "first.poissons_ratio", "nu2": "second.poissons_ratio"}  # fmt: skip
+    nominal = {"tau": 20e6, "R": 50e-6, "sigma": 50e-9, "N": 1.6e10, "A": 1e-6, "E1": 200e9, "E2": 80e9, "nu1": 0.3, "nu2": 0.2}
+    assert float(data["friction_coefficient"]) == pytest.approx(independent_mu(nominal), rel=1e-9)
+    for key, name in names.items():
+        up, down = (independent_mu(nominal | {key: nominal[key] * math.exp(step)}) for step in (1e-3, -1e-3))
+        found = data.sel(number=name)
+        assert float(found["friction_coefficient_elasticity"]) == pytest.approx(math.log(up / down) / 2e-3, abs=1e-6), name
+        assert float(found["friction_coefficient_elasticity_error"]) < 1e-4
+
+
+def test_without_anything_uncertain_there_are_elasticities_only():
+    data = st.sensitivity(case({"interfacial_shear_strength": "20 MPa", "roughness": ADHESIVE["roughness"]}))
+    assert "input" not in data.dims and "friction_coefficient_elasticity" in data
+    assert len(sensitivity_figure(data).axes) == 1
+
+
+def test_the_model_is_an_input():
+    """ln mu is ln tau_0 and a number of each model: the variance of the model is that of two numbers as likely."""
+    rough = {"asperity_height_deviation": "50 nm", "asperity_radius": "50 um", "asperity_density": "1.6e10 1/m^2"}
+    factor = {"median": "20 MPa", "factor": 1.1}
+    contact = {**POWER_LAW, "roughness": rough, "interfacial_shear_strength": factor}
+    content = {"contact": contact, "solve": {"load": "1 N", "model": "greenwood_williamson_1966"}}
+    names = ["greenwood_williamson_1966", "persson_2001"]
+    data = st.sensitivity(content, models=names).isel(load=0)
+    one, other = (
+        float(solve_case(case({"roughness": rough, "interfacial_shear_strength": "20 MPa"}, {"load": "1 N", "model": name}))[
+            "friction_coefficient"
+        ][0]) for name in names
+    )  # fmt: skip
+    of_model, of_tau = (0.5 * math.log(one / other)) ** 2, math.log(1.1) ** 2
+    assert data["input"].values.tolist() == ["interfacial_shear_strength", "model"]
+    found = data["friction_coefficient_total_order"].values
+    np.testing.assert_allclose(found, np.array([of_tau, of_model]) / (of_tau + of_model), atol=0.02)
+    assert json.loads(data.attrs["models"]) == {name: 0.5 for name in names}
+
+
+def test_by_default_the_models_are_those_that_are_recommended_by_their_weights():
+    data = st.sensitivity({"contact": ADHESIVE, "solve": {"load": "1 N"}, "uncertainty": {"count": 64}})
+    models = json.loads(data.attrs["models"])
+    assert len(models) > 3 and sum(models.values()) == pytest.approx(1.0) and min(models.values()) >= 0.05
+    told = st.compare(case(ADHESIVE).subject, load=1.0)
+    assert told.attrs["recommended"] in models
+    assert "model" in data["input"].values
+
+
+def test_the_way_of_finding_asperities_is_an_input(tmp_path):
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=1e-6, deviation=8e-9)
+    made = st.gaussian_surface((128, 128), (40e-6, 40e-6), spectrum, seed=1)
+    np.save(tmp_path / "scan.npy", made.heights)
+    scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
+    contact = {**POWER_LAW, "roughness": {"first": scan}, "interfacial_shear_strength": {"median": "20 MPa", "factor": 1.2}}
+    content = {"contact": contact, "solve": {**SOLVE, "load": "1 N"}}
+    data = st.sensitivity(content, models=[]).isel(load=0)
+    assert data["input"].values.tolist() == ["interfacial_shear_strength", "asperity_method"]
+    plain = case({**contact, "interfacial_shear_strength": "20 MPa"}, {"load": "1 N"})
+    each = np.log(solve_case(plain)["friction_coefficient_by_method"].values[:, 0])
+    variance = np.array([math.log(1.2) ** 2, each.var()])
+    np.testing.assert_allclose(data["friction_coefficient_total_order"], variance / variance.sum(), atol=0.03)
+    assert "asperity_radius" not in data["number"].values  # it was measured
+    told = st.uncertainty({**content, "uncertainty": {"count": 64}})
+    methods = told.sel(spread="methods")
+    np.testing.assert_allclose(float(methods["spread_low"]), np.exp(each.min()), rtol=1e-9)
+    np.testing.assert_allclose(float(methods["spread_high"]), np.exp(each.max()), rtol=1e-9)
+    assert told["friction_coefficient_low"].dims == ("load",) and "friction_coefficient_quantile" in told
+
+
+def test_pictures_and_tables_rank_what_matters(of_power_law):
+    table = indices_table(of_power_law)
+    assert list(table.columns[0].cells) == ["interfacial_shear_strength", "asperity_radius"]
+    assert next(iter(table.columns[1].cells)) == f"{float(of_power_law['friction_coefficient_total_order'][0, 0]):.2f}"
+    assert next(iter(elasticities_table(of_power_law).columns[1].cells)) == "+1"
+    indices, over_load, screening, slopes = sensitivity_figure(of_power_law).axes
+    assert [text.get_text() for text in indices.get_yticklabels()] == ["interfacial_shear_strength", "asperity_radius"]
+    widths = sorted(patch.get_width() for patch in indices.patches[:2])
+    assert widths == pytest.approx(sorted(of_power_law["friction_coefficient_total_order"].values[:, 0]))
+    assert len(over_load.lines) == 2 and len(screening.texts) == 2 and slopes.patches[0].get_width() == pytest.approx(1.0)
+
+
+def test_at_most_nine_loads_are_asked_with_the_working_load():
+    loads = {"start": "1 mN", "stop": "10 N", "count": 30, "spacing": "log"}
+    data = st.sensitivity({"contact": POWER_LAW, "solve": {**SOLVE, "load": loads}, "uncertainty": {"count": 64}}, models=[])
+    assert data.sizes["load"] == 9 and data.attrs["working_load"] in data["load"].values
+
+
+def test_separations_tell_of_the_load():
+    solve = {"separation": [1.0, 2.0], "model": SOLVE["model"]}
+    data = st.sensitivity({"contact": POWER_LAW, "solve": solve, "uncertainty": {"count": 64}}, models=[])
+    found = data["load_elasticity"].sel(number=["asperity_radius", "asperity_height_deviation", "asperity_density"])
+    np.testing.assert_allclose(found, [[0.5] * 2, [1.5] * 2, [1.0] * 2], atol=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("changes", "given", "message"),
+    [
+        ({"nominal_area": ["1 mm^2", "2 mm^2"]}, {}, "nominal_area: 'several numbers'; allowed: single or uncertain numbers"),
+        ({}, {"models": ["nothing"]}, "model: 'nothing'; allowed: "),
+        ({}, {"models": "persson_2001"}, "models: 'persson_2001'; allowed: a list of names"),
+        ({}, {"load": "-1 N"}, "load"),
+    ],
+)
+def test_what_is_wrong_is_one_line(changes, given, message):
+    with pytest.raises(InputError) as error:
+        st.sensitivity(case(changes), **given)
+    assert message in str(error.value) and "\n" not in str(error.value)
+
+
+def test_the_command_writes_its_files_and_json(tmp_path):
+    path = tmp_path / "case.toml"
+    path.write_text(TEXT, encoding="utf-8")
+    words = ["sensitivity", str(path), "--models", "none", "--out", str(tmp_path / "out")]
+    result = CliRunner().invoke(cli.app, words)
+    assert result.exit_code == 0, (result.output, result.exception)
+    assert "interfacial_shear_strength" in result.stdout and "1 % more of" in result.stdout
+    names = {"sensitivity.csv", "elasticities.csv", "sensitivity.nc", "sensitivity.png"}
+    assert {one.name for one in (tmp_path / "out").iterdir()} == names
+    found = json.loads(CliRunner().invoke(cli.app, [*words[:4], "--json"]).stdout)
+    assert found["variables"]["friction_coefficient_total_order"]["dims"] == ["input", "load"]
+    refused = CliRunner().invoke(cli.app, ["sensitivity", str(path), "--models", "nothing"])
+    assert refused.exit_code == 2 and refused.stderr.startswith("stiction: model: 'nothing'; allowed: ")
