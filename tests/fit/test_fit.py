@@ -190,6 +190,14 @@ def test_what_the_data_determine_is_not_called_badly_determined(series):
     assert found.attrs["verdict"] == "" and float(found["high"][1] / found["low"][1]) < 1.2
 
 
+def test_a_number_that_is_uncertain_and_not_free_is_said_so(series):
+    table = case(free={ADHESION: BOTH[ADHESION]})
+    table["contact"][STRENGTH] = "200 +/- 20 MPa"
+    found = fit(table, series(exact(), 0.01))
+    assert f"{STRENGTH}: uncertain, and taken as the nominal value" in found.attrs["verdict"]
+    assert float(found["value"][0]) == pytest.approx(50e-3, rel=1e-4)
+
+
 def test_every_sample_may_have_its_own_number(series):
     values = np.where(np.arange(LOADS.size) % 2, 1.0, 1.5) * exact()
     data = series(values, 0.01, sample=["dry", "wet"] * 4)

@@ -218,7 +218,7 @@ def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.
 
 
 def _refined(found: Designing, number: int, tell: Tell) -> None:
-    """The numbers between ends of the best designs, by a model of their neighbourhood (COBYQA: Ragonneau & Zhang 2025): where a
+    """The numbers between ends of the best designs, by a model of their neighbourhood (COBYQA: Ragonneau 2022): where a
     limit or an end decides, to its last digit."""
     if not found.plan.free:
         return
