@@ -249,6 +249,21 @@ def test_akaikes_criterion_where_errors_are_not_given(series):
     assert aicc_of(one) == pytest.approx(by_hand, rel=1e-9)
 
 
+def test_values_left_out_are_predicted_from_all_others(series):
+    """Linear in the strength: every fifth value by the closed form of the others."""
+    slope, error = exact() / 200e6, 0.02 * exact()
+    values = exact() + error * np.random.default_rng(11).standard_normal(LOADS.size)
+    free = {STRENGTH: {"low": "1 MPa", "high": "400 MPa", "spacing": "linear"}}
+    found = fit(case(free=free, models=["fuller_tabor_1975", "persson_2001"]), series(values, error))
+    off = np.empty(LOADS.size)
+    for at in range(5):
+        out = np.arange(at, LOADS.size, 5)
+        rest = np.setdiff1d(np.arange(LOADS.size), out)
+        best = (values * slope / error**2)[rest].sum() / ((slope / error) ** 2)[rest].sum()
+        off[out] = (best * slope[out] - values[out]) / error[out]
+    assert float(found["left_out"].sel(model="fuller_tabor_1975")) == pytest.approx(np.sqrt((off**2).mean()), rel=1e-6)
+
+
 def test_weights_of_akaike():
     ranked = rank([Rival("b", object(), 12.0), Rival("none", None), Rival("a", object(), 10.0)])
     assert [one.name for one, _ in ranked] == ["a", "b", "none"]
