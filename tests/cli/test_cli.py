@@ -258,7 +258,7 @@ def test_the_command_itself_prints_one_line_and_no_traceback(tmp_path):
 
 
 def test_interruption_is_exit_code_130(monkeypatch):
-    def interrupt(path):
+    def interrupt(path, **options):
         raise KeyboardInterrupt
 
     monkeypatch.setattr("stiction.studies.case.read_case", interrupt)

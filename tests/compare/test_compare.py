@@ -210,7 +210,7 @@ def test_command_for_people(case, tmp_path):
     said = " ".join(result.stdout.split())  # lines are folded to the width of the terminal
     for word in ("kogut_etsion_2004", "working load 10 N", "recommended: ", "within their validity", "does not stick"):
         assert word in said
-    names = {"compare.csv", "compare_at_load.csv", "compare.nc", "compare.png"}
+    names = {"compare.csv", "compare_at_load.csv", "compare.nc", "compare.png", "spread.png"}
     assert {path.name for path in out.iterdir()} == names and all(name in said for name in names)
     lines = (out / "compare.csv").read_text().splitlines()
     assert lines[0] == "model,mean_separation [m],load [N],contact_area [m^2],friction_force [N],friction_coefficient"

@@ -162,10 +162,10 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "share of the tangential energy release that peels: 1 after Savkoor and Briggs, 0 for none"),
     ("hardening", "E_t/E", r"E_\mathrm{t}/E", "", _SHARE_BELOW_ONE, "0.01",
      "tangent modulus over Young's modulus, of the softer body"),
+    ("specific_contact_resistance", "rho_c", r"\rho_\mathrm{c}", "ohm m^2", _POSITIVE, "1e-12 ohm m^2",
+     "electrical resistance of the interface times its real area"),
     # of a measurement; no example, so that it is not listed among the numbers of a case file
     ("contact_resistance", "R_c", r"R_\mathrm{c}", "ohm", _POSITIVE, "", "electrical resistance of the contact"),
-    ("specific_contact_resistance", "rho_c", r"\rho_\mathrm{c}", "ohm m^2", _POSITIVE, "",
-     "electrical resistance of the interface times its real area"),
     # of a measured surface; no example either
     ("scan_size", "L", "L", "m", _POSITIVE, "", "size of a scan, or another length along it"),
 ]

@@ -150,7 +150,8 @@ def widened(pressure, c):
 def with_hardness(elastic, pressure, hardness):
     """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness may
     be infinite. From p = H on all is in contact."""
-    return np.minimum((elastic**_MEETING + (pressure / hardness) ** _MEETING) ** (1.0 / _MEETING), 1.0)
+    plastic = np.minimum(pressure / hardness, 1.0)
+    return np.minimum((elastic**_MEETING + plastic**_MEETING) ** (1.0 / _MEETING), 1.0)
 
 
 def of_moments(pressure, alpha):
