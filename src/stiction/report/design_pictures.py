@@ -64,19 +64,18 @@ def _front(axes: Axes, data: "xarray.Dataset", wishes: list[str]) -> None:
 
 
 def _chosen(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
-    """What is chosen along the front: numbers between their least and their most on it."""
+    """What is chosen along the front: numbers, between the ends between which they were searched."""
     columns = columns_of(data, "front")
     x = data[columns[wish]].values
-    names = [name for name in data.attrs["chosen"].split(", ") if data[columns[name]].dtype.kind == "f"]
+    names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
     for name, colour, marker in zip(names, (BLUE, ORANGE, GREEN, RED) * 2, "os^Ddv<>", strict=False):
-        values, last = data[columns[name]].values, name.rpartition(".")[2]
-        low, high = values.min(), values.max()
-        text = f"{last.replace('_', ' ')}: {shown(float(low), last, 3)} to {shown(float(high), last, 3)}"
-        axes.plot(
-            x, (values - low) / ((high - low) or 1.0), color=colour, marker=marker, markersize=4, linewidth=0.8, label=text
-        )
+        one, last = data[columns[name]], name.rpartition(".")[2]
+        low, high, values = one.attrs["searched_from"], one.attrs["searched_to"], one.values
+        text = f"{last.replace('_', ' ')}: {shown(low, last, 3)} to {shown(high, last, 3)}"
+        share = np.log(values / low) / np.log(high / low) if one.attrs["spacing"] == "log" else (values - low) / (high - low)
+        axes.plot(x, share, color=colour, marker=marker, markersize=4, linewidth=0.8, label=text)
     along(axes, "x", wish, x)
-    axes.set_ylabel("from the least (0) to the most (1) on the front")
+    axes.set_ylabel("from the low end (0) to the high end (1)")
     axes.set_title("what is chosen along the front", fontsize=9)
     axes.legend(fontsize=8, framealpha=0.9)
 

@@ -309,9 +309,10 @@ def _columns(found: Designing, rows: np.ndarray, along: str) -> dict[str, tuple]
             index = one.index(shares[:, at])
             entries = one.entries if one.is_number else one.words
             values = np.array([entries[int(i)] for i in index])
-            said = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
+            said: dict[str, Any] = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
         else:
-            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes)
+            ends = {"searched_from": one.low, "searched_to": one.high, "spacing": "log" if one.log else "linear"}
+            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes) | ends
         columns[name] = (along, values, said)
     for name, values in known.items():
         if name not in columns:
