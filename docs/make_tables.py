@@ -176,7 +176,7 @@ def section(model: dict) -> str:
 
 def off_by(model: dict) -> list[str]:
     """What was measured of a film law, in words."""
-    return model.get("measured_error", [])
+    return model.get("measured_film_error", [])
 
 
 def more(record: Record) -> list[str]:

@@ -38,10 +38,11 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "grade": str(one["grade"].item()),
             "outside_validity": [doubt.short for doubt in read_doubts(one["doubts"].item())],
             "doubts": json.loads(one["doubts"].item()),
-            "measured_error": json.loads(one["measured_error"].item()),
+            "measured_film_error": json.loads(one["measured_film_error"].item()),
             "why_not": one["why_not"].item() or None,
             "family": one["family_of_curve"].item() or None,
             "cost": one["cost"].item(),
+            "solved": one["solved"].item(),
             "command": run_command(data, str(name)),
         }
         row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}

@@ -273,12 +273,14 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
 
 
 def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
-    """The map of the claims: a column for each, a row for each reading; here: theta and lam that are marked."""
+    """The map of the claims: a column for each, a row for each reading and for the film that is solved; here: theta and lam
+    that are marked."""
     import matplotlib
 
     from stiction.studies.paper_claims import CLAIMS, READINGS
+    from stiction.studies.paper_figures import in_words
 
-    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 6.6), layout="constrained")
+    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(READINGS)), layout="constrained")
     grid = figure.subplots(len(READINGS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
     colours = matplotlib.colormaps["viridis"]
     norm = BoundaryNorm(np.linspace(0.0, 1.0, 11), colours.N)
@@ -295,7 +297,7 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
             if row == 0:
                 axes.set_title(f"({claim.key}) {_wrapped(claim.says)}", fontsize=9)
             if column == 0:
-                axes.set_ylabel(f"{reading} reading\nplastic adhesion index $\\lambda$")
+                axes.set_ylabel(f"{in_words(reading)}\nplastic adhesion index $\\lambda$")
             if row == len(READINGS) - 1:
                 axes.set_xlabel(r"elastic adhesion index $\theta$")
     bar = figure.colorbar(ScalarMappable(norm, colours), ax=grid, shrink=0.8, pad=0.01)

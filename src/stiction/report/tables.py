@@ -192,7 +192,7 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
     elif bool((data["load"] <= 0.0).any()):
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
     notes += [one.say("--") for one in unused_of(data)]
-    notes += _measured(read_film_errors(used.get("measured_error", "[]")))
+    notes += _measured(read_film_errors(used.get("measured_film_error", "[]")))
     notes += [used["remarks"]] if used.get("remarks") else []
     for kind in _NOTED:
         key = used[kind.keyword]

@@ -129,7 +129,7 @@ def _ends(values: np.ndarray) -> list[float]:
 
 def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, str]:
     """Attributes of a result that say its measured errors, as JSON; a netCDF file keeps them."""
-    return {"measured_error": json.dumps(film_errors(problem, results))}
+    return {"measured_film_error": json.dumps(film_errors(problem, results))}
 
 
 def read_film_errors(text: str) -> list[dict[str, Any]]:

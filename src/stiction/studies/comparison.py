@@ -57,7 +57,8 @@ def compare(
     working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
     `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
     which of the family count for nothing and why, and `advice` where none is recommended; `cost` of each model is over `model`;
-    `doubtful` says of every point whether it is within what its model claims, outside of it, or impossible (0, 1, 2);
+    `solved`, whether it is the contact of the map itself, converged; `doubtful` says of every point whether it is within what
+    its model claims, outside of it, or impossible (0, 1, 2);
     `criteria` (is it sticky?), and `left_out`: model: why. Where the roughness was measured, there are also
     friction_coefficient_at_load_by_method (asperity_method, model),
     friction_coefficient_at_load_low and _high. Raises InputError for bad input.
@@ -146,9 +147,10 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         judged = at_load or {name: table[None, :] for name, table in curve.items()}
         answer.outside = answer.outside + doubts_of_results(problem, judged)
         answer.film_off = film_errors.off_by(problem, judged)
-        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_error"]
+        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_film_error"]
         answer.adhesion = _largest(state_of(problem, at_load).get("adhesion_share")) if at_load else np.inf
     answer.effects = problem.effects
+    answer.of_map = problem.record.of_map is not None
     answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
     answer.curve = _in_units(problem, curve)
     answer.doubtful = doubtful_points(problem, {name: table[None, :] for name, table in curve.items()})
@@ -215,7 +217,7 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "grade": [one.grade for one in shown],
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
-        "measured_error": [one.film_errors for one in shown],
+        "measured_film_error": [one.film_errors for one in shown],
         "why_not": [one.why_not for one in shown],
         "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
     }
@@ -225,6 +227,7 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
     for row, one in zip(doubtful, shown, strict=True):
         row[: one.doubtful.size] = one.doubtful
     data = data.assign(doubtful=(("model", "point"), doubtful))
+    data = data.assign(solved=("model", np.array([one.solved for one in shown], dtype=bool)))
     data = data.assign(cost=("model", np.array([one.cost for one in shown]), {"long_name": "how ill founded a model is here"}))
     return data.assign_attrs(_attributes(contact, answers, target))
 

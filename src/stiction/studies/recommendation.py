@@ -43,7 +43,7 @@ class Answer:
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
     takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
     over the load. film_off: by how many factors of two its film law was found off near this contact, and film_errors: what was
-    measured of it, as JSON. why_not: why it says nothing, or nothing of friction.
+    measured of it, as JSON. why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
     """
 
     candidate: Candidate
@@ -60,11 +60,19 @@ class Answer:
     film_errors: str = "[]"
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
+    of_map: bool = False
 
     @property
     def mu(self) -> float:
         """The friction coefficient at the working load, not a number where there is none."""
         return self.at_load.get("friction_coefficient", np.nan) if self.at_load else np.nan
+
+    @property
+    def solved(self) -> bool:
+        """Whether it is the solution of the contact's own map at the working load, converged."""
+        return (
+            self.of_map and self.at_load is not None and not any(one.kind in ("impossible", "effect") for one in self.outside)
+        )
 
     @property
     def impossible(self) -> list[Doubt]:
