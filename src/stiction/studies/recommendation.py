@@ -47,8 +47,8 @@ class Answer:
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
     takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
     over the load. measured: its error on solved surfaces near this contact and load; beside_measured: that of others is known.
-    film_off: by how many factors of two its film law was found off on a sphere near this contact; film_errors: what was measured
-    of it, as JSON. why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
+    film_off: by how many factors of two its film law was found off on a sphere near this contact; film_errors: what was
+    measured of it, as JSON. why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
     """
 
     candidate: Candidate
