@@ -259,9 +259,9 @@ def costs() -> str:
     doubts = [(f"a doubling outside of a range, {kind}", f"{cost:g}") for kind, cost in COST_OF_A_DOUBLING.items()]
     grades = [(f"grade {grade}", f"{cost:g}") for grade, cost in COST_OF_GRADE.items()]
     errors = [
+        ("a film law off by a factor of two in area on a sphere, where no surfaces were solved near", f"{COST_OF_FILM:g}"),
         ("a measured error of the contact area of 10 %, root mean square over the surfaces near", f"{0.1 * COST_OF_ERROR:g}"),
         ("not measured near this contact, where others were", f"{NOT_MEASURED * COST_OF_ERROR:g}"),
-        ("a film law that was found off by a factor of two in area near this contact", f"{COST_OF_FILM:g}"),
     ]
     unit = ("c_0, the cost that divides the weight by e", f"{COST_UNIT:g}")
     return table(("what", "cost"), [*doubts, *grades, *errors, unit])

@@ -194,8 +194,8 @@ def test_pull_off():
 
 @pytest.mark.parametrize(("n_E", "aspect"), [(0.1, 0.5), (0.1, 2.0), (8.0, 0.5), (8.0, 2.0)])
 def test_pull_off_between_is_where_no_radius_is_stable(n_E, aspect, monkeypatch):
-    """Of films as thick as the contact is wide: the least load at which the energy of all, that of the load with it, has a least
-    anywhere over the radius, by trying loads. Elastic solutions by the table's own method."""
+    """Of films as thick as the contact is wide: the least load at which the energy of all, that of the load with it, has a
+    least anywhere over the radius, by trying loads. Elastic solutions by the table's own method."""
     monkeypatch.syspath_prepend(str(REFERENCE))
     independent = importlib.import_module("make_layered")
     theta, nu = 3.0, 0.3
@@ -254,8 +254,8 @@ def test_where_it_yields(key):
 @pytest.mark.parametrize(("n_E", "n_H"), [(0.1, 0.1), (0.1, 10.0), (8.0, 0.1), (8.0, 10.0)])
 @pytest.mark.parametrize(("key", "share"), [("roy_chowdhury_ghosh_1994", 1.0), ("chang_etsion_bogy_1987", 0.454 + 0.41 * 0.3)])
 def test_a_plastic_asperity_bears_the_hardness_at_its_depth(key, share, n_E, n_H):
-    """Its mean pressure is the law's share of Bhattacharya and Nix's hardness: the film's where it is hardly pressed, the body's
-    where it is pressed through. So a soft film is squeezed out on its body, and a hard one is let down by it: it bears
+    """Its mean pressure is the law's share of Bhattacharya and Nix's hardness: the film's where it is hardly pressed, the
+    body's where it is pressed through. So a soft film is squeezed out on its body, and a hard one is let down by it: it bears
     less load on its way there."""
     tau, n = 200.0, 60
     eta = 0.02

@@ -223,7 +223,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
      "share of the load on asperities that the model gives no friction"),
     ("load_share_yielded", "s_y", r"s_\mathrm{y}", "", _SHARE, "", "share of the load on asperities that have yielded"),
-    ("load_share_substrate_yielded", "s_{s,y}", r"s_\mathrm{s,y}", "", _SHARE, "",
+    ("load_share_substrate_yielded", "s_sy", r"s_\mathrm{s,y}", "", _SHARE, "",
      "share of the load on asperities whose substrate has yielded"),
     ("rms_slope", "h'", r"h'", "", _NOT_NEGATIVE, "", "rms slope of the Gaussian surface that has these asperities"),
     ("stickiness_ratio", "Q", "Q", "", _POSITIVE, "", "repulsion in contact spots over the attraction beside them"),

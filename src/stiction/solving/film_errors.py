@@ -87,8 +87,8 @@ def _ranges(ranges: Mapping[str, tuple[float, float]]) -> str:
 
 def on_solved_maps(problem: Problem, points: int) -> tuple[np.ndarray, ...] | None:
     """Of an area law of surfaces on a film, on the maps of truth/films.csv near each contact, repeated for its points: mean of
-    ln(area over that of the map), its rms, the relative rms, distance (0, infinite where nothing is near) and number of maps. None
-    of other models, which the set of solved surfaces has."""
+    ln(area over that of the map), its rms, the relative rms, distance (0, infinite where nothing is near) and number of maps.
+    None of other models, which the set of solved surfaces has."""
     if not problem.record.on_film:
         return None
     found, _ = _on_maps(problem, problem.record.key)

@@ -236,8 +236,8 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
     for row, one in zip(doubtful, shown, strict=True):
         row[: one.doubtful.size] = one.doubtful
     data = data.assign(doubtful=(("model", "point"), doubtful))
-    data = data.assign({name: ("model", values) for name, values in _measured(shown).items()})
     data = data.assign(solved=("model", np.array([one.solved for one in shown], dtype=bool)))
+    data = data.assign({name: ("model", values) for name, values in _measured(shown).items()})
     data = data.assign(cost=("model", np.array([one.cost for one in shown]), {"long_name": "how ill founded a model is here"}))
     return data.assign_attrs(_attributes(contact, answers, target))
 
