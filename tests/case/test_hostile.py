@@ -8,6 +8,7 @@ from stiction.quantities.errors import InputError
 from stiction.studies.case import read_content
 from stiction.studies.fit_plan import make_fit_plan
 from stiction.studies.measurements import read_measurements
+from stiction.studies.sweep import sweep
 from stiction.studies.sweep_plan import make_plan
 from stiction.surfaces.boundary_elements.doubts import share_at_ends
 from stiction.surfaces.heightmap import HeightMap
@@ -88,3 +89,18 @@ def test_pressures_below_the_smallest_number():
     assert share_at_ends(np.zeros((4, 4))) == 0.0
     pressure = np.ones((4, 4))
     assert share_at_ends(pressure) == pytest.approx(0.75)
+
+
+@pytest.mark.parametrize("models", ["persson_2001", 1, float("nan"), [[]], [{}], np.array([1.0, 2.0])])
+def test_models_that_are_no_list_of_names(models):
+    assert refused(st.sensitivity, {**CASE, "contact": {**CONTACT, "nominal_area": "1 +/- 0.1 mm^2"}}, models=models).startswith(
+        "models: "
+    )
+
+
+def test_where_a_sweep_goes_and_who_does_it(tmp_path):
+    pytest.importorskip("zarr")
+    for given in (None, 1, float("nan"), ("a",)):
+        assert refused(sweep, CASE, given).startswith("--out: ")
+    pytest.importorskip("distributed")
+    assert refused(sweep, CASE, tmp_path / "store", scheduler=1.0).startswith("--scheduler: ")
