@@ -93,9 +93,9 @@ def test_pressures_below_the_smallest_number():
 
 @pytest.mark.parametrize("models", ["persson_2001", 1, float("nan"), [[]], [{}], np.array([1.0, 2.0])])
 def test_models_that_are_no_list_of_names(models):
-    assert refused(st.sensitivity, {**CASE, "contact": {**CONTACT, "nominal_area": "1 +/- 0.1 mm^2"}}, models=models).startswith(
-        "models: "
-    )
+    assert refused(
+        st.sensitivity, {**CASE, "contact": {**CONTACT, "nominal_area": "1 +/- 0.1 mm^2"}}, models=models
+    ).startswith("models: ")
 
 
 def test_where_a_sweep_goes_and_who_does_it(tmp_path):

@@ -8,10 +8,13 @@ import pytest
 from stiction.surfaces.boundary_elements import adhesive
 from stiction.surfaces.boundary_elements.adhesive import solve_adhesive
 from stiction.surfaces.boundary_elements.area_estimates import map_slopes
+from stiction.surfaces.boundary_elements.bodies import Bodies
 from stiction.surfaces.boundary_elements.compliance import Compliance
 from stiction.surfaces.boundary_elements.measures import waves
 from stiction.surfaces.boundary_elements.operators import FreeBoundary
 from stiction.surfaces.boundary_elements.solve import solve_map
+from stiction.surfaces.boundary_elements.sticking import shortest_range
+from stiction.surfaces.heightmap import HeightMap
 
 ROUGH = 0.01 * np.random.default_rng(5).normal(size=(32, 32))
 # One wave along x, on points four times as long along y as along x.
@@ -20,7 +23,12 @@ STRIPS, SIZE = 0.05 * np.cos(2.0 * math.pi * np.arange(128) / 128) * np.ones((8,
 
 def sticking(scale, loads=(1e-3, 1e-4)):
     return solve_adhesive(
-        scale * ROUGH, (scale, scale), modulus=1.0, loads=[scale**2 * one for one in loads], work=scale * 8e-5, reach=scale * 2e-3
+        scale * ROUGH,
+        (scale, scale),
+        modulus=1.0,
+        loads=[scale**2 * one for one in loads],
+        work=scale * 8e-5,
+        reach=scale * 2e-3,
     )
 
 
@@ -89,3 +97,18 @@ def test_the_window_of_a_map_that_ends_takes_no_slope():
     exact = 2.0 * math.pi * 16.0 * 1e-3 / math.sqrt(2.0)
     assert waves(heights, (1.0, 1.0), True).gradient == pytest.approx(exact, rel=1e-9)
     assert waves(heights, (1.0, 1.0), False).gradient == pytest.approx(exact, rel=0.01)
+
+
+def test_the_shortest_wave_of_an_odd_number_of_points_lies_as_it_lies():
+    """One wave across both directions: its gradient is along one line, so that the tensor of gradients has one eigenvalue 0."""
+    row = np.arange(27)
+    for waves_on_a_side in (1, 13):
+        heights = np.cos(2.0 * math.pi * waves_on_a_side * (row[:, None] + row) / 27)
+        assert map_slopes(heights, (1.0, 1.0)).lay > 1e3
+
+
+def test_the_shortest_range_is_two_of_the_longer_sides_of_points():
+    """E* rho^2/w is twice the longer side of points that are 1/8 by 1/32 long."""
+    surface = HeightMap(STRIPS, SIZE, periodic=True)
+    found = shortest_range(surface, Bodies(2.0), 1e-3)
+    assert 2.0 * found**2 / 1e-3 == pytest.approx(2.0 / 8.0, rel=1e-12)
