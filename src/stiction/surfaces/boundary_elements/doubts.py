@@ -93,8 +93,10 @@ def _doubts_of_solution(found, load_error, tolerance):
 
 def share_at_ends(pressure: np.ndarray) -> float:
     """Share of the load on the outermost points of a map; pressure: (rows, columns)."""
-    inner = pressure[1:-1, 1:-1] if min(pressure.shape) > 2 else pressure[:0]
-    return 1.0 - math.fsum(inner.sum(axis=1)) / float(pressure.sum())
+    if min(pressure.shape) <= 2:
+        return 1.0
+    ends = (pressure[0], pressure[-1], pressure[1:-1, 0], pressure[1:-1, -1])  # never below 0, as a difference would be
+    return math.fsum(float(one.sum()) for one in ends) / float(pressure.sum())
 
 
 def _doubts_of_ends(pressure):
