@@ -13,8 +13,8 @@ $$
 and with the hardness $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$. So it is where the contact is given by numbers,
 $\sigma$, $R$ and $N$: what is then left out, skewness, wear, a lay and the chance in a small map, is the larger part of its
 error. Where the contact names scans, it solves the contact of their map at every pressure with the fewest points that are
-enough (four in the shortest wave, 1000 in contact), elastic or up to the hardness; a map with more points than that can be done
-for takes one of the formulas of `area_estimates`. `area_by` of the result says which it was.
+enough (four in the shortest wave, eight across a lay, 3000 in contact), elastic or up to the hardness; a map with more points
+than can be done for takes one of the formulas of `area_estimates`. `area_by` of the result says which it was.
 
 *Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load, $c=0$ would be [`persson_2001`](#persson_2001); $A=pA_n/H$ for a soft body.
 """
