@@ -100,8 +100,13 @@ def draw_all(surface: HeightMap, words: str, out: Path) -> None:
     low, high = data.attrs["spread"]
     axes.set_ylim(0.5 * low, 3.0 * high)
     figure.legend(
-        loc="outside right upper", fontsize="small", title=f"mu at {load:.3g} N: {low:.3g} to {high:.3g}\n* outside its validity there"
+        loc="outside right upper",
+        fontsize="small",
+        title=f"mu at {load:.3g} N: {low:.3g} to {high:.3g}\n* outside its validity there",
     )
+    doubts = str(data.sel(model=SOLVED)["outside_validity"].values)
+    if doubts:
+        figure.supxlabel("* the map itself: " + doubts.replace("; ", "\n"), fontsize="small", x=0.01, ha="left")
     figure.savefig(out, dpi=110)
 
 
@@ -111,7 +116,8 @@ def described(surface: HeightMap, shortest: str | None) -> str:
     rows, columns = surface.heights.shape
     size = " x ".join(f"{side * 1e6:.3g} um" for side in surface.size)
     kept = f", waves from {shortest}" if shortest else ""
-    return f"{Path(surface.name).name}: {rows} x {columns} points, {size}{kept}; Sq {found.Sq * 1e9:.3g} nm, slope {found.slope:.3g}"
+    heights = f"Sq {found.Sq * 1e9:.3g} nm, slope {found.slope:.3g}"
+    return f"{Path(surface.name).name}: {rows} x {columns} points, {size}{kept}; {heights}"
 
 
 def main() -> None:
