@@ -114,3 +114,21 @@ def test_across_a_lay_and_just_where_fewer_points_begin_to_do():
     solved = solve_map(laid.heights, laid.size, modulus=1.0, loads=list(pressures * SIDE**2), periodic=True)
     assert area.slopes.lay > 3.0
     assert area.share(pressures, math.inf) == pytest.approx(solved.array("area") / SIDE**2, rel=0.02)
+
+
+def on_scan(size, shortest, **how):
+    side = 20e-6
+    surface = gaussian_surface((size, size), (side, side), SelfAffine(0.8, side / 8, shortest, 30e-9), seed=1)
+    contact = st.Contact(
+        first="hardened_steel_52100", second="silicon_nitride", roughness=surface,
+        interfacial_shear_strength="300 MPa", nominal_area="1 mm^2", **how,
+    )  # fmt: skip
+    model = "rough_on_film" if how else "persson_widened"
+    return st.solve(contact, load="30 N", model=model).attrs["outside_validity"]
+
+
+@pytest.mark.parametrize("film", ({}, {"coating": {"material": "silver", "thickness": "300 nm", "bodies": "first"}}))
+def test_a_map_that_is_not_resolved_is_doubted(film):
+    """Three points in the shortest wave are too few, six are not."""
+    assert "not converged in points" in on_scan(64, 20e-6 / 21, **film)
+    assert "not converged in points" not in on_scan(64, 20e-6 / 10, **film)

@@ -17,6 +17,7 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 
 from stiction.surfaces.boundary_elements.area_estimates import MapSlopes, by_ranks, by_top_slopes, map_slopes
+from stiction.surfaces.boundary_elements.limits import LEAST_IN_WAVE
 from stiction.surfaces.boundary_elements.measures import waves
 from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.heightmap import HeightMap
@@ -28,7 +29,7 @@ MOST_POINTS = 2**19  # that are solved
 # Of them in contact, where there are so many: with 1000 areas were up to 4.6 % too large with a lay and just above it.
 LEAST_CONTACT = 3000
 FEWEST_CONTACT = 60  # else the formula goes on
-LEAST_IN_WAVE, FEWEST_IN_WAVE = 4.0, 2.5  # points in the shortest wave of those that are solved
+FEWEST_IN_WAVE = 2.5  # points in the shortest wave of those that are solved
 # Across a lay patches are narrower than waves: with 4 points in the shortest wave areas are 3 % too large at 3:1, 9 % at 6:1.
 _LAID, _LEAST_ACROSS_LAY = 1.7, 8.0
 _STEPS, _FEW = 4, 12  # pressures to a factor of ten, where there are more than so few of them
@@ -53,10 +54,15 @@ class MapArea:
         return map_slopes(self.heights, self.size, self.periodic)
 
     @cached_property
+    def points_in_shortest_wave(self) -> float:
+        """Of the map as it is."""
+        pitch = max(length / count for length, count in zip(self.size, self.heights.shape, strict=True))
+        return waves(self.heights, self.size, self.periodic).shortest / pitch
+
+    @cached_property
     def solvable(self) -> list[int]:
         """Every how many-th point may be solved, from the fewest points to the most; empty where the map is too large."""
-        pitch = max(length / count for length, count in zip(self.size, self.heights.shape, strict=True))
-        in_wave = waves(self.heights, self.size, self.periodic).shortest / pitch
+        in_wave = self.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
         least = LEAST_IN_WAVE if self.slopes.lay < _LAID else _LEAST_ACROSS_LAY
         found = [every for every in all_of_them if self._may(every, in_wave, least)]
