@@ -3,7 +3,6 @@
 from functools import lru_cache
 
 import numpy as np
-from scipy.interpolate import BSpline
 
 from stiction.engine.compiled import formula
 
@@ -16,6 +15,8 @@ PIECES = 56
 def to_coefficients() -> np.ndarray:
     """From values at the PIECES + 1 knots to the PIECES + 3 coefficients of the B-splines (a matrix): not-a-knot at both
     ends."""
+    from scipy.interpolate import BSpline  # slow to import
+
     knots = np.arange(-3.0, PIECES + 4.0)
     basis = BSpline(knots, np.eye(PIECES + 3), 3)
     third = basis.derivative(3)
