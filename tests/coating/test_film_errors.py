@@ -161,6 +161,14 @@ def test_beside_a_result(film):
     assert bare.attrs["measured_film_error"] == "[]"
 
 
+def test_an_area_law_has_the_same_error_by_film_and_by_model():
+    found = st.solve(coated(thickness=2e-6), load="1 N", model="rough_on_film")
+    (row,) = [one for one in read_film_errors(found.attrs["measured_film_error"]) if "rms" in one]
+    (area,) = json.loads(found.attrs["measured_error"])["area"]
+    assert row["error"][0] != 0.0
+    assert area == pytest.approx(row["error"][0], rel=0.01)
+
+
 def test_what_was_not_measured_says_why():
     flows = st.solve(coated(interfacial_shear_strength="10 MPa"), load="1 N", model=PLAIN, film="kato_1981")
     (row,) = read_film_errors(flows.attrs["measured_film_error"])

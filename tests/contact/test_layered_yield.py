@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from stiction.contact.layered.bodies import bodies_of
 from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.first_yield import ANGLES, PLACES, first_yield, norms, table_of_norms
+from stiction.contact.layered.first_yield import ANGLES, PLACES, at_interface, first_yield, norms, table_of_norms
 from stiction.contact.layered.shear import shear_compliance, shear_curve, shear_ends
 from stiction.contact.layered.stresses import Stresses, cartesian
 from stiction.contact.layered.waves import CoatedBody
@@ -127,3 +127,31 @@ def test_curve_of_the_tangential_stiffness():
         )
         wide, narrow = (shear_compliance(bodies, radius * factor)[0] for factor in (1.0 + step, 1.0 - step))
         assert slope == pytest.approx(math.log(wide / narrow) / (2.0 * step), abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("bodies", "traction"), [((1.0, 0.3, 0.3, 1.0), 0.5), ((0.2, 0.4, 0.3, 2.0), 0.6), ((8.0, 0.2, 0.3, 3.0), 0.2)]
+)
+def test_it_yields_on_the_side_that_it_says(bodies, traction):
+    """Of the two places at this depth and radius, ahead of the axis and behind it, the one where more is stressed."""
+    whole = under_rigid_sphere(*bodies)
+    found = first_yield(whole, traction)
+    radius, depth = np.array([abs(found.x)]), np.array([found.z])
+    sides = whole.in_body(radius, depth) if found.where == "body" else whole.in_film(radius, depth)
+
+    def mises(theta):
+        x, y, z, xy, yz, xz = (one.item() for one in cartesian(sides, np.array([theta]), traction))
+        return math.sqrt(0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) + 3.0 * (xy**2 + yz**2 + xz**2))
+
+    here, there = (mises(angle) for angle in ((0.0, math.pi) if found.x > 0.0 else (math.pi, 0.0)))
+    assert abs(found.x) > 0.1 and here > 1.005 * there
+
+
+@pytest.mark.parametrize(("bodies", "traction"), [((8.0, 0.2, 0.3, 3.0), 1.0), ((0.2, 0.4, 0.3, 1.0), 2.0)])
+def test_tension_on_the_interface_is_the_largest_all_around(bodies, traction):
+    whole = under_rigid_sphere(*bodies)
+    r = np.linspace(0.0, 3.0 * max(1.0, whole.thickness), 200)
+    radial = whole.in_film(r, np.array([whole.thickness]))
+    around = [cartesian(radial, np.array([angle]), traction)[2].max() for angle in np.linspace(0.0, math.pi, 9)]
+    assert max(around) > 1e-3
+    assert at_interface(whole, traction)[0] == pytest.approx(max(around), rel=0.01)

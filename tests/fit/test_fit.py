@@ -250,6 +250,12 @@ def test_akaikes_criterion_where_errors_are_not_given(series):
     assert aicc_of(one) == pytest.approx(by_hand, rel=1e-9)
 
 
+def test_a_single_number_is_predicted_for(series):
+    """Twice the nominal area at a load is the area at half of the load, twice."""
+    found = fit(case(predict={"nominal_area": "2 mm^2"}), series(exact(), 0.01))
+    np.testing.assert_allclose(found["predicted_friction_coefficient"], exact(loads=np.array([5e-3, 1.0])), rtol=1e-5)
+
+
 def test_values_left_out_are_predicted_from_all_others(series):
     """Linear in the strength: every fifth value by the closed form of the others."""
     slope, error = exact() / 200e6, 0.02 * exact()

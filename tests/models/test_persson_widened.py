@@ -13,7 +13,8 @@ from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.generate import gaussian_surface, with_slope
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.targets import SelfAffine
-from stiction.surfaces.theory.moments import bandwidth, slope_over_sharpness
+from stiction.surfaces.theory.moments import bandwidth, density_of_bandwidth, slope_over_sharpness
+from tables import read
 
 SIDE = 10e-6
 SOFT = {"youngs_modulus": "2 GPa", "poissons_ratio": 0.3, "hardness": "40 MPa"}
@@ -32,17 +33,13 @@ def share(pressure, density, hardness=1e9, law=persson_widened):
     return law.area_at_load(np.array([[load]]), groups(density, hardness)).item() * math.pi * density
 
 
-def by_hand(p, alpha):
-    plain = math.erf(math.sqrt(2.0) * p)
-    return math.erf(math.sqrt(2.0) * p * (1.0 + (0.617 - 0.041 * math.log(alpha)) * (1.0 - math.sqrt(plain))))
-
-
-@pytest.mark.parametrize("density", (0.03, 0.08, 0.2))
-@pytest.mark.parametrize("pressure", (1e-3, 0.05, 0.4))
-def test_the_formula(pressure, density):
-    alpha = 768.0 * math.pi * density**2 + 1.0 + 16.0 / math.pi - 3.0 * math.sqrt(3.0)
-    assert bandwidth(density) == pytest.approx(alpha, rel=1e-12)
-    assert share(pressure, density) == pytest.approx(by_hand(pressure, alpha), rel=1e-9)
+def test_the_formula():
+    """By mpmath, in more digits."""
+    for row in read("persson_widened.csv"):
+        pressure, alpha, hardness, area = (float(row[name]) for name in ("pressure", "alpha", "hardness", "area"))
+        density = float(density_of_bandwidth(alpha))
+        assert bandwidth(density) == pytest.approx(alpha, rel=1e-12)
+        assert share(pressure, density, hardness or 1e12) == pytest.approx(area, rel=1e-9)
 
 
 def test_light_load_is_between_persson_and_bush_gibson_thomas():

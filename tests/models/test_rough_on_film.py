@@ -56,6 +56,18 @@ def test_spectrum_has_the_moments(density):
     assert 0.75 * m4 / m2 == pytest.approx(6.0 * math.pi * math.sqrt(3.0) * density, rel=1e-3)
 
 
+def test_a_soft_film_bears_its_hardness_and_not_that_of_the_bodies():
+    """A = P/H of the film, the elastic area being a tenth of it, and so less than 1e-3 of it beside."""
+    film = {"youngs_modulus": 100e9, "poissons_ratio": 0.3, "hardness": 20e6}
+    steel = {"youngs_modulus": 200e9, "poissons_ratio": 0.3, "hardness": 8e9}
+    rough = {"asperity_height_deviation": 50e-9, "asperity_radius": 50e-6, "asperity_density": 1.6e10}
+    contact = st.Contact(
+        first=steel, second=steel, roughness=rough, nominal_area=1e-6, coating={"material": film, "thickness": 200e-9}
+    )
+    found = st.solve(contact, load=0.5, model=LAW)
+    assert float(found["contact_area"]) == pytest.approx(0.5 / 20e6, rel=1e-3)
+
+
 def bare(pressure, density):
     """Persson's area, widened."""
     c = 0.617 - 0.041 * math.log(bandwidth(density))

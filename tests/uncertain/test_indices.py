@@ -125,3 +125,10 @@ def test_effects_that_are_not_known_are_left_out():
     np.testing.assert_allclose(effects(points, values).size, [2.0, 1.0])
     values[:, 1] = np.nan
     assert np.isnan(effects(points, values).size).all()
+
+
+def test_one_input_alone_has_all_of_the_variance():
+    u = points_of_indices(1, 1024, 0)
+    found = sobol_indices(np.exp(u[..., 0]))
+    assert found.first.shape == found.total.shape == (1,)
+    np.testing.assert_allclose([found.first[0], found.total[0]], 1.0, atol=0.02)

@@ -64,6 +64,15 @@ OptionalNumber = Annotated[Any, BeforeValidator(_optional_number)]
 _SAID_BY_NOTES = ("source", "range")
 
 
+def require_names(table: Mapping, where: str = "") -> None:
+    """InputError where a key of a table, or of a table within it, is no text: as a name of a field it would be a TypeError."""
+    for key, value in table.items():
+        if not isinstance(key, str):
+            raise InputError(where or "case", key, "names that are text")
+        if isinstance(value, Mapping):
+            require_names(value, f"{where}.{key}" if where else key)
+
+
 class Input(BaseModel):
     """A frozen record that refuses unknown keys and raises InputError, one line, for any bad field."""
 
@@ -75,6 +84,7 @@ class Input(BaseModel):
             count = len(unnamed_values)
             given = f"{count} value{'s' * (count > 1)} without a name"
             raise InputError(type(self).__name__, given, f"every value by its name: {names or 'see its fields'}")
+        require_names(data)
         try:
             super().__init__(**data)
         except ValidationError as error:

@@ -4,67 +4,12 @@ Validators, docstrings, command-line help, result attributes and axis labels rea
 unit or a bound. The symbols are those of docs/theory.md.
 """
 
-from dataclasses import dataclass, replace
-from math import inf, isinf
+from dataclasses import replace
+from math import inf
+
+from stiction.quantities.quantity import COUNT, Quantity
 
 __all__ = ["QUANTITIES", "Quantity"]
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """One row of the table.
-
-    name: the key; symbol: plain text; latex: without dollar signs; unit: SI, "" if none; meaning: a phrase;
-    lower, upper: bounds in the unit, with lower_included, upper_included (infinite values are never allowed);
-    normalised_by: what the dimensionless form is divided by, "" if it has none; example: an accepted input; short: a name that
-    fits on an axis of a plot together with its unit.
-    """
-
-    name: str
-    symbol: str
-    latex: str
-    unit: str
-    meaning: str
-    lower: float = -inf
-    upper: float = inf
-    lower_included: bool = False
-    upper_included: bool = False
-    normalised_by: str = ""
-    example: str = ""
-    short: str = ""
-
-    @property
-    def attributes(self) -> dict[str, str]:
-        """Attributes of a variable: long_name, symbol and units; comment, the meaning in full where the name is short."""
-        comment = {"comment": self.meaning} if self.short else {}
-        return {"long_name": self.short or self.meaning, "symbol": self.symbol, "units": self.unit or "1"} | comment
-
-    @property
-    def allowed(self) -> str:
-        """The allowed range with its unit, in words: "> 0 Pa", ">= 0 and < 0.5", "any finite number of m"."""
-        unit = f" {self.unit}" if self.unit else ""
-        ends = []
-        if not isinf(self.lower):
-            ends.append(f"{'>=' if self.lower_included else '>'} {self.lower:g}{unit}")
-        if not isinf(self.upper):
-            ends.append(f"{'<=' if self.upper_included else '<'} {self.upper:g}{unit}")
-        return " and ".join(ends) or ("any finite number" + (f" in {self.unit}" if self.unit else ""))
-
-    @property
-    def wanted(self) -> str:
-        """The allowed range with an example where a unit has to be written: '> 0 m, e.g. "200 nm"'."""
-        return f'{self.allowed}, e.g. "{self.example}"' if self.unit and self.example else self.allowed
-
-    @property
-    def scale(self) -> str:
-        """What results of a whole contact are scaled by (contact.subject.Scales): the SI unit, or "count" of asperities."""
-        return "count" if self.normalised_by == _COUNT else self.unit
-
-    @property
-    def label(self) -> str:
-        """The meaning with its unit, as on an axis: "asperity tip radius [m]"."""
-        return f"{self.meaning} [{self.unit}]" if self.unit else self.meaning
-
 
 # Bounds of the table below: lower, upper, whether each is included.
 _ANY = (-inf, inf, False, False)
@@ -88,7 +33,6 @@ _POISSON = (0.0, 0.5, True, False)
 
 _LOAD = "K R^(1/2) sigma^(3/2) per asperity"
 _AREA = "pi R sigma per asperity"
-_COUNT = "number of asperities"
 
 # fmt: off
 _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
@@ -240,7 +184,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "largest shear between film and body over the shear yield stress of the weaker"),
     ("stiff_film_over_wave", "t/lambda_s", r"t/\lambda_\mathrm{s}", "", _NOT_NEGATIVE, "",
      "thickness of a film of five times the modulus of the bodies or more, over the shortest wave of the surface"),
-    ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, _COUNT, "number of touching asperities"),
+    ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, COUNT, "number of touching asperities"),
     ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,
      "largest tension that is carried"),
     ("pull_off_separation", "d_off", r"d_\mathrm{off}", "m", _ANY, "sigma",
@@ -328,7 +272,7 @@ _SHORT = {
     "peeling": "peeling share",
     "hardening": "hardening E_t/E",
     "contact_resistance": "contact resistance",
-    "specific_contact_resistance": "resistance times area",
+    "specific_contact_resistance": "resistance x area",
     "scan_size": "scan size",
     "shear_modulus": "shear modulus",
     "contact_modulus": "contact modulus",

@@ -67,6 +67,8 @@ def _alone(film: FilmLaw) -> Candidate:
 def choice_of(name: str, given: Mapping[str, str | None], subject: Subject) -> Choice:
     """What a name stands for: the key of a rough-surface model, or any name that a comparison shows for this contact; with laws
     and options in place of its own. Raises InputError for a name that neither knows."""
+    if not isinstance(name, str):
+        raise InputError(RoughSurface.keyword, name, ", ".join(of_kind(RoughSurface)))
     try:
         return Choice.of(find(name, RoughSurface).key, given)
     except InputError as error:

@@ -4,6 +4,7 @@ import tomllib
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,7 @@ from stiction.contact.subject import Subject
 from stiction.laws.proportion import questions
 from stiction.laws.registry import all_options
 from stiction.quantities.errors import InputDoubt, InputError
-from stiction.quantities.inputs import Input
+from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
 from stiction.studies.design_plan import Design
@@ -207,6 +208,8 @@ def _with(content: Mapping, ranges: bool | None) -> Mapping:
 
 def read_content(path) -> dict[str, Any]:
     """The tables of a TOML file, unchecked. Raises InputError, one line, if it cannot be read or is not TOML."""
+    if not isinstance(path, str | PathLike):
+        raise InputError("case", path, "the path of a case file, or its tables as a dict")
     text = _text(Path(path))
     try:
         return tomllib.loads(text)
@@ -226,6 +229,7 @@ def _tables(path) -> Mapping:
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
     materials are named."""
+    require_names(content)
     content, several = opened(content, folder)
     uncertain = named([one for one in several.values() if isinstance(one, Uncertain)])
     arrays = {path: one.array(one.numbers()) for path, one in several.items() if not isinstance(one, Uncertain)}
@@ -322,11 +326,11 @@ def json_schema() -> dict:
 
 
 def _text(path: Path) -> str:
-    if path.is_dir():
-        raise _not_a_case(path, "this is a directory")
-    if not path.is_file():
-        raise _not_a_case(path, "this is not a regular file" if path.exists() else "there is no such file")
     try:
+        if path.is_dir():
+            raise _not_a_case(path, "this is a directory")
+        if not path.is_file():
+            raise _not_a_case(path, "this is not a regular file" if path.exists() else "there is no such file")
         if path.stat().st_size > _LARGEST_FILE:
             raise _not_a_case(path, f"this one is larger than {_LARGEST_FILE} bytes")
         return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, nearest
-from stiction.quantities.inputs import Input
+from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.studies.fit_plan import without_studies
@@ -132,6 +132,7 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
     """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
     from stiction.studies.case import opened
 
+    require_names(content)
     table = content.get("design")
     if not isinstance(table, Mapping):
         raise InputError(

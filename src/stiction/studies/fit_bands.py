@@ -102,7 +102,7 @@ def predicted(plan: FitPlan, one: Fitted) -> Bands:
 
 
 def _count(arrays: Mapping[tuple[str, ...], Any]) -> int:
-    return int(np.prod([array.size for array in arrays.values()])) if arrays else 1
+    return int(np.prod([np.size(array) for array in arrays.values()]))
 
 
 def _predicted_content(plan: FitPlan, free: set[tuple[str, ...]]) -> tuple[Mapping, dict[tuple[str, ...], Any]]:

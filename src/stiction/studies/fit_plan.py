@@ -8,7 +8,7 @@ from typing import Any
 from pydantic import Field
 
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input
+from stiction.quantities.inputs import Input, require_names
 from stiction.studies.free import Free, read_free
 from stiction.studies.measurements import Measurements, read_measurements
 from stiction.studies.places import as_numbers, flat, placed, read_end
@@ -57,6 +57,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     InputError."""
     from stiction.studies.case import opened
 
+    require_names(content)
     given = dict(content)
     table = given.get("fit")
     if not isinstance(table, Mapping):

@@ -70,8 +70,10 @@ def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
     used = values[:, :count]
     if np.ptp(used) <= 1e-12 * np.abs(used).max():
         return np.zeros((2, len(values) - 2)), count
-    found = estimated(func={"f_A": used[None, 0], "f_B": used[None, 1], "f_AB": used[2:, None]}, n=count)
-    return np.array([np.atleast_1d(found.first_order), np.atleast_1d(found.total_order)]), count
+    inputs = len(values) - 2
+    mixed = used[2:] if inputs > 1 else np.concatenate([used[2:], used[2:]])  # scipy knows no function of one number alone
+    found = estimated(func={"f_A": used[None, 0], "f_B": used[None, 1], "f_AB": mixed[:, None]}, n=count)
+    return np.array([found.first_order[:inputs], found.total_order[:inputs]]), count
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ import io
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -82,15 +83,17 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     row, by their names in the case, `coating.thickness [nm]`; `note` and `source`, which are not read. A cell may be empty.
     Raises InputError, one line with the line of the file and the column.
     """
+    if not isinstance(path, str | PathLike):
+        raise InputError("--data", path, "the path of a CSV file")
     lines = [(at, line) for at, line in enumerate(_text(Path(path)).splitlines(), start=1) if _says(line)]
     if not lines:
         raise InputError("--data", str(path), f"{_FORM}; this file is empty")
-    heads = next(csv.reader(io.StringIO(lines[0][1])))
+    heads = _cells(*lines[0])
     columns = [_column(head, content) for head in heads]
     _check_heads(columns, heads)
     entries: list[tuple] = []
     for at, line in lines[1:]:
-        cells = next(csv.reader(io.StringIO(line)))
+        cells = _cells(at, line)
         if len(cells) != len(heads):
             raise InputError(f"line {at}", f"{len(cells)} cells", f"{len(heads)}, as many as there are heads")
         entries += _entries(at, dict(zip(heads, cells, strict=True)), dict(zip(heads, columns, strict=True)))
@@ -104,14 +107,21 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     return measured
 
 
+def _cells(at: int, line: str) -> list[str]:
+    try:
+        return next(csv.reader(io.StringIO(line)))
+    except csv.Error:  # a cell of more than 131072 characters
+        raise InputError(f"line {at}", line, "cells with commas between them; one of these is out of all proportion") from None
+
+
 def _says(line: str) -> bool:
     return bool(line.strip().strip(",")) and not line.lstrip().startswith("#")
 
 
 def _text(path: Path) -> str:
-    if not path.is_file():
-        raise InputError("--data", str(path), "a CSV file; there is no such file")
     try:
+        if not path.is_file():
+            raise InputError("--data", str(path), "a CSV file; there is no such file")
         if path.stat().st_size > _LARGEST_FILE:
             raise InputError("--data", str(path), f"a file of {_LARGEST_FILE} bytes at most")
         return path.read_text(encoding="utf-8-sig")

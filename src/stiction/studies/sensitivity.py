@@ -121,9 +121,9 @@ def _variation(case: Case, choice: Any, models: Sequence[str] | None, at: float 
     own = choice.model
     names, weights = [own], np.ones(1)
     choices = [choice]
+    if models is not None and not (isinstance(models, list | tuple) and all(isinstance(one, str) for one in models)):
+        raise InputError("models", models, "a list of names")
     if models:
-        if isinstance(models, str):
-            raise InputError("models", models, "a list of names")
         names = list(dict.fromkeys(models))
         choices, weights = [choice_of(name, {}, case.subject) for name in names], np.full(len(names), 1.0 / len(names))
     elif models is None and at is not None:

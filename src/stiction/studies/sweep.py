@@ -3,6 +3,7 @@
 import errno
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from importlib.util import find_spec
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -46,6 +47,10 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
     _check_packages("zarr", *(("distributed",) if scheduler else ()))
     if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
         raise InputError("--workers", workers, "a whole number, 1 or more")
+    if not isinstance(out, str | PathLike):
+        raise InputError("--out", out, "the path of a store, new, or of this case")
+    if not (scheduler is None or isinstance(scheduler, str)):
+        raise InputError("--scheduler", scheduler, "the address of a scheduler, as text")
     plan, title, text = _planned(case)
     from stiction.studies.sweep_store import locked, opened_store
 

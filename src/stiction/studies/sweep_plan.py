@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input, nearest
+from stiction.quantities.inputs import Input, nearest, require_names
 from stiction.studies.several import Several, with_values
 from stiction.studies.uncertain import SAMPLE, Uncertain, expanded
 
@@ -153,6 +153,7 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
     from stiction.studies.case import case_of, check_scans, opened
 
+    require_names(content)
     content, several = opened(content, folder)
     sweep = _sweep(content.get("sweep", {}))
     plain: Mapping[str, Any] = {key: value for key, value in content.items() if key != "sweep"}

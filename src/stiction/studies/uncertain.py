@@ -27,6 +27,7 @@ _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _ERROR = re.compile(rf"\s*\(?\s*({_NUMBER})\s*([^+±]*?)\s*(?:\+/-|\+-|±)\s*({_NUMBER})\s*\)?\s*(.*?)\s*", re.DOTALL)
 _BODIES = (("contact", "first"), ("contact", "second"), ("contact", "coating", "material"))
 _MOST_SAMPLES = 1_000_000
+_LARGEST_FILE = 200_000_000
 _NOT_OF_A_CONTACT = ("surface_energy",)  # a contact has a work of adhesion of its own
 _TOGETHER = "name of a dimension: quantities with the same vary together"
 
@@ -218,8 +219,12 @@ def _values(given: _Samples, quantity: str, where: str, folder: Path) -> np.ndar
 def _table(path: Path, where: str, name: str) -> list[list[str]]:
     """The lines of a file that are no comments, cut into columns."""
     try:
+        if path.exists() and not path.is_file():
+            raise OSError(0, "it is no regular file")
+        if path.stat().st_size > _LARGEST_FILE:
+            raise OSError(0, f"it is larger than {_LARGEST_FILE} bytes")
         lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError) as error:  # no UTF-8, or no name of a file
         why = getattr(error, "strerror", None) or "this is not text"
         raise InputError(where, name, f"a file of numbers; this one cannot be read ({why})") from None
     kept = [line.partition("#")[0].strip() for line in lines]

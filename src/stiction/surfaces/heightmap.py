@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 __all__ = ["HeightMap", "in_metres", "metres", "size_in_metres"]
 
 
+_LEAST, _MOST = 1e-60, 1e60  # of a side [m]: squares and fourth powers of pitches are still numbers
+
+
 @dataclass(frozen=True)
 class HeightMap:
     """Heights on a regular grid, where they are, and what was done to them.
@@ -120,17 +123,17 @@ def size_in_metres(size) -> tuple[float, float]:
         y, x = (float(in_metres(one, "size")) for one in size)
     except (TypeError, ValueError):
         y = x = 0.0
-    if not (0.0 < y < np.inf and 0.0 < x < np.inf):
-        raise InputError("size", size, "(y, x), both finite and > 0 m")
+    if not (_LEAST < y < _MOST and _LEAST < x < _MOST):
+        raise InputError("size", size, f"(y, x), both finite and > 0 m; {_LEAST:g} to {_MOST:g} m")
     return y, x
 
 
 def in_metres(value, field: str) -> float:
     """A length of any sign in metres, from a number in metres or text with its unit ("10 um"); InputError names the field."""
-    if isinstance(value, Real):
-        return float(value)
     try:
-        return to_si(str(value), "mean_separation")
+        return float(value) if isinstance(value, Real) else to_si(str(value), "mean_separation")
+    except OverflowError:  # a whole number of hundreds of digits
+        raise InputError(field, value, "a finite length, in m") from None
     except InputError as error:
         raise InputError(field, error.value, 'a length, e.g. "10 um"') from None
 

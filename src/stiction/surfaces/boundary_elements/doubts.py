@@ -94,7 +94,8 @@ def _doubts_of_solution(found, load_error, tolerance):
 def share_at_ends(pressure: np.ndarray) -> float:
     """Share of the load on the outermost points of a map; pressure: (rows, columns)."""
     inner = pressure[1:-1, 1:-1] if min(pressure.shape) > 2 else pressure[:0]
-    return 1.0 - math.fsum(inner.sum(axis=1)) / float(pressure.sum())
+    whole = float(pressure.sum())
+    return 1.0 - math.fsum(inner.sum(axis=1)) / whole if whole > 0.0 else 0.0  # of a load below the smallest number: nothing
 
 
 def _doubts_of_ends(pressure):
