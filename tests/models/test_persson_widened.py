@@ -102,3 +102,12 @@ def test_numbers_say_that_they_are(worn):
     assert data.attrs["area_by"] == persson_widened.WAYS["moments"]
     with pytest.raises(InputError, match="a load in its place"):
         st.solve(contact(worn), separation="1 nm", model="persson_widened")
+
+
+def test_a_soft_map_bears_its_hardness():
+    """A = P/H, the pressure of every point in contact being the hardness: the elastic area is a small part of it."""
+    surface = gaussian_surface((64, 64), (20e-6, 20e-6), SelfAffine(0.8, 5e-6, 2.5e-6, 1e-7), 3)
+    soft = {"youngs_modulus": 200e9, "poissons_ratio": 0.3, "hardness": 20e6}
+    contact = st.Contact(first=soft, second=soft, roughness=surface, nominal_area=400e-12)
+    found = st.solve(contact, load=0.1 * 20e6 * 400e-12, model="persson_widened")
+    assert float(found["area_fraction"]) == pytest.approx(0.1, rel=0.03)
