@@ -132,3 +132,12 @@ def test_a_map_that_is_not_resolved_is_doubted(film):
     """Three points in the shortest wave are too few, six are not."""
     assert "not converged in points" in on_scan(64, 20e-6 / 21, **film)
     assert "not converged in points" not in on_scan(64, 20e-6 / 10, **film)
+
+
+def test_a_soft_map_bears_its_hardness():
+    """A = P/H, the pressure of every point in contact being the hardness: the elastic area is a small part of it."""
+    surface = gaussian_surface((64, 64), (20e-6, 20e-6), SelfAffine(0.8, 5e-6, 2.5e-6, 1e-7), 3)
+    soft = {"youngs_modulus": 200e9, "poissons_ratio": 0.3, "hardness": 20e6}
+    contact = st.Contact(first=soft, second=soft, roughness=surface, nominal_area=400e-12)
+    found = st.solve(contact, load=0.1 * 20e6 * 400e-12, model="persson_widened")
+    assert float(found["area_fraction"]) == pytest.approx(0.1, rel=0.03)
