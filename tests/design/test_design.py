@@ -15,6 +15,7 @@ from stiction.solving.yielded import yielded_shares
 from stiction.studies.case import parse_case, read_case
 from stiction.studies.case_results import solve_case
 from stiction.studies.design import _front, design, plan_of_design, run_design
+from stiction.studies.design_plan import Limit
 
 STRENGTH, AREA, LOAD = 200e6, 1e-6, 1.0
 ROUGH = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
@@ -132,6 +133,14 @@ def test_where_nothing_keeps_the_limits_it_is_said():
     found = design(case(MOST, RADIUS, {"area_fraction": {"high": 1e-9}}))
     assert not bool(found["kept"][0]) and found.attrs["verdict"].startswith("no design keeps the limits; the nearest")
     assert float(found["roughness.asperity_radius"][0]) == pytest.approx(1e-6, rel=1e-3)
+    assert found.attrs["limits"] == "area_fraction 1e-09 at most"
+
+
+def test_limits_are_told_with_their_units():
+    ends = Limit("contact_area", 5e-12, 1e-9), Limit("contact_area", -np.inf, 1e-9), Limit("contact_area", 5e-12, np.inf)
+    between, most, least = (one.words for one in ends)
+    assert between == "contact_area 5 µm^2 to 1000 µm^2"
+    assert (most, least) == ("contact_area 1000 µm^2 at most", "contact_area 5 µm^2 at least")
 
 
 def test_validity_is_a_limit():

@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 
 from stiction import cli
 from stiction.quantities.errors import InputError
+from stiction.report.fit_tables import fit_notes
 from stiction.solving.solve import solve
 from stiction.studies import fit as fit_module
 from stiction.studies.case import parse_case, read_case
@@ -357,10 +358,20 @@ def test_the_command_writes_everything(series, tmp_path):
     words = ["fit", str(tmp_path / "case.toml"), "--data", str(series(exact(), 0.01)), "--out", str(tmp_path / "out")]
     result = CliRunner().invoke(cli.app, words)
     assert result.exit_code == 0 and "200 MPa" in result.output
+    assert "chi square" in result.output
     names = {"fitted.toml", "fit.png", "profiles.png", "parameters.csv", "residuals.csv", "predictions.csv", "fit.nc"}
     assert {one.name for one in (tmp_path / "out").iterdir()} == names
     again = CliRunner().invoke(cli.app, ["run", str(tmp_path / "out" / "fitted.toml")])
     assert again.exit_code == 0
+
+
+def test_no_chi_square_is_printed_of_errors_that_were_found(series):
+    """It would be the number of values to spare, or of errors that nobody gave."""
+    noise = 1.0 + 0.02 * np.array([1, -1, 1, -1, 1, -1, 1, -1])
+    free = {STRENGTH: BOTH[STRENGTH]}
+    for errors, told in ((None, False), (0.01 * exact(), True)):
+        found = fit(case(free=free), series(exact() * noise, errors))
+        assert ("chi square" in str(next(fit_notes(found)))) == told
 
 
 def test_an_interruption_keeps_the_fit(series, tmp_path, monkeypatch):

@@ -160,7 +160,10 @@ PLAIN, PAPER = "greenwood_williamson_1966", "soft_coating_2015"
 # Films that are younger than the first rows: asked last, so that what was drawn for the others stays as it was.
 LATER = ("dayson_1971", "kato_1981", "ravindran_ramasamy_laddha_1980")
 # And rough surfaces that are.
-LATER_SURFACES = ("yang_persson_2008", "wang_muser_2017", "xu_zhu_xiao_zhou_2024", "pastewka_robbins_2014_area")
+LATER_SURFACES = (
+    "yang_persson_2008", "wang_muser_2017", "xu_zhu_xiao_zhou_2024", "pastewka_robbins_2014_area", "persson_widened",
+)  # fmt: skip
+ON_FILM, OF_MAP = "rough_on_film", "boundary_elements"  # the first is asked with a film, the other of no numbers
 
 
 def kinds() -> dict[str, dict[str, dict[str, Any]]]:
@@ -238,7 +241,7 @@ def asked_of_pairs(asperities, tangentials, request):
 
 def surfaces(known):
     """The rough surfaces that were there from the first."""
-    return {key: one for key, one in known["rough surface"].items() if key not in LATER_SURFACES}
+    return {key: one for key, one in known["rough surface"].items() if key not in (*LATER_SURFACES, ON_FILM, OF_MAP)}
 
 
 def films(known, later: bool = False):
@@ -338,6 +341,9 @@ def asked_later(known, drawn: Drawn):
             yield {"call": "solve", "contact": contact_of(), "with": given}
             groups = drawn.groups(known["rough surface"][key], interface)
             yield {"call": "solve", "indices": groups, "with": given | {"load": drawn.number(-4, 0, True)}}
+    for load in (0.03, 1.0, 300.0):
+        given = {"load": load, "model": ON_FILM, "tangential": interface["key"]}
+        yield {"call": "solve", "contact": contact_of(coating=SILVER), "with": given}
 
 
 def asked_otherwise(known, drawn: Drawn):

@@ -8,6 +8,7 @@ import pytest
 import xarray
 
 import stiction as st
+from stiction.studies.surface_analysis import prepared_period
 
 SIZE = 20e-6
 SPECTRUM = st.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=0.6e-6, deviation=30e-9)
@@ -180,3 +181,11 @@ def test_what_is_no_roughness_is_one_line(roughness, said):
     with pytest.raises(st.InputError) as error:
         st.Contact(**BODIES, roughness=roughness)
     assert str(error.value).startswith(said) and "\n" not in str(error.value)
+
+
+def test_a_period_whose_ends_do_not_meet_is_told(scan):
+    """A tilt does it, of rows or of columns; what is one period has no such step."""
+    assert "do not meet" not in prepared_period(scan).history[-1]
+    row = np.linspace(0.0, 1.0, 128)
+    for tilt in (row[:, None], row):
+        assert "do not meet" in prepared_period(scan.with_heights(scan.heights + 1e-6 * tilt, "tilted")).history[-1]

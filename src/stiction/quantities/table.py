@@ -272,7 +272,7 @@ _SHORT = {
     "peeling": "peeling share",
     "hardening": "hardening E_t/E",
     "contact_resistance": "contact resistance",
-    "specific_contact_resistance": "resistance times area",
+    "specific_contact_resistance": "resistance x area",
     "scan_size": "scan size",
     "shear_modulus": "shear modulus",
     "contact_modulus": "contact modulus",

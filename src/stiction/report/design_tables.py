@@ -59,7 +59,7 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
     used = data.attrs
     yield Text("wished: " + "; ".join(used["wishes"].split("\n")))
     if used["limits"]:
-        yield Text("limits, in SI units: " + "; ".join(used["limits"].split("\n")))
+        yield Text("limits: " + "; ".join(used["limits"].split("\n")))
     if used["uncertain"]:
         yield Text(f"of what is uncertain ({used['uncertain']}) wishes and limits hold for 95 %")
     if used["verdict"]:

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.picture_style import along
-from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, label
+from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, finish, label
 
 if TYPE_CHECKING:
     import xarray
@@ -88,7 +88,7 @@ def _measured_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     axes.set_ylabel(_axis(name))
     axes.set_title("points: measured, standard error; lines: fitted", fontsize=9)
     axes.legend(fontsize=8, framealpha=0.9)
-    axes.grid(alpha=0.3)
+    finish(axes)
 
 
 def _residual_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
@@ -105,7 +105,7 @@ def _residual_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     axes.set_ylim(-1.1 * max(most, 2.5), 1.1 * max(most, 2.5))
     axes.set_ylabel("(measured - fitted) / standard error")
     axes.set_title("grey: 95 % of residuals, if the model holds", fontsize=9)
-    axes.grid(alpha=0.3)
+    finish(axes)
 
 
 def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
@@ -117,15 +117,20 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     x = data[point].values if point in data.coords else np.arange(data.sizes[point])
     for at, place in enumerate(chosen):
         colour = _COLOURS[at % len(_COLOURS)]
+        if x.size == 1:  # of one point neither a line nor a band is seen
+            axes.vlines(x, low.isel(place), high.isel(place), color=colour, alpha=0.5, linewidth=6)
         axes.fill_between(x, low.isel(place), high.isel(place), color=colour, alpha=0.25, linewidth=0)
-        axes.plot(x, best.isel(place), color=colour, linewidth=1.6, label=_place(data, place) or "as in the case")
+        axes.plot(
+            x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "",
+            label=_place(data, place) or "as in the case",
+        )  # fmt: skip
     if x.size > 1 and x.min() > 0.0 and x.max() > 9.0 * x.min():
         axes.set_xscale("log")
     axes.set_xlabel(label(data[point]) if point in data.coords else point)
     axes.set_ylabel(_axis(name))
     axes.set_title("predicted; band: 95 %, of the fitted numbers alone", fontsize=9)
     axes.legend(fontsize=8, framealpha=0.9)
-    axes.grid(alpha=0.3)
+    finish(axes)
 
 
 def _place(data: "xarray.Dataset", place: dict) -> str:

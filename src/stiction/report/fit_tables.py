@@ -37,7 +37,8 @@ def parameter_table(data: "xarray.Dataset") -> Table:
 def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
     """How good the fit is, and what the data do not say."""
     used = data.attrs
-    yield Text(f"chi square {used['chi_square']:.4g} of {used['values']} values, {used['free']} free; errors: {used['errors']}")
+    good = f"chi square {used['chi_square']:.4g} of " if used["errors_stated"] else ""  # others follow from it
+    yield Text(f"{good}{used['values']} values, {used['free']} free; errors: {used['errors']}")
     for line in filter(None, used["verdict"].split("\n")):
         yield Text(line, style="yellow")
     correlation = data["correlation"].values

@@ -78,7 +78,7 @@ class MeasuredErrors:
     def words(self) -> str:
         """In a line."""
         if self.column == _ITSELF:
-            return "it is what the others are measured by; the width of points leaves 1 to 2 %"
+            return "it is what the others are measured by; where points resolve the map, their width leaves 1 to 2 %"
         if not self.known:
             return f"not measured here: {self.why_not}"
         some = np.isfinite(self.area)

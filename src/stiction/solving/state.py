@@ -45,7 +45,7 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
         count = _asperities(groups)
         if count is not None:
             found["touching_asperities"] = count * (expected_share(area) if share is None else share)
-    of_surface = _of_the_surface(groups) | (_of_attraction(groups) if problem.record.adheres else {})
+    of_surface = _of_the_surface(groups) | _of_the_map(problem) | (_of_attraction(groups) if problem.record.adheres else {})
     return found | {name: value[:, None] for name, value in of_surface.items()}
 
 
@@ -64,6 +64,16 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
         whole = groups.resolved()
         found["stiff_film_over_wave"] = np.where(whole.n_E >= STIFF, thickness_over_wave(whole), np.nan)
     return found
+
+
+def _of_the_map(problem: Problem) -> dict[str, np.ndarray]:
+    """What is known of the map (n,), where a theory takes it in place of its moments."""
+    surface = getattr(problem, "map", None)
+    if surface is None:
+        return {}
+    from stiction.surfaces.boundary_elements.map_area import map_area  # which a contact of numbers does without
+
+    return {"points_in_shortest_wave": np.full(len(problem.groups), map_area(surface).points_in_shortest_wave)}
 
 
 def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:

@@ -327,7 +327,9 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
     plan = found.plan
     unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
     said = (
-        "" if worst[best[0]] <= TOLERANCE else f"no design keeps the limits; the nearest is beyond them by {worst[best[0]]:.3g}"
+        ""
+        if worst[best[0]] <= TOLERANCE
+        else f"no design keeps the limits; the nearest is beyond them by {worst[best[0]]:.3g} times their size"
     )
     return {
         **({"case": plan.title} if plan.title else {}),
@@ -335,7 +337,7 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
         "model": found.space.choice.model,
         "wishes": "\n".join(one.words for one in plan.wishes),
         "chosen": unknown,
-        "limits": "\n".join(f"{one.quantity}: {one.low:g} to {one.high:g}" for one in plan.limits),
+        "limits": "\n".join(one.words for one in plan.limits),
         "validity": plan.validity,
         "asked": found.archive.count,
         "tolerance": TOLERANCE,

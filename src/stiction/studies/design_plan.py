@@ -12,6 +12,7 @@ from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
 from stiction.studies.fit_plan import without_studies
 from stiction.studies.free import Free, read_free
 from stiction.studies.places import as_numbers, flat, placed, read_end, subject_table
@@ -94,6 +95,13 @@ class Limit:
     quantity: str
     low: float
     high: float
+
+    @property
+    def words(self) -> str:
+        low, high = (show(end, self.quantity) for end in (self.low, self.high))
+        if not np.isfinite(self.low):
+            return f"{self.quantity} {high} at most"
+        return f"{self.quantity} {low} at least" if not np.isfinite(self.high) else f"{self.quantity} {low} to {high}"
 
 
 @dataclass(frozen=True)

@@ -201,6 +201,7 @@ def _attributes(found: Fitting) -> dict[str, Any]:
         "chi_square": one.best.chi_square * one.scale**2,
         "confidence": CONFIDENCE,
         "errors": _errors_said(one),
+        "errors_stated": int(one.stated),
         "verdict": "\n".join([*verdicts(one), *_unsure(found)]),
         "stopped": int(found.stopped),
         **bands,

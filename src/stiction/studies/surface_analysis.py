@@ -1,5 +1,6 @@
 """Everything that is said of one scan: prepared, with statistics, spectrum, moments and the asperities by every method."""
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -18,6 +19,8 @@ from stiction.surfaces.statistics import ProfileMoments, Statistics, moments_by_
 from stiction.surfaces.theory.moments import Moments
 
 __all__ = ["Analysis", "analyse", "prepared", "spectrum_rows", "summary"]
+
+_APART = 5.0  # steps from end to end of one period over those of neighbours: no period has such
 
 
 @dataclass(frozen=True)
@@ -83,7 +86,22 @@ def prepared_period(
         surface = fill_missing(surface, fill)
     if surface.complete and (shortest is not None or longest is not None):
         surface = filter_period(surface, shortest, longest)
-    return surface.with_heights(surface.heights - np.nanmean(surface.heights), "mean removed")
+    return surface.with_heights(surface.heights - np.nanmean(surface.heights), f"mean removed{_seam(surface)}")
+
+
+def _seam(surface: HeightMap) -> str:
+    """A word where the ends of what is said to be one period do not meet: where its mean square step from one end to the other,
+    along rows or columns, is much larger than that of neighbours within."""
+    heights = surface.heights
+    far = 0.0
+    for axis in (axis for axis in (0, 1) if heights.shape[axis] > 1):
+        within = float(np.nanmean(np.square(np.diff(heights, axis=axis))))
+        across = np.square(np.take(heights, 0, axis=axis) - np.take(heights, -1, axis=axis))
+        if np.isfinite(across).any() and within > 0.0:
+            far = max(far, math.sqrt(float(np.nanmean(across)) / within))
+    if far < _APART:
+        return ""
+    return f", as of one period; but its ends do not meet: steps between them are {far:.0f} times those between neighbours"
 
 
 def _check_left(raw: HeightMap, surface: HeightMap) -> None:

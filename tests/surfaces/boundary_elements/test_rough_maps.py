@@ -183,6 +183,14 @@ def test_a_good_map_has_no_doubts_and_bad_ones_are_named():
     assert "load_at_ends" in names(ends[0].doubts)
 
 
+@pytest.mark.parametrize("load", (1e-4, 5.1e-4, 2e-3))
+def test_a_load_that_is_within_the_map_leaves_its_ends_bare(load):
+    """Exactly: the rest of a difference of sums may be below 0, and then was said to be outside of its range."""
+    at = (np.arange(128) - 63.9) / 128.0
+    sphere = -(np.square(at)[:, None] + np.square(at)[None, :]) / 20.0
+    assert solve_map(sphere, UNIT, modulus=1.0, loads=[load], periodic=False)[0].load_at_ends == 0.0
+
+
 def test_what_did_not_converge_says_so(heights):
     found = solve_map(heights, UNIT, modulus=1.0, loads=[1e-3], periodic=True, most_steps=2)
     assert "not_converged" in names(found[0].doubts) and found[0].residual > 1e-5

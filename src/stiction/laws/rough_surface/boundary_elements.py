@@ -137,6 +137,6 @@ RECORD = RoughSurface(
     notes=(
         "Solved on the map, prepared as its roughness says; one period (periodic = true, and made maps) has no form taken off "
         "and no ends. No adhesion, unless asked for. The hardness is the largest pressure of a point; the substrate of a film "
-        'does not yield. points="sampled" solves only as many points as the area needs to 1 to 2 %.'
+        'does not yield. points="sampled" solves only as many points as the area needs to 1 to 2 %, 3 to 10 % with a lay.'
     ),
 )

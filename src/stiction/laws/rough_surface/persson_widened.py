@@ -13,12 +13,13 @@ $$
 and with the hardness $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$. So it is where the contact is given by numbers,
 $\sigma$, $R$ and $N$: what is then left out, skewness, wear, a lay and the chance in a small map, is the larger part of its
 error. Where the contact names scans, it solves the contact of their map at every pressure with the fewest points that are
-enough (four in the shortest wave, 1000 in contact), elastic or up to the hardness; a map with more points than that can be done
-for takes one of the formulas of `area_estimates`. `area_by` of the result says which it was.
+enough (four in the shortest wave, eight across a lay, 3000 in contact), elastic or up to the hardness; a map with more points
+than can be done for takes one of the formulas of `area_estimates`. `area_by` of the result says which it was.
 
 *Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load, $c=0$ would be [`persson_2001`](#persson_2001); $A=pA_n/H$ for a soft body.
 """
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,6 +28,7 @@ from stiction.contact.indices import Groups
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
 from stiction.laws.sources import Source
+from stiction.surfaces.boundary_elements.limits import LEAST_IN_WAVE
 from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, LEAST_DENSITY, bandwidth, density_of_bandwidth, reduced_pressure
 from stiction.surfaces.theory.moments import slope_over_sharpness as slope_of
 from stiction.surfaces.theory.widened_area import WIDEST_BAND, of_moments, with_hardness
@@ -89,6 +91,7 @@ RECORD = RoughSurface(
     verified="solved maps that took no part in the fit, periodic, Gaussian and not, elastic and with a hardness",
     needs=("hardness_group", "roughness_parameter"),
     validity=(
+        Validity("points_in_shortest_wave", LEAST_IN_WAVE, math.inf, "the area of the map is not converged in points", "fit"),
         Validity(
             "roughness_parameter",
             LEAST_DENSITY,

@@ -93,9 +93,13 @@ def _doubts_of_solution(found, load_error, tolerance):
 
 def share_at_ends(pressure: np.ndarray) -> float:
     """Share of the load on the outermost points of a map; pressure: (rows, columns)."""
-    inner = pressure[1:-1, 1:-1] if min(pressure.shape) > 2 else pressure[:0]
     whole = float(pressure.sum())
-    return 1.0 - math.fsum(inner.sum(axis=1)) / whole if whole > 0.0 else 0.0  # of a load below the smallest number: nothing
+    if whole <= 0.0:
+        return 0.0  # of a load below the smallest number: nothing
+    if min(pressure.shape) <= 2:
+        return 1.0
+    ends = (pressure[0], pressure[-1], pressure[1:-1, 0], pressure[1:-1, -1])  # never below 0, as a difference would be
+    return math.fsum(float(one.sum()) for one in ends) / whole
 
 
 def _doubts_of_ends(pressure):

@@ -2,6 +2,7 @@
 
 TOLERANCE = 1e-5  # of the residual: gaps where there is contact, over the rms height difference of neighbouring points
 LEAST_PIXELS = 8.0  # in the shortest wave
+LEAST_IN_WAVE = 4.0  # where only the area is asked for, to a few per cent
 LEAST_WAVES = 6.0  # longest waves along a side
 STEEPEST = 0.3  # rms gradient: small slopes are assumed
 LEAST_CONTACT = 100  # points in contact
