@@ -1,6 +1,6 @@
-"""Case files that several tests run."""
+"""Cases that several tests run."""
 
-__all__ = ["STEEL_ON_STEEL"]
+__all__ = ["BARE", "STEEL_ON_STEEL"]
 
 # Without a title and what to solve.
 STEEL_ON_STEEL = """
@@ -15,3 +15,15 @@ asperity_height_deviation = "48 nm"
 asperity_radius = "50 um"
 asperity_density = "1.7e10 1/m^2"
 """
+# The table [contact] of silver on steel, without a film.
+BARE = {
+    "first": "silver",
+    "second": {"preset": "hardened_steel_52100"},
+    "work_of_adhesion": "0.5 J/m^2",
+    "nominal_area": "1 mm^2",
+    "roughness": {
+        "asperity_height_deviation": "50 nm",
+        "asperity_radius": "50 um",
+        "asperity_density": "1.6e10 1/m^2",
+    },
+}

@@ -8,23 +8,12 @@ import pytest
 import xarray
 from typer.testing import CliRunner
 
+from cases import BARE
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
 from stiction.studies.case import json_schema, parse_case
 from stiction.studies.case_results import compare_case, solve_case
-
-BARE = {
-    "first": "silver",
-    "second": {"preset": "hardened_steel_52100"},
-    "work_of_adhesion": "0.5 J/m^2",
-    "nominal_area": "1 mm^2",
-    "roughness": {
-        "asperity_height_deviation": "50 nm",
-        "asperity_radius": "50 um",
-        "asperity_density": "1.6e10 1/m^2",
-    },
-}
 
 
 def case(changes, **solved):

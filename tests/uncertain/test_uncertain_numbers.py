@@ -6,23 +6,13 @@ import numpy as np
 import pytest
 import scipy.stats
 
+from cases import BARE
 from stiction.quantities.errors import InputError
 from stiction.studies.case import json_schema, parse_case, read_case
 from stiction.studies.case_results import solve_case
 from stiction.studies.sweep_plan import make_plan
 from stiction.studies.uncertain import read_distribution
 
-BARE = {
-    "first": "silver",
-    "second": {"preset": "hardened_steel_52100"},
-    "work_of_adhesion": "0.5 J/m^2",
-    "nominal_area": "1 mm^2",
-    "roughness": {
-        "asperity_height_deviation": "50 nm",
-        "asperity_radius": "50 um",
-        "asperity_density": "1.6e10 1/m^2",
-    },
-}
 SHARES = np.array([0.02, 0.3, 0.5, 0.8, 0.99])
 
 

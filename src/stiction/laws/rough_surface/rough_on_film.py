@@ -24,7 +24,7 @@ bare area law is the solution of its own contact, as in [`persson_widened`](#per
 which it was.
 
 *Limit*: the bare area law, for a film of no thickness with the modulus of the bodies, for one without end with the film's own.
-*Check*: where film and bodies are alike, $p=0.05\,E^*h'$ and $F=G$ of Nayak's $\alpha=6.93$ ($NR\sigma=0.05$) as `by_moments`
+*Check*: where film and bodies are alike, $p=0.05\,E^*h'$ and $F=G$ of Nayak's $\alpha=6.93$ ($NR\sigma=0.05$) as `of_moments`
 has it; with a film of ten times the modulus and $a/t\to\infty$ the same.
 """
 

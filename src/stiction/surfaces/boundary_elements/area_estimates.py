@@ -28,9 +28,9 @@ import numpy as np
 from scipy.fft import rfft2
 
 from stiction.surfaces.boundary_elements.operators import components
-from stiction.surfaces.theory.widened_area import of_moments, widened
+from stiction.surfaces.theory.widened_area import widened
 
-__all__ = ["MapSlopes", "by_moments", "by_ranks", "by_top_slopes", "first_crossing", "map_slopes"]
+__all__ = ["MapSlopes", "by_ranks", "by_top_slopes", "first_crossing", "map_slopes"]
 
 _BINS = 1024
 _POWER = 0.783
@@ -129,13 +129,8 @@ def _by_rank(heights, size, periodic):
     return ends / heights.size, sums / counts / float(square.mean())
 
 
-def by_moments(pressure: float, slopes: MapSlopes) -> float:
-    """As `of_moments`, of a map."""
-    return float(of_moments(pressure, slopes.alpha))
-
-
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
-    """(3): as `by_moments`, with the slopes where contact is; Gaussian isotropic maps."""
+    """(3): as `widened_area.of_moments`, with the slopes where contact is; Gaussian isotropic maps."""
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))
     reach = np.minimum(0.5 * slopes.ranks, 1.0)
