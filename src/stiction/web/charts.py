@@ -7,6 +7,7 @@ import numpy as np
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
+from stiction.report.picture_style import scale
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
 
 if TYPE_CHECKING:
@@ -21,6 +22,8 @@ _GRID = {False: "#dddddd", True: "#444444"}
 _HATCHES = ("none", "rect", "triangle", "circle", "diamond", "pin")
 # Beyond this ratio an axis is logarithmic.
 _WIDE = 20.0
+# How the browser writes the numbers of an axis.
+_SHORT = "value => value !== 0 && (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5) ? value.toExponential(0) : String(+value.toPrecision(4))"
 
 
 def numbers(values: Any) -> list[float | None]:
@@ -41,8 +44,8 @@ def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[st
     """Options of a chart with named axes; its description for those who do not see it is ECharts' own, of the title."""
     ink, grid = _INK[dark], _GRID[dark]
     look = {
-        "axisLine": {"lineStyle": {"color": ink}},
-        "axisLabel": {"color": ink, "hideOverlap": True},
+        "axisLine": {"onZero": False, "lineStyle": {"color": ink}},
+        "axisLabel": {"color": ink, "hideOverlap": True, ":formatter": _SHORT},
         "nameTextStyle": {"color": ink},
         "splitLine": {"lineStyle": {"color": grid}},
         "nameLocation": "middle",
@@ -88,6 +91,9 @@ def _against(curve: "xarray.Dataset", against: str) -> tuple[np.ndarray, dict[st
     axis: dict[str, Any] = {"name": axis_name(curve[against]), "scale": True}
     if against == "load":
         return _positive(values), axis | ({"type": "log"} if _log(values) else {})
+    if unit_of(curve[against]) == "m":
+        per, unit = scale(float(np.nanmax(np.abs(values), initial=0.0)))
+        values, axis = values * per, axis | {"name": axis["name"].replace("[m]", f"[{unit}]")}
     return values, axis | {"inverse": True}  # pressing harder goes to the right
 
 

@@ -8,7 +8,7 @@ from stiction.laws.overview import models
 from stiction.laws.validity import read_doubts
 from stiction.web.asked import Comparison, compared
 from stiction.web.charts import comparison_chart
-from stiction.web.drawn import Picture
+from stiction.web.drawn import Picture, attributes
 from stiction.web.explorer import Explorer
 from stiction.web.studying import Study
 
@@ -90,7 +90,7 @@ class CompareTab:
         """The page of a model: equations, source, grade, check numbers."""
         key = name.partition(" + ")[0].partition(" (")[0]
         row = models([key])[0]
-        with ui.dialog().props(f'aria-label="{key}"') as dialog, ui.card().classes("w-full").style("max-width: 860px"):
+        with attributes(ui.dialog(), aria_label=key) as dialog, ui.card().classes("w-full").style("max-width: 860px"):
             ui.label(row["title"]).classes("text-xl")
             ui.label(f"{row['key']}, {row['kind']}, grade {row['grade']}: {row['verified']}")
             for source in row["source"]:

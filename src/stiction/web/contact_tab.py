@@ -5,7 +5,7 @@ from typing import Any
 from nicegui import ui
 
 from stiction.web.charts import curve_chart, share_chart, stacks
-from stiction.web.drawn import Picture
+from stiction.web.drawn import Picture, attributes
 from stiction.web.explorer import Explorer
 from stiction.web.words import doubt_in_words, headline, remarks
 
@@ -66,7 +66,7 @@ class ContactTab:
         self._old.set_visibility(self._explorer.answer.error is not None)
         self._tell()
         last = answer.curve["load"].size - 1
-        self._point.props(f'max={last} aria-valuetext="{where}"')
+        attributes(self._point, max=last, aria_valuetext=where)
         self._point.set_value(here)
         self._draw()
 

@@ -4,7 +4,17 @@ from typing import Any
 
 from nicegui import ui
 
-__all__ = ["Picture"]
+__all__ = ["Picture", "attributes"]
+
+
+def attributes(element: Any, **given: Any) -> Any:
+    """The element with these attributes, an underscore for a hyphen. As values, never as text to be parsed: they may hold what a
+    user wrote."""
+    changed = {name.replace("_", "-"): value for name, value in given.items()}
+    if any(element.props.get(name) != value for name, value in changed.items()):
+        element.props.update(changed)
+        element.update()
+    return element
 
 
 class Picture:
@@ -12,7 +22,7 @@ class Picture:
 
     def __init__(self, name: str, height: str = "300px"):
         self.element = ui.echart({}).classes("w-full").style(f"height: {height}")
-        self.element.props(f'role="img" aria-label="{name}"')
+        attributes(self.element, role="img", aria_label=name)
 
     def show(self, options: dict[str, Any] | None) -> None:
         """Draw these options; None for nothing."""
@@ -21,5 +31,5 @@ class Picture:
             self.element.options.clear()
             self.element.options.update(options)
             told = options.get("aria", {}).get("label", {}).get("description", "")
-            self.element.props(f'aria-label="{told}"')
+            attributes(self.element, aria_label=told)
             self.element.update()

@@ -32,6 +32,7 @@ class Explorer:
         self.question, self.answer = question, answer
         self.good = answer  # the newest without an error
         self.view = View()
+        self.rebuild: Callable[[], None] = lambda: None  # makes the form anew, where the case gets other fields
         self._listeners: list[Callable[[], None]] = []
         self._latest = Latest(solved, self._show)
         self._uploads: tempfile.TemporaryDirectory[str] | None = None

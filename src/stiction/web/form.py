@@ -7,6 +7,7 @@ from nicegui import ui
 
 from stiction.quantities.errors import InputError
 from stiction.web.asked import CHOSEN_BY_KEY, law_keys, model_names, option_values
+from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import Choices, MaterialPart, Number, Part, got, parts_of
 from stiction.web.points import points_fields
@@ -28,6 +29,7 @@ class Form:
         self.other.set_visibility(False)
         self._column = ui.column().classes("w-full gap-1")
         self.build()
+        explorer.rebuild = self.build
         explorer.listen(self.show)
 
     def build(self) -> None:
@@ -73,7 +75,7 @@ class Form:
 
         known = values if value in values else [*values, value]
         one = ui.select(known, value=value, label=label, on_change=chosen).classes("w-full")
-        self._inputs[path] = one.props(f'dense outlined options-dense aria-label="{label}"')
+        self._inputs[path] = attributes(one.props("dense outlined options-dense"), aria_label=label)
 
     def _part(self, part: Part) -> None:
         tables = self._explorer.question.tables
@@ -81,8 +83,9 @@ class Form:
         title = " ".join(_ENDINGS.get(one, one.replace("_", " ")) for one in part.path[1:]) or part.path[0]
         with ui.expansion(title.capitalize(), value=len(part.path) < 3).classes("w-full").props("dense"):
             if part.optional:
-                ui.switch(f"there is a {title}", value=given is not None,
-                          on_change=lambda event: self._switched(part, event.value))  # fmt: skip
+                there = f"there is a {title}"
+                switch = ui.switch(there, value=given is not None, on_change=lambda event: self._switched(part, event.value))
+                attributes(switch, aria_label=there)
             if isinstance(given, Mapping) and given.keys() & {"first", "second"} and part.path[-1] == "roughness":
                 ui.label("measured: see the tab Surface").classes("text-sm")
                 return
@@ -117,7 +120,7 @@ class Form:
 
         names = [_OWN, *dict.fromkeys([*part.names(tables), *([preset] if preset else [])])]
         one = ui.select(names, value=preset or _OWN, label=label, on_change=chosen, with_input=True).classes("w-full")
-        self._inputs[part.path] = one.props(f'dense outlined options-dense aria-label="material of the {label}"')
+        self._inputs[part.path] = attributes(one.props("dense outlined options-dense"), aria_label=f"material of the {label}")
         with ui.expansion(f"numbers of the {label}", value=not preset).classes("w-full").props("dense"):
             for number in part.numbers:
                 self._number(number, part.of_preset(tables, number))
@@ -127,13 +130,14 @@ class Form:
         given = got(self._explorer.question.tables, one.path)
         value = one.si(given if given is not None else otherwise or None)
         text = ui.input(one.label, value="" if given is None else str(given), placeholder=otherwise)
-        text.props(f'dense outlined debounce=300 hint="{one.help}"').classes("w-full num")
+        attributes(text.props("dense outlined debounce=300").classes("w-full"), hint=one.help, aria_label=one.label)
         self._inputs[one.path] = text
         slider = None
         if value is not None:
             knob = one.knob(value)
             slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value))
-            slider.props(f'dense aria-label="{one.label}" aria-valuetext="{one.text(value)}"').classes("w-full px-2")
+            slider.props("dense").classes("w-full px-2")
+            attributes(slider, aria_label=f"{one.label}, slider", aria_valuetext=one.text(value))
 
         async def typed(_: Any) -> None:
             wanted = str(text.value or "").strip()
@@ -147,7 +151,7 @@ class Form:
 
         async def moved(event: Any) -> None:
             at = one.text(one.knob(value).value(float(event.args)))  # type: ignore[arg-type]  # there is a value
-            slider.props(f'aria-valuetext="{at}"')
+            attributes(slider, aria_valuetext=at)
             put = self._explorer.put(one.path, one.written(at))
             text.set_value(at)
             await put

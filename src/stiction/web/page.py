@@ -7,12 +7,16 @@ from nicegui import context, ui
 
 from stiction.quantities.errors import InputError
 from stiction.web.address import unpacked
+from stiction.web.asperity_tab import AsperityTab
 from stiction.web.asked import Question, solved
 from stiction.web.compare_tab import CompareTab
 from stiction.web.contact_tab import ContactTab
 from stiction.web.explorer import Explorer
 from stiction.web.form import Form
+from stiction.web.place_tab import PlaceTab
 from stiction.web.share_tab import ShareTab
+from stiction.web.studies_tab import StudiesTab
+from stiction.web.surface_tab import SurfaceTab
 from stiction.web.working import run
 
 __all__ = ["make_page"]
@@ -26,7 +30,14 @@ _STYLE = """
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """
 # Tabs that are built when they are first opened: name -> what builds one.
-TABS: dict[str, Callable[[Explorer], Any]] = {}
+TABS: dict[str, Callable[[Explorer], Any]] = {
+    "Compare": CompareTab,
+    "Where am I": PlaceTab,
+    "One asperity": AsperityTab,
+    "Surface": SurfaceTab,
+    "Studies": StudiesTab,
+    "Share": ShareTab,
+}
 
 
 def make_page(question: Question, state: str) -> Callable[[], Any]:
@@ -95,22 +106,21 @@ def _switch(explorer: Explorer, dark: Any) -> None:
 
 def _tabs(explorer: Explorer) -> None:
     built: dict[str, Any] = {}
-    makers: dict[str, Callable[[Explorer], Any]] = {"Compare": CompareTab, **TABS, "Share": ShareTab}
     with ui.tabs().props('align="left" outside-arrows mobile-arrows no-caps inline-label') as tabs:
-        for name in ("Contact", *makers):
+        for name in ("Contact", *TABS):
             ui.tab(name)
     panels: dict[str, Any] = {}
     with ui.tab_panels(tabs, value="Contact", animated=False, keep_alive=True).classes("w-full"):
         with ui.tab_panel("Contact").classes("p-0 gap-2"):
             ContactTab(explorer)
-        for name in makers:
+        for name in TABS:
             panels[name] = ui.tab_panel(name).classes("p-0 gap-2")
 
     async def opened(event: Any) -> None:
         name = event.value
-        if name in makers and name not in built:
+        if name in TABS and name not in built:
             with panels[name]:
-                built[name] = makers[name](explorer)
+                built[name] = TABS[name](explorer)
         if hasattr(built.get(name), "opened"):
             await built[name].opened()
 

@@ -4,6 +4,7 @@ from nicegui import ui
 
 from stiction.web.address import toml_of
 from stiction.web.downloads import KINDS, content
+from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.working import run
 
@@ -20,7 +21,8 @@ class ShareTab:
         self._files = ui.label().classes("text-sm text-negative")
         with ui.row().classes("gap-2"):
             for name in KINDS:
-                ui.button(name, on_click=lambda _, name=name: self._download(name)).props(f'no-caps aria-label="download {name}"')
+                button = ui.button(name, on_click=lambda _, name=name: self._download(name)).props("no-caps")
+                attributes(button, aria_label=f"download {name}")
         ui.label("The same numbers, to the last digit, on the command line: stiction run case.toml").classes("text-sm")
         self._text = ui.code("", language="toml").classes("w-full")
         explorer.listen(self.show)

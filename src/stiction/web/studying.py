@@ -42,7 +42,7 @@ class Study:
         except InputError as error:
             said = str(error)
         except KeyboardInterrupt:
-            said = "stopped"
+            said = "stopped: it takes more than a minute, and the command line does it" if progress.too_long else "stopped"
         finally:
             self._progress = None
             self._running(False)

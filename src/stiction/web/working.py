@@ -2,6 +2,7 @@
 
 import asyncio
 import threading
+import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import partial
@@ -10,6 +11,7 @@ from typing import Any, Generic, TypeVar
 __all__ = ["QUICK", "STUDIES", "Latest", "Progress", "run"]
 
 _T = TypeVar("_T")
+LONGEST = 60.0  # seconds of a study
 # Nothing is shared between users but these threads. Two do the work of two cores; what waits is asked anew when it is its turn.
 QUICK: Executor = ThreadPoolExecutor(2, thread_name_prefix="quick")
 STUDIES: Executor = ThreadPoolExecutor(1, thread_name_prefix="study")
@@ -46,11 +48,14 @@ class Latest(Generic[_T]):
 
 
 class Progress:
-    """How far a study is, and how it is stopped: what the studies take as `progress` and as `tell`."""
+    """How far a study is, and how it is stopped: what the studies take as `progress` and as `tell`. After so many seconds it is
+    stopped by itself."""
 
-    def __init__(self) -> None:
+    def __init__(self, seconds: float = LONGEST) -> None:
+        self._end = time.monotonic() + seconds
         self.text = ""
         self.share = 0.0
+        self.too_long = False
         self._stop = threading.Event()
 
     def stop(self) -> None:
@@ -59,7 +64,8 @@ class Progress:
 
     def check(self) -> None:
         """KeyboardInterrupt, as of a user at a terminal, where it is to be stopped."""
-        if self._stop.is_set():
+        self.too_long = time.monotonic() > self._end
+        if self._stop.is_set() or self.too_long:
             raise KeyboardInterrupt
 
     def __call__(self, text: str) -> Callable[[Iterable], Iterator]:
