@@ -21,7 +21,9 @@ def serve(
     port: Annotated[int, typer.Option(min=1, max=65535, help="Port of the page.")] = 8080,
     host: Annotated[
         str,
-        typer.Option(help="Address to bind. The default is this machine alone; any other lets whoever reaches it use the page."),
+        typer.Option(
+            help="Address to bind. The default is this machine alone; any other lets whoever reaches it use the page."
+        ),
     ] = "127.0.0.1",
 ) -> None:
     """A page in the browser, with a knob for every number: friction, models, surfaces and studies of a case, drawn anew as they

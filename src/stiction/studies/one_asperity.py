@@ -109,6 +109,7 @@ def _section(stresses: Stresses, traction: float, film_strength: float) -> np.nd
         if not depths.size:
             continue
         radial = part(r, depths)
-        ahead, behind = (von_mises(cartesian(radial, np.full(r.shape, angle), traction)) for angle in (0.0, math.pi))
+        sides = [cartesian(radial, np.full(r.shape, angle), traction) for angle in (0.0, math.pi)]
+        ahead, behind = (von_mises((xx, yy, zz, xy, yz, xz)) for xx, yy, zz, xy, yz, xz in sides)
         rows.append(np.concatenate([behind[:, :0:-1], ahead], axis=1) / strength)
     return np.concatenate(rows)

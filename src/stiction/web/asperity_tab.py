@@ -8,7 +8,7 @@ from nicegui import ui
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
 from stiction.studies.one_asperity import OneAsperity, one_asperity
-from stiction.web.charts import COLOURS, chart, line
+from stiction.web.charts import COLOURS, cells, chart, line
 from stiction.web.drawn import Picture
 from stiction.web.explorer import Explorer
 from stiction.web.working import Latest
@@ -86,9 +86,9 @@ def _section_chart(found: OneAsperity, dark: bool) -> dict[str, Any]:
     """The stress in colours over the section, depth downwards, lengths over the contact radius on both axes alike."""
     points = [[float(x), float(z), float(value)] for z, row in zip(found.z, found.stress, strict=True)
               for x, value in zip(found.x, row, strict=True)]  # fmt: skip
+    half = [float(values[1] - values[0]) / 2.0 for values in (found.x, found.z)]
     series: list[dict[str, Any]] = [
-        {"name": "stress", "type": "scatter", "symbol": "rect", "symbolSize": [13, 10], "data": points, "z": 1,
-         "itemStyle": {"opacity": 1}},
+        cells("stress", points, *((f"it - {one!r}", f"it + {one!r}") for one in half)),  # type: ignore[arg-type]  # two of them
         line("contact", [-1.0, 1.0], [0.0, 0.0], 1, z=4),
         {"name": "largest stress", "type": "scatter", "symbol": "pin", "symbolSize": 30, "data": [list(found.at)], "z": 6,
          "itemStyle": {"color": COLOURS[3]}},

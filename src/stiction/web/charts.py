@@ -13,7 +13,18 @@ from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["COLOURS", "axis_name", "chart", "comparison_chart", "curve_chart", "line", "numbers", "share_chart", "stacks"]
+__all__ = [
+    "COLOURS",
+    "axis_name",
+    "cells",
+    "chart",
+    "comparison_chart",
+    "curve_chart",
+    "line",
+    "numbers",
+    "share_chart",
+    "stacks",
+]
 
 COLOURS = (BLUE, ORANGE, GREEN, RED, SKY, "#CC79A7")  # Okabe and Ito's
 _DASHES = ("solid", "dashed", "dotted", [8, 3, 2, 3], [2, 2], [12, 4])
@@ -72,6 +83,25 @@ def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
         "name": name, "type": "line", "data": points, "showSymbol": len(points) < 12, "lineStyle": look,
         "itemStyle": {"color": look["color"]}, **more,
     }  # fmt: skip
+
+
+def cells(name: str, points: list[list[float]], x: tuple[str, str], y: tuple[str, str]) -> dict[str, Any]:
+    """Coloured cells at the points (x, y, value). x, y: the two ends of a cell, as what the browser makes of the number `it`."""
+    ends = [f"(it => {one})(api.value({at}))" for at, pair in enumerate((x, y)) for one in pair]
+    draw = (
+        f"(params, api) => {{ const [left, top] = api.coord([{ends[0]}, {ends[2]}]), [right, bottom] = api.coord([{ends[1]}, {ends[3]}]);"
+        " return {type: 'rect', style: {fill: api.visual('color')}, shape: {x: Math.min(left, right) - 0.5, y: Math.min(top, bottom) - 0.5,"
+        " width: Math.abs(right - left) + 1, height: Math.abs(bottom - top) + 1}}; }"
+    )
+    return {
+        "name": name,
+        "type": "custom",
+        ":renderItem": draw,
+        "data": points,
+        "clip": True,
+        "z": 1,
+        "encode": {"x": 0, "y": 1},
+    }
 
 
 def _log(values: Any) -> bool:
@@ -168,7 +198,11 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
         for outside in (False, True):
             rows = [row for row, one in enumerate(shown) if str(families[one]) == family and _outside(data, one) == outside]
             colour = COLOURS[at % len(COLOURS)]
-            look = {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.55} if outside else {"color": colour}
+            look = (
+                {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.55}
+                if outside
+                else {"color": colour}
+            )
             series.append({"name": family + (", outside its range" if outside else ""), "type": "scatter", "symbolSize": 12,
                            "symbol": ("circle", "rect", "triangle")[at % 3], "itemStyle": look,
                            "data": [[float(mu[shown[row]]), row] for row in rows]})  # fmt: skip

@@ -16,7 +16,13 @@ __all__ = ["CompareTab"]
 
 _COLUMNS = [
     {"name": name, "label": label, "field": name, "align": "left", "sortable": True}
-    for name, label in (("model", "model"), ("mu", "mu"), ("family", "its friction rests on"), ("grade", "grade"), ("doubts", "doubts"))
+    for name, label in (
+        ("model", "model"),
+        ("mu", "mu"),
+        ("family", "its friction rests on"),
+        ("grade", "grade"),
+        ("doubts", "doubts"),
+    )
 ]
 
 
@@ -33,7 +39,9 @@ class CompareTab:
         self._picture = Picture("friction by model", "620px")
         self._picture.show(None)
         self._picture.element.on_point_click(lambda event: self._open(str(self._names()[event.value[1]])))
-        self._table = ui.table(columns=_COLUMNS, rows=[], row_key="model").classes("w-full models").props("dense flat wrap-cells")
+        self._table = (
+            ui.table(columns=_COLUMNS, rows=[], row_key="model").classes("w-full models").props("dense flat wrap-cells")
+        )
         self._table.set_visibility(False)
         self._table.on("rowClick", lambda event: self._open(event.args[1]["model"]))
         self._pages = ui.row().classes("w-full gap-2")

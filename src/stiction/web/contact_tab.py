@@ -11,7 +11,13 @@ from stiction.web.words import doubt_in_words, headline, remarks
 
 __all__ = ["ContactTab"]
 
-_ICONS = {"impossible": "block", "effect": "warning", "assumption": "help_outline", "fit": "straighten", "statistics": "scatter_plot"}
+_ICONS = {
+    "impossible": "block",
+    "effect": "warning",
+    "assumption": "help_outline",
+    "fit": "straighten",
+    "statistics": "scatter_plot",
+}
 
 
 class ContactTab:

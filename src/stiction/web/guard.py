@@ -16,7 +16,9 @@ Scope = MutableMapping[str, Any]
 class Guard:
     """An ASGI application before another. names: host names under which the server may be called; None for any."""
 
-    def __init__(self, app: Callable[..., Awaitable[None]], names: frozenset[str] | None = None, visitors: Callable[[], int] = int):
+    def __init__(
+        self, app: Callable[..., Awaitable[None]], names: frozenset[str] | None = None, visitors: Callable[[], int] = int
+    ):
         self._app, self._names, self._visitors = app, names, visitors
 
     async def __call__(self, scope: Scope, receive: Any, send: Any) -> None:

@@ -11,7 +11,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.studies.paper_claims import CLAIMS, LAM, READINGS, THETA, ClaimMap, claim_map
 from stiction.studies.paper_figures import PANELS, PanelCurves, panel_curves
 from stiction.studies.place import ADHESION_MATTERS, PLASTICITY, Place, place_of, plasticity_line
-from stiction.web.charts import COLOURS, axis_name, chart, line
+from stiction.web.charts import COLOURS, axis_name, cells, chart, line
 from stiction.web.drawn import Picture
 from stiction.web.explorer import Explorer
 from stiction.web.studying import Study
@@ -130,7 +130,7 @@ def _plane_chart(place: Place | None, share: tuple[str, np.ndarray] | None, dark
     axes = [{"type": "log", "name": f"{QUANTITIES[name].meaning.partition(' K')[0].partition(' pi')[0]} {QUANTITIES[name].symbol}",
              "min": 10.0 ** np.floor(np.log10(low)), "max": 10.0 ** np.ceil(np.log10(high))}
             for name, (low, high) in zip(("theta", "lam"), ends, strict=True)]  # fmt: skip
-    options = chart("plane of the adhesion indices", *axes, series, dark)
+    options = chart("plane of the adhesion indices", axes[0], axes[1], series, dark)
     options["tooltip"]["trigger"] = "item"
     options["grid"]["top"] = 60
     options["legend"]["type"] = "plain"
@@ -143,7 +143,8 @@ def _add_share(options: dict[str, Any], says: str, share: np.ndarray) -> None:
     """Squares for the share of the cases of a claim for which it holds."""
     points = [[float(THETA[i]), float(LAM[j]), float(share[i, j])]
               for i in range(len(THETA)) for j in range(len(LAM)) if np.isfinite(share[i, j])]  # fmt: skip
-    squares = {"name": says, "type": "scatter", "symbol": "rect", "symbolSize": 13, "data": points, "z": 1}
+    half = [float((values[1] / values[0]) ** 0.5) for values in (THETA, LAM)]
+    squares = cells(says, points, *((f"it / {one!r}", f"it * {one!r}") for one in half))  # type: ignore[arg-type]  # two of them
     options["series"] = [squares, *options["series"]]
     options["legend"]["data"] = [one["name"] for one in options["series"][1:]]
     options["visualMap"] = {"min": 0, "max": 1, "dimension": 2, "seriesIndex": 0, "right": 0, "top": "middle", "calculable": True,

@@ -43,6 +43,7 @@ def how_sure(question: Question, ranges: bool, progress: Progress) -> Result:
         pictures.append((image_of(uncertainty_figure(data)), "friction with its band"))
     if "spread_factor" in data:
         parts.append(spread_table(data))
+    if "spread_factor" in data and not pictures:  # with a band they are beside it
         pictures.append((image_of(spread_figure(data)), "what friction differs by: inputs, methods, models"))
     return Result(text_of(parts), tuple(pictures))
 
@@ -67,7 +68,9 @@ def _with_ranges(question: Question, ranges: bool) -> Any:
     return case_in(tables, question.folder)
 
 
-def designed(question: Question, load: str | float, wish: float, free: dict[tuple[str, ...], Any], progress: Progress) -> Result:
+def designed(
+    question: Question, load: str | float, wish: float, free: dict[tuple[str, ...], Any], progress: Progress
+) -> Result:
     """The numbers, between their ends, at which the friction coefficient is next to a wish at a load. Raises InputError."""
     from stiction.report.design_pictures import design_figure
     from stiction.report.design_tables import design_notes, design_table
@@ -76,7 +79,12 @@ def designed(question: Question, load: str | float, wish: float, free: dict[tupl
 
     case_asked(question)
     solve = {name: one for name, one in question.tables.get("solve", {}).items() if name not in ("load", "separation")}
-    table = {"wish": {"target": "friction_coefficient", "value": wish}, "choose": _nested(free), "validity": "possible", "effort": 30}
+    table = {
+        "wish": {"target": "friction_coefficient", "value": wish},
+        "choose": _nested(free),
+        "validity": "possible",
+        "effort": 30,
+    }
     tables = {**question.tables, "solve": {**solve, "load": [load]}, "design": table}
     data = run_design(make_design_plan(tables, question.folder), progress.tell).data()
     text = text_of([design_table(data, "design"), *design_notes(data)])
@@ -112,7 +120,9 @@ class StudiesTab:
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         self._data: Path | None = None
-        ui.label("A study that takes more than a minute ends here; the command line beside it does all of it.").classes("text-sm")
+        ui.label("A study that takes more than a minute ends here; the command line beside it does all of it.").classes(
+            "text-sm"
+        )
         self._sure()
         self._design()
         self._calibration()
@@ -204,7 +214,9 @@ class StudiesTab:
                 self._data = Path(self._explorer.upload(event.file.name, await event.file.read()))
                 said.set_text(f"{event.file.name} is here, until the page is closed")
 
-            upload = ui.upload(label="measured series, .csv", auto_upload=True, max_files=1, max_file_size=2**21, on_upload=uploaded)
+            upload = ui.upload(
+                label="measured series, .csv", auto_upload=True, max_files=1, max_file_size=2**21, on_upload=uploaded
+            )
             upload.props('accept=".csv" flat bordered')
             choice = self._choice()
 

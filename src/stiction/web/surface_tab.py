@@ -48,7 +48,9 @@ def read_bounded(path: Path, told: dict[str, str]) -> HeightMap:
     """A scan of a size for a page. Raises InputError."""
     surface = read_scan(path, **told)  # type: ignore[arg-type]  # texts
     if surface.heights.size > _MOST_POINTS:
-        raise InputError("scan", f"{surface.heights.size} points", f"{_MOST_POINTS} at most on a page; `stiction surface` takes more")
+        raise InputError(
+            "scan", f"{surface.heights.size} points", f"{_MOST_POINTS} at most on a page; `stiction surface` takes more"
+        )
     return surface
 
 
@@ -114,7 +116,9 @@ class SurfaceTab:
 
     def _band(self) -> None:
         with ui.row().classes("items-center gap-3"):
-            self._form = ui.select({0: "no form", 1: "plane", 2: "curved", 3: "order 3", 4: "order 4"}, value=1, label="form taken off")
+            self._form = ui.select(
+                {0: "no form", 1: "plane", 2: "curved", 3: "order 3", 4: "order 4"}, value=1, label="form taken off"
+            )
             self._form.on_value_change(self._ask).classes("w-32").props("dense outlined")
             use = "use it in the case, as the first body"
             self._used = attributes(ui.switch(use, on_change=self._ask), aria_label=use)
@@ -201,7 +205,9 @@ class SurfaceTab:
         ends = [one for one in (self._wanted().shortest, self._wanted().longest) if one is not None]
         limits = [float(np.min(spectrum.density[spectrum.density > 0.0])), float(np.max(spectrum.density))]
         series = [line("power spectral density", spectrum.wavevector, spectrum.density, 0)]
-        series += [line(f"cutoff {show(one, 'scan_size', 3)}", [2.0 * np.pi / one] * 2, limits, 3, showSymbol=False) for one in ends]
+        series += [
+            line(f"cutoff {show(one, 'scan_size', 3)}", [2.0 * np.pi / one] * 2, limits, 3, showSymbol=False) for one in ends
+        ]
         unit = "m^3" if spectrum.is_profile else "m^4"
         x, y = {"type": "log", "name": "wavevector q [rad/m]"}, {"type": "log", "name": f"C [{unit}]"}
         return chart("radially averaged power spectrum", x, y, series, dark)
@@ -212,7 +218,9 @@ class SurfaceTab:
         load = float(self._explorer.good.curve["load"].values.reshape(-1)[self._explorer.here])
         pressed = subject if load > 0.0 else None
         assert self._scan is not None
-        return fan_picture(prepared(self._scan, int(self._form.value)), pressed, load if pressed is not None else None, progress)
+        return fan_picture(
+            prepared(self._scan, int(self._form.value)), pressed, load if pressed is not None else None, progress
+        )
 
     def _show_fan(self, source: str) -> None:
         self._below.clear()
@@ -229,7 +237,9 @@ def _solid_chart(surface: HeightMap) -> dict[str, Any]:
     points = [[float(a), float(b), None if np.isnan(z) else float(z)] for b, row in zip(y, heights, strict=True)
               for a, z in zip(x, row, strict=True)]  # fmt: skip
     seen = [float(np.nanmin(heights)), float(np.nanmax(heights))]
-    axes = {f"{name}Axis3D": {"type": "value", "name": said} for name, said in (("x", "x [um]"), ("y", "y [um]"), ("z", "z [nm]"))}
+    axes = {
+        f"{name}Axis3D": {"type": "value", "name": said} for name, said in (("x", "x [um]"), ("y", "y [um]"), ("z", "z [nm]"))
+    }
     colours = {"color": ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]}
     return axes | {
         "grid3D": {"boxHeight": 30},
