@@ -1,13 +1,13 @@
 """One asperity, pressed and dragged: the stresses under it in section, and where it yields first.
 
-The asperity is a paraboloid that does not adhere, on the contact radius a, of which x = a/(R sigma)^(1/2) is asked; without a film
-it is Hertz's contact with Hamilton's stresses, with one the layered solid of `contact.layered`. With K, sigma and R as in
+The asperity is a paraboloid that does not adhere, on the contact radius a, of which x = a/(R sigma)^(1/2) is asked; without a
+film it is Hertz's contact with Hamilton's stresses, with one the layered solid of `contact.layered`. With K, sigma and R as in
 docs/theory.md, theory 1, and E_P = 1 and n_E = 1 where there is no film, its load and mean pressure are
 
     W = n_E E_P x^3 K R^(1/2) sigma^(3/2),    p_m/H = n_E E_P x/eta,    eta = pi H R^(1/2)/(K sigma^(1/2)),
 
-from W = (4/3) E* E_P a^3/R (Hertz 1882; `contact.layered.sphere`). The yield stress is H/k. The solution is elastic: where the von
-Mises stress is above the yield stress, it says by how much, and no more.
+from W = (4/3) E* E_P a^3/R (Hertz 1882; `contact.layered.sphere`). The yield stress is H/k. The solution is elastic: where the
+von Mises stress is above the yield stress, it says by how much, and no more.
 """
 
 import math
@@ -36,8 +36,8 @@ _LEAST, _MOST = 1e-3, 1e3  # contact radius over film thickness that the layered
 class OneAsperity:
     """An asperity in section.
 
-    x (m,), z (n,): places over the contact radius, x in the direction of the tangential force and z into the body; stress (n, m):
-    the von Mises stress over the yield stress of what is there. thickness: of the film, over the contact radius, infinite
+    x (m,), z (n,): places over the contact radius, x in the direction of the tangential force and z into the body; stress
+    (n, m): the von Mises stress over the yield stress of what is there. thickness: of the film, over the contact radius, infinite
     without one. largest: of the stress, anywhere; at: its place (x, z); where: "film", "interface" or "body". radius: over
     (R sigma)^(1/2); load: over K R^(1/2) sigma^(3/2); pressure: the mean one, over the hardness.
     """
@@ -57,8 +57,8 @@ class OneAsperity:
 def one_asperity(subject: Subject, radius: float, traction: float) -> OneAsperity:
     """The stresses under one asperity of a contact.
 
-    radius: of the contact, over (R sigma)^(1/2), above 0; traction: tangential over normal force, 0 or more. Raises InputError for
-    numbers that are several, and for a film out of proportion.
+    radius: of the contact, over (R sigma)^(1/2), above 0; traction: tangential over normal force, 0 or more. Raises InputError
+    for numbers that are several, and for a film out of proportion.
     """
     for name, array in subject.arrays():
         raise InputError(name, f"{array.size} numbers", "single numbers, for one asperity")

@@ -1,4 +1,4 @@
-"""The state of the page as text in its address: the tables of a case, packed. Whatever else stands there is refused in a line."""
+"""The state of the page as text in its address: the tables of a case, packed. All else is refused in a line."""
 
 import base64
 import binascii
@@ -69,8 +69,8 @@ def _files_in(value: Any) -> Iterator[str]:
 
 
 def refuse_other_files(tables: Mapping[str, Any], allowed: Iterable[str]) -> None:
-    """InputError where the tables name a file that is neither of the case that is served nor was uploaded: an address is written
-    by anybody, and may not ask for the files of this machine."""
+    """InputError where the tables name a file that is neither of the case that is served nor was uploaded: an address is
+    written by anybody, and may not ask for the files of this machine."""
     known = set(allowed)
     for name in files_named(tables):
         if name not in known:

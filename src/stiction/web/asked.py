@@ -1,4 +1,4 @@
-"""What the page asks of the rooms below: a case solved, its models compared. No physics, no browser; it may run in any thread."""
+"""What the page asks of the rooms below: a case solved, its models compared. No physics, no browser; in any thread."""
 
 import math
 from collections.abc import Mapping

@@ -102,7 +102,8 @@ def _section_chart(found: OneAsperity, dark: bool) -> dict[str, Any]:
     options["legend"]["data"] = [one["name"] for one in series[1:]]
     options["tooltip"]["trigger"] = "item"
     options["grid"]["right"] = 96
-    options["visualMap"] = {"min": 0.0, "max": max(float(found.stress.max()), 1e-12), "dimension": 2, "seriesIndex": 0, "right": 0,
-                            "top": "middle", "calculable": True, "precision": 3, "inRange": {"color": _SHADES},
+    most = max(float(found.stress.max()), 1e-12)
+    options["visualMap"] = {"min": 0.0, "max": most, "dimension": 2, "seriesIndex": 0, "right": 0, "top": "middle",
+                            "calculable": True, "precision": 3, "inRange": {"color": _SHADES},
                             "text": ["stress over\nyield stress", ""], "textStyle": options["textStyle"]}  # fmt: skip
     return options

@@ -34,7 +34,10 @@ _HATCHES = ("none", "rect", "triangle", "circle", "diamond", "pin")
 # Beyond this ratio an axis is logarithmic.
 _WIDE = 20.0
 # How the browser writes the numbers of an axis.
-_SHORT = "value => value !== 0 && (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5) ? value.toExponential(0) : String(+value.toPrecision(4))"
+_SHORT = (
+    "value => value !== 0 && (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5) "
+    "? value.toExponential(0) : String(+value.toPrecision(4))"
+)
 
 
 def numbers(values: Any) -> list[float | None]:
@@ -86,11 +89,13 @@ def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
 
 
 def cells(name: str, points: list[list[float]], x: tuple[str, str], y: tuple[str, str]) -> dict[str, Any]:
-    """Coloured cells at the points (x, y, value). x, y: the two ends of a cell, as what the browser makes of the number `it`."""
+    """Coloured cells at the points (x, y, value). x, y: the two ends of a cell, as what a browser makes of the number `it`."""
     ends = [f"(it => {one})(api.value({at}))" for at, pair in enumerate((x, y)) for one in pair]
     draw = (
-        f"(params, api) => {{ const [left, top] = api.coord([{ends[0]}, {ends[2]}]), [right, bottom] = api.coord([{ends[1]}, {ends[3]}]);"
-        " return {type: 'rect', style: {fill: api.visual('color')}, shape: {x: Math.min(left, right) - 0.5, y: Math.min(top, bottom) - 0.5,"
+        f"(params, api) => {{ const [left, top] = api.coord([{ends[0]}, {ends[2]}]);"
+        f" const [right, bottom] = api.coord([{ends[1]}, {ends[3]}]);"
+        " return {type: 'rect', style: {fill: api.visual('color')},"
+        " shape: {x: Math.min(left, right) - 0.5, y: Math.min(top, bottom) - 0.5,"
         " width: Math.abs(right - left) + 1, height: Math.abs(bottom - top) + 1}}; }"
     )
     return {
@@ -136,9 +141,9 @@ def curve_chart(curve: "xarray.Dataset", name: str, against: str, here: int, dar
     series += [line(f"{one.rpartition('_')[2]}, over ways to find asperities", x, _positive(curve[one].values), 4)
                for one in bands]  # fmt: skip
     if f"{name}_quantile" in curve:
-        shares = curve["quantile"].values
-        series += [line(f"{share:g} of what is drawn is below", x, _positive(curve[f"{name}_quantile"].sel(quantile=share).values), 4)
-                   for share in (shares[0], shares[-1])]  # fmt: skip
+        for share in curve["quantile"].values[[0, -1]]:
+            drawn = _positive(curve[f"{name}_quantile"].sel(quantile=share).values)
+            series.append(line(f"{share:g} of what is drawn is below", x, drawn, 4))
     if here < x.size and np.isfinite(x[here]) and np.isfinite(y[here]):
         mark = {"name": "the point in words", "type": "scatter", "data": [[float(x[here]), float(y[here])]], "symbolSize": 12}
         series.append(mark | {"itemStyle": {"color": RED}, "symbol": "diamond"})
@@ -187,7 +192,7 @@ def share_chart(curve: "xarray.Dataset", what: str, against: str, dark: bool) ->
 
 
 def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
-    """Friction at the working load by each model, a row each, its families apart; what is outside its range is hollow and faint."""
+    """Friction at the working load by each model, a row each, families apart; what is outside its range is hollow, faint."""
     mu = data["friction_coefficient_at_load"].values
     families = data["family_of_curve"].values
     shown = [at for at in np.argsort(mu) if np.isfinite(mu[at]) and mu[at] > 0.0]
@@ -213,7 +218,8 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
                        "data": [[float(mu[shown[row]]), row]]})  # fmt: skip
     series = [one for one in series if one["data"]]
     options = chart("static friction coefficient by each model", {"type": "log", "name": "static friction coefficient mu"},
-                    {"type": "category", "data": names, "axisLabel": {"color": _INK[dark], "width": 210, "overflow": "truncate"}},
+                    {"type": "category", "data": names,
+                     "axisLabel": {"color": _INK[dark], "width": 210, "overflow": "truncate"}},
                     series, dark)  # fmt: skip
     options["grid"] |= {"left": 226, "top": 70}
     options["legend"] |= {"type": "plain", "top": 0}

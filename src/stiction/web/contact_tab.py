@@ -1,4 +1,4 @@
-"""The tab Contact: friction, load and area of the case, its asperities by their state, and what is doubtful, beside the number."""
+"""The tab Contact: friction, load and area of the case, asperities by their state, and what is doubtful beside the number."""
 
 from typing import Any
 

@@ -8,8 +8,8 @@ __all__ = ["Picture", "attributes"]
 
 
 def attributes(element: Any, **given: Any) -> Any:
-    """The element with these attributes, an underscore for a hyphen. As values, never as text to be parsed: they may hold what a
-    user wrote."""
+    """The element with these attributes, an underscore for a hyphen. As values, never as text to be parsed: they may hold what
+    a user wrote."""
     changed = {name.replace("_", "-"): value for name, value in given.items()}
     if any(element.props.get(name) != value for name, value in changed.items()):
         element.props.update(changed)

@@ -80,8 +80,8 @@ class Explorer:
         return files_named(self.question.tables)
 
     def upload(self, name: str, content: bytes) -> str:
-        """Keep a file that was uploaded in a folder of this visitor, and say its name there: that of its ending only, so that it
-        cannot be a path."""
+        """Keep a file that was uploaded in a folder of this visitor, and say its name there: that of its ending only, so that
+        it cannot be a path."""
         if self._uploads is None:
             self._uploads = tempfile.TemporaryDirectory(prefix="stiction-")
         ending = "".join(letter for letter in Path(name).suffix.lower() if letter.isalnum())[:12]

@@ -78,10 +78,15 @@ class Number:
         """A slider for it, on which this value has a place."""
         lower, upper = self.quantity.lower, self.quantity.upper
         if math.isfinite(lower) and upper <= 2.0:
-            return Knob(lower, upper, 0.005, False)
+            step = 0.005
+            ends = (
+                lower if self.quantity.lower_included else lower + step,
+                upper if self.quantity.upper_included else upper - step,
+            )
+            return Knob(*ends, step, False)
         example = self.si(self.quantity.example) or 1.0
-        ends = [math.log10(one) for one in (example, value) if one > 0.0]
-        low, high = min(ends) - _DECADES, max(ends) + _DECADES
+        places = [math.log10(one) for one in (example, value) if one > 0.0]
+        low, high = min(places) - _DECADES, max(places) + _DECADES
         low = max(low, math.log10(lower)) if lower > 0.0 else low
         high = min(high, math.log10(upper)) if math.isfinite(upper) else high
         return Knob(low, high, 0.01, True)

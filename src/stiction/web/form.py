@@ -1,4 +1,4 @@
-"""The form: fields and sliders made from the records of a case. What is wrong is said beside the field, as on the command line."""
+"""The form: fields and sliders made from the records of a case. What is wrong is said beside the field."""
 
 from collections.abc import Mapping
 from typing import Any

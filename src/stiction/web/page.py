@@ -7,8 +7,8 @@ from nicegui import context, ui
 
 from stiction.quantities.errors import InputError
 from stiction.web.address import unpacked
-from stiction.web.asperity_tab import AsperityTab
 from stiction.web.asked import Question, solved
+from stiction.web.asperity_tab import AsperityTab
 from stiction.web.compare_tab import CompareTab
 from stiction.web.contact_tab import ContactTab
 from stiction.web.explorer import Explorer
@@ -24,8 +24,8 @@ __all__ = ["make_page"]
 _STYLE = """
 .charts { grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 8px }
 .frame { display: grid; grid-template-columns: minmax(260px, 340px) minmax(0, 1fr); gap: 16px; width: 100% }
-@media (max-width: 800px) { .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap } .q-page { padding: 4px }
-  .frame > .results { order: -1 } }
+@media (max-width: 800px) { .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap }
+  .q-page { padding: 4px } .frame > .results { order: -1 } }
 .body--light .text-negative { color: #b00020 !important } .body--dark .text-negative { color: #ff8a80 !important }
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """

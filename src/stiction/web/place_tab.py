@@ -1,4 +1,4 @@
-"""The tab Where am I: the plane of the adhesion indices with the contact in it, the claims of the 2015 paper, and its figures."""
+"""The tab Where am I: the plane of the adhesion indices with the contact in it; claims and figures of the 2015 paper."""
 
 from functools import cache
 from typing import Any
@@ -127,7 +127,8 @@ def _plane_chart(place: Place | None, share: tuple[str, np.ndarray] | None, dark
     ]  # fmt: skip
     for one in series:
         one["showSymbol"] = False
-    axes = [{"type": "log", "name": f"{QUANTITIES[name].meaning.partition(' K')[0].partition(' pi')[0]} {QUANTITIES[name].symbol}",
+    meanings = {"theta": "elastic adhesion index", "lam": "plastic adhesion index"}
+    axes = [{"type": "log", "name": f"{meanings[name]} {QUANTITIES[name].symbol}",
              "min": 10.0 ** np.floor(np.log10(low)), "max": 10.0 ** np.ceil(np.log10(high))}
             for name, (low, high) in zip(("theta", "lam"), ends, strict=True)]  # fmt: skip
     options = chart("plane of the adhesion indices", axes[0], axes[1], series, dark)
@@ -147,8 +148,8 @@ def _add_share(options: dict[str, Any], says: str, share: np.ndarray) -> None:
     squares = cells(says, points, *((f"it / {one!r}", f"it * {one!r}") for one in half))  # type: ignore[arg-type]  # two of them
     options["series"] = [squares, *options["series"]]
     options["legend"]["data"] = [one["name"] for one in options["series"][1:]]
-    options["visualMap"] = {"min": 0, "max": 1, "dimension": 2, "seriesIndex": 0, "right": 0, "top": "middle", "calculable": True,
-                            "inRange": {"color": _SHADES}, "text": ["holds", "fails"],
+    options["visualMap"] = {"min": 0, "max": 1, "dimension": 2, "seriesIndex": 0, "right": 0, "top": "middle",
+                            "calculable": True, "inRange": {"color": _SHADES}, "text": ["holds", "fails"],
                             "textStyle": options["textStyle"]}  # fmt: skip
     options["grid"]["right"] = 86
 

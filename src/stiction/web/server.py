@@ -2,6 +2,7 @@
 
 import socket
 from pathlib import Path
+from typing import Any
 
 from nicegui import Client, app, core, ui
 
@@ -13,6 +14,8 @@ from stiction.web.first import first_case
 from stiction.web.guard import Guard, names_for
 from stiction.web.page import make_page
 from stiction.web.working import QUICK
+
+_MOST_CONNECTIONS = 1000
 
 __all__ = ["check_port", "question_of", "serve", "set_up"]
 
@@ -55,5 +58,12 @@ def serve(question: Question, host: str, port: int) -> None:
     set_up(question, host)
     app.on_startup(lambda: QUICK.submit(solved, question) and None)  # kernels are compiled before somebody waits for them
     core.sio.max_http_buffer_size = 2**20  # what one message of a browser may hold
-    ui.run(host=host, port=port, reload=False, show=False, title="stiction", dark=None, language="en-US", reconnect_timeout=10.0,
-           show_welcome_message=False, uvicorn_logging_level="warning", limit_concurrency=1000, h11_max_incomplete_event_size=2**16)  # fmt: skip
+    looks: dict[str, Any] = {
+        "title": "stiction",
+        "dark": None,
+        "language": "en-US",
+        "show": False,
+        "show_welcome_message": False,
+    }
+    bounds: dict[str, Any] = {"limit_concurrency": _MOST_CONNECTIONS, "h11_max_incomplete_event_size": 2**16}
+    ui.run(host=host, port=port, reload=False, reconnect_timeout=10.0, uvicorn_logging_level="warning", **looks, **bounds)
