@@ -37,9 +37,9 @@ class OneAsperity:
     """An asperity in section.
 
     x (m,), z (n,): places over the contact radius, x in the direction of the tangential force and z into the body; stress
-    (n, m): the von Mises stress over the yield stress of what is there. thickness: of the film, over the contact radius, infinite
-    without one. largest: of the stress, anywhere; at: its place (x, z); where: "film", "interface" or "body". radius: over
-    (R sigma)^(1/2); load: over K R^(1/2) sigma^(3/2); pressure: the mean one, over the hardness.
+    (n, m): the von Mises stress over the yield stress of what is there. thickness: of the film, over the contact radius,
+    infinite without one. largest: of the stress, anywhere; at: its place (x, z); where: "film", "interface" or "body".
+    radius: over (R sigma)^(1/2); load: over K R^(1/2) sigma^(3/2); pressure: the mean one, over the hardness.
     """
 
     x: np.ndarray

@@ -1,9 +1,9 @@
 """Where a contact is in the plane of the adhesion indices, and the limits that are drawn there.
 
-theta = 10 and lambda = 0.125 are those below which adhesion is felt (docs/theory.md, theory 1, and the 2015 paper). psi = 0.6 and
-1 are those of Greenwood & Williamson (1966): below, contacts are elastic, above, plastic, at all loads of practice. As
-eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (docs/theory.md, theory 1), psi is a line in the plane:
-lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
+theta = 10 and lambda = 0.125 are those below which adhesion is felt (docs/theory.md, theory 1, and the 2015 paper). psi = 0.6
+and 1 are those of Greenwood & Williamson (1966): below, contacts are elastic, above, plastic, at all loads of practice. As
+eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (docs/theory.md, theory 1), psi is a line in the
+plane: lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
 """
 
 import math

@@ -4,7 +4,7 @@ import socket
 from pathlib import Path
 from typing import Any
 
-from nicegui import Client, app, core, ui
+from nicegui import Client, app, ui
 
 from stiction.quantities.errors import InputError
 from stiction.studies.case import read_content
@@ -57,13 +57,7 @@ def serve(question: Question, host: str, port: int) -> None:
     """Serve the page until it is interrupted."""
     set_up(question, host)
     app.on_startup(lambda: QUICK.submit(solved, question) and None)  # kernels are compiled before somebody waits for them
-    core.sio.max_http_buffer_size = 2**20  # what one message of a browser may hold
-    looks: dict[str, Any] = {
-        "title": "stiction",
-        "dark": None,
-        "language": "en-US",
-        "show": False,
-        "show_welcome_message": False,
-    }
+    looks: dict[str, Any] = {"title": "stiction", "dark": None, "language": "en-US", "show": False}
     bounds: dict[str, Any] = {"limit_concurrency": _MOST_CONNECTIONS, "h11_max_incomplete_event_size": 2**16}
-    ui.run(host=host, port=port, reload=False, reconnect_timeout=10.0, uvicorn_logging_level="warning", **looks, **bounds)
+    server: dict[str, Any] = {"reload": False, "reconnect_timeout": 10.0, "uvicorn_logging_level": "warning"}
+    ui.run(host=host, port=port, show_welcome_message=False, **looks, **bounds, **server)
