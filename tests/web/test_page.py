@@ -1,6 +1,7 @@
 """The page, by users who are simulated: no browser is needed."""
 
 import asyncio
+from collections.abc import Awaitable, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
 
@@ -13,7 +14,17 @@ from stiction.web.first import first_case
 
 MAIN = Path(__file__).parent / "simulated.py"
 # Libraries of the server warn of each other.
-pytestmark = [pytest.mark.asyncio, pytest.mark.filterwarnings("default")]
+pytestmark = pytest.mark.filterwarnings("default")
+
+
+def in_a_loop(test: Callable[[], Awaitable[None]]) -> Callable[[], None]:
+    """A test that waits, as one that pytest runs."""
+
+    def run() -> None:
+        asyncio.run(test())
+
+    run.__name__, run.__doc__ = test.__name__, test.__doc__
+    return run
 
 
 @asynccontextmanager
@@ -47,12 +58,14 @@ def _mu(user: User) -> str:
     return next(text for text in _texts(user) if text.startswith("mu "))
 
 
+@in_a_loop
 async def test_the_first_screen_shows_an_answer_with_its_doubts():
     async with _page() as user:
         assert _mu(user) == "mu = 0.04562"
         assert any("claimed is" in text and text.startswith("Leaves out what matters here") for text in _texts(user))
 
 
+@in_a_loop
 async def test_a_knob_that_moves_changes_the_number():
     async with _page() as user:
         before = _mu(user)
@@ -60,6 +73,7 @@ async def test_a_knob_that_moves_changes_the_number():
         await _until(user, lambda: _mu(user) != before)
 
 
+@in_a_loop
 async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays():
     async with _page() as user:
         before, field = _mu(user), _input(user, "asperity tip radius R")
@@ -71,6 +85,7 @@ async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays(
         await _until(user, lambda: not field.error and _mu(user) != before)
 
 
+@in_a_loop
 async def test_the_address_holds_the_case():
     tables = first_case()
     tables["contact"]["work_of_adhesion"] = "0.3 J/m^2"
@@ -78,12 +93,14 @@ async def test_the_address_holds_the_case():
         assert _input(user, "work of adhesion gamma").value == "0.3 J/m^2" and _mu(user) != "mu = 0.04562"
 
 
+@in_a_loop
 async def test_an_address_that_holds_nothing_is_told_and_the_first_case_shown():
     async with _page("garbage") as user:
         assert _mu(user) == "mu = 0.04562"
         assert any(text.startswith("The address was not used: address: 'garbage'") for text in _texts(user))
 
 
+@in_a_loop
 async def test_an_address_cannot_ask_for_a_file():
     tables = first_case()
     tables["contact"]["roughness"] = {"first": {"file": "/etc/passwd"}}
@@ -91,12 +108,14 @@ async def test_an_address_cannot_ask_for_a_file():
         assert any("The address was not used: file: '/etc/passwd'" in text for text in _texts(user))
 
 
+@in_a_loop
 async def test_a_title_is_text():
     tables = first_case() | {"title": "<script>window.broken = 1</script>"}
     async with _page(packed(tables)) as user:
         assert tables["title"] in _texts(user)  # of a label, which a browser writes as text
 
 
+@in_a_loop
 async def test_dimensionless_groups_and_several_numbers_have_a_page():
     groups = {"theta": 40, "lam": 10, "n_E": [0.5, 1.5], "n_H": 0.5, "tau": 2}
     async with _page(packed({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:
@@ -104,6 +123,7 @@ async def test_dimensionless_groups_and_several_numbers_have_a_page():
         assert _input(user, "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2)) theta").value == "40"
 
 
+@in_a_loop
 async def test_what_one_visitor_does_no_other_sees():
     import httpx
     from nicegui import core

@@ -16,7 +16,7 @@ from stiction.web import server
 def served(monkeypatch):
     """What would be served, and where; nothing is."""
     asked = []
-    monkeypatch.setattr(server, "serve", lambda *arguments: asked.append(arguments))
+    monkeypatch.setattr("stiction.web.server.serve", lambda *arguments: asked.append(arguments))
     return asked
 
 

@@ -27,6 +27,7 @@ _STYLE = """
 @media (max-width: 800px) { .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap }
   .q-page { padding: 4px } .frame > .results { order: -1 } }
 .body--light .text-negative { color: #b00020 !important } .body--dark .text-negative { color: #ff8a80 !important }
+.q-tabs { max-width: 100% } .q-tabs__content { flex-wrap: wrap }
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """
 # Tabs that are built when they are first opened: name -> what builds one.
