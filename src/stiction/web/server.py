@@ -16,6 +16,7 @@ from stiction.web.page import make_page
 from stiction.web.working import QUICK
 
 _MOST_CONNECTIONS = 1000
+_PATIENCE = 600.0  # seconds for a page: on a new installation kernels are compiled first
 
 __all__ = ["check_port", "question_of", "serve", "set_up"]
 
@@ -48,7 +49,7 @@ def set_up(question: Question, host: str) -> None:
     """The page of a case, with its guard, in the application of this process."""
     app.add_middleware(Guard, names=names_for(host), visitors=lambda: len(Client.instances))
 
-    @ui.page("/", title="stiction")
+    @ui.page("/", title="stiction", response_timeout=_PATIENCE)
     async def page(s: str = "") -> None:
         await make_page(question, s)()
 
