@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 from stiction.quantities.errors import InputError
-from stiction.web.address import files_named, packed, refuse_other_files, toml_of, unpacked
+from stiction.studies.case_text import as_toml
+from stiction.web.address import files_named, packed, refuse_other_files, unpacked
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 
@@ -18,7 +19,7 @@ EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 def test_a_case_comes_back_from_its_address(path):
     tables = tomllib.loads(path.read_text(encoding="utf-8"))
     assert unpacked(packed(tables)) == tables
-    assert tomllib.loads(toml_of(tables)) == tables
+    assert tomllib.loads(as_toml(tables)) == tables
 
 
 def test_a_title_that_would_be_anything_else_comes_back_as_it_was():

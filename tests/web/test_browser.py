@@ -1,4 +1,4 @@
-"""The page in a real browser: each tab, by keyboard, at two widths, in light and dark, with nothing asked of any other machine."""
+"""The page in a real browser: each tab, by keyboard, at two widths, in light and dark, nothing asked of other machines."""
 
 import json
 import os
@@ -165,7 +165,10 @@ def test_a_surface_and_what_its_cutoff_does_to_friction(page):
 @pytest.mark.parametrize(
     ("name", "content"),
     [
-        ("broken.npy", b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (100000, 100000), }" + b" " * 40),
+        (
+            "broken.npy",
+            b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (100000, 100000), }" + b" " * 40,
+        ),
         ("cut.npy", b"\x93NUM"),
         ("words.txt", b"no heights here\n" * 9),
         ("../../etc/passwd", b"root"),
@@ -211,8 +214,8 @@ def test_a_narrow_page_is_not_wider_than_its_window(browser, address, scheme):
         assert page.evaluate("document.body.classList.contains('body--dark')") == (scheme == "dark")
 
 
-NAMELESS = """() => [...document.querySelectorAll('input, button, [role=slider], [role=tab], [role=switch], [role=img], img, canvas')]
-  .filter(one => one.offsetParent !== null && one.tagName !== 'CANVAS' && one.type !== 'file')
+NAMELESS = """() => [...document.querySelectorAll('input, button, [role=slider], [role=tab], [role=switch], [role=img], img')]
+  .filter(one => one.offsetParent !== null && one.type !== 'file')
   .filter(one => !(one.getAttribute('aria-label') || one.innerText || one.getAttribute('alt') || one.labels && one.labels.length
     && one.labels[0].innerText || one.closest('[aria-label]') || one.title))
   .map(one => one.outerHTML.slice(0, 200))"""
@@ -276,7 +279,7 @@ WATCH = """() => { window.seen = []; const status = document.querySelector('[rol
 
 
 def test_a_knob_is_answered_at_once(page):
-    """A loose bound, for machines that do other things too: benchmarks/page.py has the figures."""
+    """A loose bound, for machines that do other things too."""
     page.evaluate(WATCH)
     page.get_by_role("slider", name="asperity tip radius R").locator("[tabindex='0']").focus()
     times = []

@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 import pytest
-import stiction as st
 
+import stiction as st
 from stiction.quantities.errors import InputError
 from stiction.studies.one_asperity import one_asperity
 from stiction.studies.place import place_of, plasticity_line
@@ -20,7 +20,7 @@ def _steel(**more):
 
 
 def test_a_pressed_asperity_has_the_stress_of_the_textbook():
-    """Johnson 1985, section 4.2 (c): largest shear 0.31 p0 at a depth of 0.48 a for nu = 0.3, which is 0.62 p0 after von Mises."""
+    """Johnson 1985, section 4.2 (c): largest shear 0.31 p0 at a depth of 0.48 a for nu = 0.3, 0.62 p0 after von Mises."""
     found = one_asperity(st.Indices(theta=40, lam=10), 0.1, 0.0)
     peak = 1.5 * found.pressure * 2.8  # p0 over the yield stress, H/Y = 2.8
     assert found.largest / peak == pytest.approx(0.62, abs=0.003) and found.at[1] == pytest.approx(0.48, abs=0.005)

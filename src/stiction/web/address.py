@@ -5,27 +5,21 @@ import binascii
 import tomllib
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
-from pathlib import Path
 from typing import Any
 
 from stiction.quantities.errors import InputError
-from stiction.studies.case_text import case_text
+from stiction.studies.case_text import as_toml
 
-__all__ = ["files_named", "packed", "refuse_other_files", "toml_of", "unpacked"]
+__all__ = ["files_named", "packed", "refuse_other_files", "unpacked"]
 
 _LONGEST = 20_000  # characters of an address
 _LARGEST = 200_000  # bytes of the case in it
 _STATE = "a case, as this page writes it into its address"
 
 
-def toml_of(tables: Mapping[str, Any]) -> str:
-    """A case file of these tables; what they name beside it keeps its name."""
-    return case_text(tables, [], Path(), Path())
-
-
 def packed(tables: Mapping[str, Any]) -> str:
     """The tables as text for an address; "" where they are too many for one."""
-    text = base64.urlsafe_b64encode(zlib.compress(toml_of(tables).encode(), 9)).decode().rstrip("=")
+    text = base64.urlsafe_b64encode(zlib.compress(as_toml(tables).encode(), 9)).decode().rstrip("=")
     return text if len(text) <= _LONGEST else ""
 
 

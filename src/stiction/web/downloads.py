@@ -7,7 +7,7 @@ from pathlib import Path
 from stiction.report.files import comments_of, write_csv, write_netcdf
 from stiction.solving.method_spread import as_columns
 from stiction.studies.bands import as_columns as with_quantiles
-from stiction.web.address import toml_of
+from stiction.studies.case_text import as_toml
 from stiction.web.asked import Answer
 
 __all__ = ["KINDS", "content"]
@@ -38,7 +38,7 @@ def _netcdf(answer: Answer, path: Path) -> None:
 
 
 def _toml(answer: Answer, path: Path) -> None:
-    path.write_text(toml_of(answer.question.tables), encoding="utf-8")
+    path.write_text(as_toml(answer.question.tables), encoding="utf-8")
 
 
 # Name of the file -> what writes it.

@@ -2,7 +2,7 @@
 
 from nicegui import ui
 
-from stiction.web.address import toml_of
+from stiction.studies.case_text import as_toml
 from stiction.web.downloads import KINDS, content
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
@@ -34,6 +34,6 @@ class ShareTab:
 
     def show(self) -> None:
         """The newest case."""
-        self._text.set_content(toml_of(self._explorer.good.question.tables))
+        self._text.set_content(as_toml(self._explorer.good.question.tables))
         files = ", ".join(self._explorer.files)
         self._files.set_text(f"Not in the address: {files}. Who opens it has to have these files." if files else "")
