@@ -5,6 +5,7 @@
 - models.md: lists of models and laws, from their records;
 - published-models.md: a section for each, the docstring of its file and what its record says;
 - materials.md: the presets, from their files;
+- truth.md: how far models are from solved surfaces, from the set of these (truth_tables.py);
 - tests/reference/README.md: how each table of numbers was made, from the docstrings of the scripts that make them.
 
 Each stands in its page between a line "<!-- NAME: begin, made by docs/make_tables.py -->" and "<!-- NAME: end -->".
@@ -13,6 +14,7 @@ Each stands in its page between a line "<!-- NAME: begin, made by docs/make_tabl
 import ast
 import inspect
 import re
+import sys
 from functools import cache, partial
 from pathlib import Path
 
@@ -26,10 +28,20 @@ from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, Fil
 from stiction.quantities.table import QUANTITIES
 from stiction.report.material_tables import LISTED, with_range
 from stiction.solving.conditions import RULES
-from stiction.studies.recommendation import COST_OF_A_DOUBLING, COST_OF_FILM, COST_OF_GRADE, COST_UNIT
+from stiction.studies.recommendation import (
+    COST_OF_A_DOUBLING,
+    COST_OF_ERROR,
+    COST_OF_FILM,
+    COST_OF_GRADE,
+    COST_UNIT,
+    NOT_MEASURED,
+)
 from stiction.surfaces.read import readers
 
 HERE = Path(__file__).parent
+sys.path.append(str(HERE))
+import truth_tables  # noqa: E402 - beside this file
+
 REFERENCE = HERE.parent / "tests" / "reference"
 SECTIONS = "published-models.md"
 
@@ -176,7 +188,7 @@ def section(model: dict) -> str:
 
 def off_by(model: dict) -> list[str]:
     """What was measured of a film law, in words."""
-    return model.get("measured_error", [])
+    return model.get("measured_film_error", [])
 
 
 def more(record: Record) -> list[str]:
@@ -246,8 +258,13 @@ def costs() -> str:
     """What a doubt and a grade cost in the recommendation."""
     doubts = [(f"a doubling outside of a range, {kind}", f"{cost:g}") for kind, cost in COST_OF_A_DOUBLING.items()]
     grades = [(f"grade {grade}", f"{cost:g}") for grade, cost in COST_OF_GRADE.items()]
-    film = ("a film law that was found off by a factor of two in area near this contact", f"{COST_OF_FILM:g}")
-    return table(("what", "cost"), [*doubts, *grades, film, ("c_0, the cost that divides the weight by e", f"{COST_UNIT:g}")])
+    errors = [
+        ("a film law off by a factor of two in area on a sphere, where no surfaces were solved near", f"{COST_OF_FILM:g}"),
+        ("a measured error of the contact area of 10 %, root mean square over the surfaces near", f"{0.1 * COST_OF_ERROR:g}"),
+        ("not measured near this contact, where others were", f"{NOT_MEASURED * COST_OF_ERROR:g}"),
+    ]
+    unit = ("c_0, the cost that divides the weight by e", f"{COST_UNIT:g}")
+    return table(("what", "cost"), [*doubts, *grades, *errors, unit])
 
 
 def film_errors_on_a_sphere() -> str:
@@ -335,6 +352,7 @@ TABLES = {
     "surfaces.md": {"formats": formats, "methods": ways},
     "which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},
     "trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt, "costs": costs},
+    "truth.md": truth_tables.TABLES,
     "materials.md": {"materials": materials, "sources of materials": material_sources},
     "../tests/reference/README.md": {"scripts": reference_scripts},
 }

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import matplotlib
 import numpy as np
-from film_laws import LAWS, NU, asperity
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from film_laws import LAWS, NU, asperity
 from stiction.contact.layered.compliance import Layer
 from stiction.contact.layered.sphere import respond
 

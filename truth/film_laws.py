@@ -22,9 +22,9 @@ from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
-import films
 import numpy as np
 
+import films
 from stiction.contact.indices import Groups, stiffness_group
 from stiction.contact.layered.compliance import Layer
 from stiction.contact.layered.sphere import respond

@@ -2,9 +2,9 @@
 
     python truth/models.py [FOLDER]
 
-Every rough-surface model and asperity law that `compare` asks, under every way of finding asperities, with heights as each finds
-them; theories of the whole surface with its moments; this project's law also with the map ("map"). Hardnesses are those of the
-solutions. Models that know adhesion get too little of it to matter.
+Every rough-surface model and asperity law that `compare` asks, under every way of finding asperities, with heights as each
+finds them; theories of the whole surface with its moments; this project's law also with the map ("map"). Hardnesses are those
+of the solutions. Models that know adhesion get too little of it to matter.
 """
 
 import json
@@ -14,9 +14,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+
 import surfaces as design
 from solve import WORK
-
 from stiction.contact.coating import Coating
 from stiction.contact.contact import Contact, Roughness
 from stiction.contact.materials import Material
@@ -39,14 +39,14 @@ _POISSON, _RIGID = 0.3, 1e30
 _MOMENTS, _ON_FILM = "moments", "mccool"  # on films one way of finding asperities is enough: laws differ more
 
 
-def contact(surface: HeightMap, roughness: Roughness, hardness, coating: Coating | None = None) -> Contact:
-    """A rigid smooth body on the surface; hardness: [Pa], an array over "hardness", of the rough body."""
+def contact(nominal: float, roughness: Roughness, hardness, coating: Coating | None = None) -> Contact:
+    """A rigid smooth body on a rough one of nominal area [m2]; hardness: [Pa], an array over "hardness", of the rough body."""
     strain = 1.0 - _POISSON**2
     soft = Material(youngs_modulus=MODULUS * strain, poissons_ratio=_POISSON, hardness=hardness)
     rigid = Material(youngs_modulus=_RIGID, poissons_ratio=_POISSON, hardness=_RIGID)
     more = {} if coating is None else {"coating": coating}
     return Contact(
-        first=soft, second=rigid, roughness=roughness, work_of_adhesion=WEAK, nominal_area=surface.size[0] * surface.size[1],
+        first=soft, second=rigid, roughness=roughness, work_of_adhesion=WEAK, nominal_area=nominal,
         interfacial_shear_strength=1e6, **more,
     )  # fmt: skip
 
@@ -54,7 +54,9 @@ def contact(surface: HeightMap, roughness: Roughness, hardness, coating: Coating
 def shares(one: Contact, candidate: Candidate, loads: np.ndarray) -> np.ndarray:
     """A/A0 (n, m) at loads [N] (n, m), not a number where the model does not carry one."""
     problem = make_problem(one, candidate.choice)
-    factors = one.scales().factors() if not takes_surface_moments(candidate.choice.model) else problem.subject.scales().factors()
+    factors = (
+        one.scales().factors() if not takes_surface_moments(candidate.choice.model) else problem.subject.scales().factors()
+    )
     targets = loads / float(np.ravel(factors["N"])[0])
     if problem.needs_load:
         area = problem.at_load(targets)["contact_area"]
@@ -72,21 +74,43 @@ def said(one: design.Surface, record: dict) -> dict:
     """Column -> shares, by what was solved: "elastic", hardnesses, and numbers of films; and the asperities of each method."""
     surface = one.made()
     found = measure(MeasuredRoughness(first=surface))
-    answer = {"asperities": _asperities(found), "standing": found.method, "bare": {}, "films": []}
+    answer = {"asperities": _asperities(found), "standing": found.method, "asked": [], "bare": {}, "films": []}
     hardnesses, pressures = _bare_loads(record)
     strength = MODULUS * record["gradient"]
     nominal = surface.size[0] * surface.size[1]
     axis_of = axis("hardness", np.array(hardnesses) * strength)
-    for column, candidate, roughness in _columns(found, contact(surface, found.roughness(), axis_of)):
-        try:
-            answer["bare"][column] = _plain(shares(contact(surface, roughness, axis_of), candidate, pressures * strength * nominal))
-        except (InputError, Unreachable):
-            continue  # what it does not know or carry is not measured
+    for column, candidate, roughness in _columns(found, contact(nominal, found.roughness(), axis_of)):
+        _ask(answer, column, contact(nominal, roughness, axis_of), candidate, pressures * strength * nominal)
     if one.seed == MAP_SEED:
         answer["bare"][f"{OWN}|{MAP}"] = _own(surface, record, hardnesses, pressures)
     for film in record["films"]:
         answer["films"].append(_on_film(surface, found, record, film))
     return answer
+
+
+def with_new_theories(one: design.Surface, record: dict, answer: dict) -> bool:
+    """Adds what theories of the whole surface say that joined since the answer was made; whether there are any."""
+    sigma, radius, density, _ = answer["asperities"]["mccool"]
+    moments = Roughness(asperity_height_deviation=sigma, asperity_radius=radius, asperity_density=density)
+    hardnesses, pressures = _bare_loads(record)
+    strength, nominal = MODULUS * record["gradient"], design.SIDE**2
+    bare = contact(nominal, moments, axis("hardness", np.array(hardnesses) * strength))
+    new = [
+        candidate
+        for candidate in candidates(bare)
+        if takes_surface_moments(candidate.choice.model) and f"{candidate.name}|{_MOMENTS}" not in answer["asked"]
+    ]
+    for candidate in new:
+        _ask(answer, f"{candidate.name}|{_MOMENTS}", bare, candidate, pressures * strength * nominal)
+    return bool(new)
+
+
+def _ask(answer: dict, column: str, one: Contact, candidate: Candidate, loads: np.ndarray) -> None:
+    answer["asked"].append(column)
+    try:
+        answer["bare"][column] = _plain(shares(one, candidate, loads))
+    except (InputError, Unreachable):
+        return  # what it does not know or carry is not measured
 
 
 def _asperities(found) -> dict:
@@ -127,13 +151,14 @@ def _on_film(surface: HeightMap, found, record: dict, film: dict) -> dict:
     strain, strength = 1.0 - _POISSON**2, MODULUS * record["gradient"]
     body = Material(youngs_modulus=film["modulus"] * MODULUS * strain, poissons_ratio=_POISSON, hardness=ELASTIC * strength)
     coating = Coating(material=body, thickness=film["thickness"] * record["shortest"], bodies="first")
-    loads = np.array([film["pressure"]]) * strength * surface.size[0] * surface.size[1]
+    nominal = surface.size[0] * surface.size[1]
+    loads = np.array([film["pressure"]]) * strength * nominal
     answer = {}
-    for column, candidate, roughness in _columns(found, contact(surface, found.roughness(), ELASTIC * strength, coating)):
+    for column, candidate, roughness in _columns(found, contact(nominal, found.roughness(), ELASTIC * strength, coating)):
         if not column.endswith((_MOMENTS, _ON_FILM)):
             continue
         try:
-            answer[column] = _plain(shares(contact(surface, roughness, ELASTIC * strength, coating), candidate, loads))
+            answer[column] = _plain(shares(contact(nominal, roughness, ELASTIC * strength, coating), candidate, loads))
         except (InputError, Unreachable):
             continue
     return answer
@@ -147,10 +172,12 @@ def main(folder: Path) -> None:
     todo = design.surfaces()
     for number, one in enumerate(todo, start=1):
         solved, path = folder / f"{one.name}.json", folder / f"{one.name}.models"
-        if path.exists() or not solved.exists():
+        record = json.loads(solved.read_text())
+        answer = json.loads(path.read_text()) if path.exists() else said(one, record)
+        if path.exists() and not with_new_theories(one, record, answer):
             continue
         part = path.with_suffix(".part2")
-        part.write_text(json.dumps(said(one, json.loads(solved.read_text()))))
+        part.write_text(json.dumps(answer))
         part.rename(path)
         print(f"{number} of {len(todo)}: {one.name}", flush=True)
 

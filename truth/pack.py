@@ -1,19 +1,19 @@
 """Packs what was solved and what models say of it into the one small file that the package reads.
 
-    python truth/pack.py [FOLDER [FILE]]
+python truth/pack.py [FOLDER [FILE]]
 """
 
 import json
+import lzma
 import math
 import sys
 from pathlib import Path
 
 import numpy as np
-import surfaces as design
-from models import ELASTIC
-from solve import WORK
 
-from stiction.solving.solved_set import FEATURES, FILE, coded
+import surfaces as design
+from solve import WORK
+from stiction.solving.solved_set import FEATURES, FILE, PACKED, coded
 
 HERE = Path(__file__).parent
 HARDNESSES = (math.inf, *design.HARDNESSES)
@@ -79,25 +79,34 @@ def main(folder: Path, file: Path) -> None:
     nothing = np.full(areas.shape[1:], np.nan)
     columns = {}
     for name in bare:
-        said = [said_areas(one, said["bare"][name]) if name in said["bare"] else nothing for one, said in zip(records, models, strict=True)]
+        said = [
+            said_areas(one, said["bare"][name]) if name in said["bare"] else nothing
+            for one, said in zip(records, models, strict=True)
+        ]
         with np.errstate(divide="ignore", invalid="ignore"):
             columns[name] = np.log(np.array(said) / areas)
     names, which, tables = unique(columns)
+    films = [[one["modulus"], one["thickness"]] for one in next(one["films"] for one in records if one["films"])]
     coated = [at for at, one in enumerate(records) if one["films"]]
     film_names, film_which, film_tables = unique(_on_films(records, models, coated))
     content = {
         "surfaces": np.array([one.name for one in every]), "kinds": np.array([one.kind for one in every]),
-        "held_out": np.array([one.held_out for one in every]), "features": np.array([features(one) for one in records], np.float32),
+        "held_out": np.array([one.held_out for one in every]),
+        "features": np.array([features(one) for one in records], np.float32),
         "hardnesses": np.array(HARDNESSES), "loads": np.array(design.LOADS),
-        "areas": np.round(np.nan_to_num(-1e4 * np.log(areas), nan=65535.0)).astype(np.uint16),
+        "areas": np.round(np.nan_to_num(-5e3 * np.log(areas), nan=65535.0)).astype(np.uint16),
         "columns": np.array(names), "which": np.array(which, np.uint8), "errors": _steps(tables),
-        "film_surfaces": np.array(coated, np.int16), "films": np.array([[one["modulus"], one["thickness"]] for one in records[coated[0]]["films"]]),
+        "film_surfaces": np.array(coated, np.int16), "films": np.array(films),
         "film_loads": np.array([[one["pressure"] for one in records[at]["films"]] for at in coated], np.float32),
         "film_areas": np.array([[one["area"] for one in records[at]["films"]] for at in coated], np.float32),
         "film_columns": np.array(film_names), "film_which": np.array(film_which, np.uint8), "film_errors": _steps(film_tables),
         "gradient_over_shortest": np.array([one["shortest"] for one in records], np.float32),
         "standing": np.array([one["standing"] for one in models]),
     }  # fmt: skip
+    for name in PACKED:
+        content[f"{name}_shape"] = np.array(content[name].shape)
+        packed = lzma.compress(content[name].tobytes(), preset=9 | lzma.PRESET_EXTREME)
+        content[name] = np.frombuffer(packed, np.uint8)
     np.savez_compressed(file, **content)
     print(f"{file}: {file.stat().st_size} bytes, {len(every)} surfaces, {len(names)} columns, {len(tables)} different")
 

@@ -10,9 +10,9 @@ import sys
 from pathlib import Path
 
 import numpy as np
-import surfaces as design
 from scipy.stats import kurtosis, skew
 
+import surfaces as design
 from stiction.surfaces.boundary_elements.area_estimates import map_slopes
 from stiction.surfaces.boundary_elements.compliance import Compliance, Film
 from stiction.surfaces.boundary_elements.measures import waves

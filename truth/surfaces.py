@@ -1,8 +1,8 @@
 """The surfaces of the set: which there are, and how each is made from its seed.
 
-All are periodic, of 256 x 256 points (two kinds of 512 x 512) and rms gradient 0.1. In the shortest wave of a Gaussian surface
-are 8 points, of one that is transformed afterwards 10.7: a transform makes shorter waves. With z a Gaussian surface of mean 0 and
-variance 1:
+All are periodic, of 256 x 256 points (two kinds of 512 x 512) and rms gradient 0.1. In the shortest wave of a Gaussian
+surface are 8 points, of one that is transformed afterwards 10.7: a transform makes shorter waves. With z a Gaussian surface of
+mean 0 and variance 1:
 
     skewed      e^(s z) up, -e^(-s z) down; Johnson's distributions on the spectrum of z; sinh(z) and tanh(z), which are peaked
                 and flat
@@ -32,7 +32,8 @@ LOADS = (0.002, 0.004, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.9)
 HARDNESSES = (0.03, 0.08, 0.2, 0.5, 1.2)
 MOST_OF_HARDNESS = 0.95
 TOP = 0.05  # share of the points that are called highest
-# Films: plane-strain modulus over that of the substrate, thickness over the shortest wave; loads over E* h' at the shortest wave.
+# Films: plane-strain modulus over that of the substrate, thickness over the shortest wave; loads over E* h', E* that which a
+# shortest wave of pressure meets.
 FILM_MODULI = (0.1, 0.3, 3.0, 10.0)
 FILM_THICKNESSES = (0.1, 0.3, 1.0, 3.0)
 FILM_LOADS = (0.005, 0.02, 0.06, 0.2)

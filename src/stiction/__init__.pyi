@@ -22,6 +22,7 @@ from .studies.case_results import compare_case as compare_case
 from .studies.case_results import solve_case as solve_case
 from .studies.comparison import compare as compare
 from .studies.design import design as design
+from .studies.film_stress import film_stresses as film_stresses
 from .studies.fit import fit as fit
 from .studies.resolution import fan as fan
 from .studies.resolution import resolution_study as resolution_study

@@ -62,7 +62,7 @@ def refused(read):
 def test_examples_are_valid(path):
     case = read_case(path)
     assert case.title and (case.separation is None) != (case.load is None)
-    assert case.choice == Choice("soft_coating_2015", options={})
+    assert not case.choice.options
     if isinstance(case.subject, Contact):
         indices = case.subject.indices()
         assert indices.has_film or indices.shear_strength is not None  # what the example is about

@@ -5,8 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import stiction as st
 from stiction.studies import paper_claims as claims
+from stiction.studies import paper_layered
 from stiction.studies.paper_claims import CLAIMS, READINGS, ClaimMap, Curves, Surfaces, claim_map, summary, surfaces_at, where
+from stiction.studies.paper_figures import PANELS, panel_curves
 
 H = claims._H
 
@@ -111,3 +114,26 @@ def test_the_page_states_the_definitions_and_the_whole_map():
             row["where_none"],
         ]
         assert f"| {' | '.join(cells)} |" in page
+
+
+def test_surfaces_whose_film_is_solved():
+    """The uncoated one peels as Savkoor and Briggs have it; films without end are the film alone, and those of no thickness the
+    body."""
+    lam, films = np.array([10.0]), [np.array([one]) for one in (1.5, 0.5, 2.0)]
+    bare = surfaces_at(40.0, lam, "layered").bare
+    h = H[::20]
+    alone = st.solve(st.Indices(theta=40.0, lam=10.0), separation=h, model="greenwood_williamson_1966",
+                     asperity="roy_chowdhury_ghosh_1994", tangential="savkoor_briggs_1977")  # fmt: skip
+    np.testing.assert_allclose(bare.friction_force[0, 0, 0, 0, ::20], alone["friction_force"].values, rtol=1e-9)
+    thick = paper_layered.totals(40.0, lam, h, (*films[:2], np.array([1e9])))
+    film = st.Indices(theta=40.0 * 1.5, lam=10.0 * (0.5**2 / 1.5) ** 2)
+    half_space = st.solve(film, separation=h, model="greenwood_williamson_1966", asperity="roy_chowdhury_ghosh_1994")
+    np.testing.assert_allclose(thick[0][0], 1.5 * half_space["load"].values, rtol=1e-4)
+    np.testing.assert_allclose(thick[1][0], half_space["contact_area"].values, rtol=1e-4)
+    thin = paper_layered.totals(40.0, lam, h, (*films[:2], np.array([1e-9])))
+    np.testing.assert_allclose(thin[0][0], alone["load"].values, rtol=1e-4)
+    found = panel_curves(PANELS[0], 40.0, 10.0, "layered")
+    whole = surfaces_at(40.0, lam, "layered").films
+    np.testing.assert_allclose(found.coated["load"].sel(n_E=1.5).values, whole.load[0, 1, 1, 0], rtol=1e-9)
+    np.testing.assert_allclose(found.coated["friction_force"].sel(n_E=1.5).values, whole.friction_force[0, 1, 1, 0], rtol=1e-9)
+    assert "its film solved" in found.caption

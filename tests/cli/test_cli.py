@@ -258,7 +258,7 @@ def test_the_command_itself_prints_one_line_and_no_traceback(tmp_path):
 
 
 def test_interruption_is_exit_code_130(monkeypatch):
-    def interrupt(path):
+    def interrupt(path, **options):
         raise KeyboardInterrupt
 
     monkeypatch.setattr("stiction.studies.case.read_case", interrupt)
@@ -318,7 +318,7 @@ def test_figures_writes_pictures_curves_and_the_map_of_the_claims(tmp_path, monk
     assert all((tmp_path / "figures" / name).read_bytes().startswith(PNG) for name in pictures)
     with (tmp_path / "figures" / "claims.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    assert len(rows) == 5 * 2 * 2 * 2
+    assert len(rows) == 5 * 3 * 2 * 2
     assert {row["claim"] for row in rows} == set("abcde")
     # Theory, section 6: these indices show (a) to (c) in both readings.
     here = {(row["claim"], row["reading"]): row["share_here"] for row in content["claims"]}

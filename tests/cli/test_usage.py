@@ -17,12 +17,15 @@ CASES = {
     "run": ("CASE.toml: not given", "Case file"),
     "run one.toml two.toml": ("arguments: 'two.toml'", "CASE.toml and options"),
     "schema here": ("arguments: 'here'", "options only"),
-    "compare case.toml --lod 3": ("option: '--lod'", "--load, --out, --json, --help"),
+    "compare case.toml --lod 3": ("option: '--lod'", "--load, --out, --ranges, --json, --help"),
     "run case.toml -x": ("option: '-x'", "--model"),
     "run case.toml --json=3": ("--json: 'with a value'", "without a value"),
     "--bad": ("option: '--bad'", "--version, --install-completion, --show-completion, --help"),
-    "no-such-command --out x": ("command: 'no-such-command'", "run, sweep, compare, surface"),
-    "--": ("command: not given", "run, sweep, compare, surface"),
+    "no-such-command --out x": (
+        "command: 'no-such-command'",
+        "run, sweep, sensitivity, fit, design, compare, validate, surface",
+    ),
+    "--": ("command: not given", "run, sweep, sensitivity, fit, design, compare, validate, surface"),
 }
 
 

@@ -99,8 +99,8 @@ def test_every_elastic_film_law_is_there():
     assert {key for key, _ in measured._sphere()} == elastic
     assert {key for key, _ in measured._maps()} == elastic | {"rough_on_film"}
     for law in elastic:
-        assert summary(law) and st.models([law])[0]["measured_error"]
-    assert not st.models(["kato_1981"])[0]["measured_error"]
+        assert summary(law) and st.models([law])[0]["measured_film_error"]
+    assert not st.models(["kato_1981"])[0]["measured_film_error"]
     options = {text for key, text in measured._sphere() if key == "finkin_1969"}
     assert options == {f"bound {value}" for value in of_kind(FilmLaw)["finkin_1969"].options["bound"]}
 
@@ -148,7 +148,7 @@ def test_beside_a_result(film):
     model = "soft_coating_2015" if film == "graded" else PLAIN
     found = st.solve(coated(**more), load=["10 mN", "1 N"], model=model, film=film)
     radius = np.sqrt(found["contact_area"].values / (math.pi * found["touching_asperities"].values))
-    sphere, maps = read_film_errors(found.attrs["measured_error"])
+    sphere, maps = read_film_errors(found.attrs["measured_film_error"])
     assert sphere["law"] == maps["law"] == film
     assert_allclose(sphere["near"]["a_over_t"], [radius.min() / 200e-9, radius.max() / 200e-9], rtol=1e-9)
     assert_allclose(sphere["near"]["n_E"], 0.1, rtol=1e-4)
@@ -158,18 +158,18 @@ def test_beside_a_result(film):
     said = in_words(sphere)
     assert f"{film} against exact sphere" in said and "% at given load" in said and "a_over_t = " in said
     bare = st.solve(coated().replace(coating=None), load="1 N", model=PLAIN)
-    assert bare.attrs["measured_error"] == "[]"
+    assert bare.attrs["measured_film_error"] == "[]"
 
 
 def test_what_was_not_measured_says_why():
     flows = st.solve(coated(interfacial_shear_strength="10 MPa"), load="1 N", model=PLAIN, film="kato_1981")
-    (row,) = read_film_errors(flows.attrs["measured_error"])
+    (row,) = read_film_errors(flows.attrs["measured_film_error"])
     assert "flow" in row["why_not"] and "error" not in row and "flow" in in_words(row)
     stiff = st.solve(coated(n_E=300.0), load="1 N", model=PLAIN, film="halling_1979")
-    rows = read_film_errors(stiff.attrs["measured_error"])
+    rows = read_film_errors(stiff.attrs["measured_film_error"])
     assert len(rows) == 2 and all("measured for n_E" in row["why_not"] for row in rows)
     area = st.solve(coated(n_E=300.0), load="1 N", model="rough_on_film")
-    (row,) = read_film_errors(area.attrs["measured_error"])
+    (row,) = read_film_errors(area.attrs["measured_film_error"])
     assert "0.1 to 10" in row["why_not"]
 
 
@@ -198,7 +198,7 @@ def test_its_cost():
 def test_in_a_comparison():
     data = st.compare(coated(thickness=500e-9, interfacial_shear_strength="100 MPa"), load="0.1 N")
     laws = ("layered", "ogilvy_1993", "rough_on_film")
-    rows = {name: json.loads(data["measured_error"].sel(model=name).item()) for name in laws}
+    rows = {name: json.loads(data["measured_film_error"].sel(model=name).item()) for name in laws}
     assert rows["layered"][0]["error"][1] == pytest.approx(0.0, abs=5e-3)
     assert rows["ogilvy_1993"][0]["error"][1] < -0.2 and rows["rough_on_film"][0]["rms"] < 0.1
     assert float(data["cost"].sel(model="layered")) < float(data["cost"].sel(model="halling_1979"))

@@ -192,6 +192,37 @@ def test_pull_off():
     assert_allclose(loads.min(axis=1), -1.5 * math.pi * 0.7 / theta, rtol=5e-3)
 
 
+@pytest.mark.parametrize(("n_E", "aspect"), [(0.1, 0.5), (0.1, 2.0), (8.0, 0.5), (8.0, 2.0)])
+def test_pull_off_between_is_where_no_radius_is_stable(n_E, aspect, monkeypatch):
+    """Of films as thick as the contact is wide: the least load at which the energy of all, that of the load with it, has a
+    least anywhere over the radius, by trying loads. Elastic solutions by the table's own method."""
+    monkeypatch.syspath_prepend(str(REFERENCE))
+    independent = importlib.import_module("make_layered")
+    theta, nu = 3.0, 0.3
+    coarse, a = np.linspace(0.05, 5.0, 160), np.linspace(0.3, 5.0, 9000)  # over sqrt(R sigma)
+    load, approach, stiffness, _ = zip(*(independent.solve(1.0, n_E, nu, nu, one / aspect) for one in coarse), strict=True)
+    smooth = importlib.import_module("scipy.interpolate").CubicSpline
+    P, D = (smooth(coarse, one) for one in (n_E * np.array(load) * coarse**3, np.array(approach) * coarse**2))
+    S = smooth(coarse, np.array(stiffness) * 1.5 * n_E * coarse)(a)
+    stored = smooth(a, P(a) * D(a, 1)).antiderivative()(a)
+
+    def holds(pull):
+        w = D(a) + (pull - P(a)) / S
+        energy = stored + P(a) * (w - D(a)) + S * (w - D(a)) ** 2 / 2.0 - math.pi * a**2 / theta - pull * w
+        return ((energy[1:-1] < energy[:-2]) & (energy[1:-1] < energy[2:])).any()
+
+    low, high = -3.0 * math.pi / theta, 0.0
+    assert holds(high) and not holds(low)
+    for _ in range(30):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if holds(middle) else (middle, high)
+    piece = elastic(groups(theta=theta, nu=nu, film_aspect=aspect, **FILM | {"n_E": n_E}).resolved(), law_of("jkr"))
+    u = np.linspace(0.55, 2.2, 6000)
+    least = min(normal_states(piece, np.array([one]))[0, 2] for one in u)
+    assert least == pytest.approx(high, rel=5e-3)
+    assert abs(least / (-1.5 * math.pi / theta) - 1.0) > 0.01  # not the limit
+
+
 def test_other_adhesion():
     """DMT's is Hertz's less 2 pi gamma R; contact is made at w = 0 and lost where dw/du = 0."""
     given = random_contacts(np.random.default_rng(37), 50).resolved()
@@ -218,6 +249,27 @@ def test_where_it_yields(key):
     assert_allclose(load / area, share * given.eta * chi, rtol=1e-9)
     before = normal_states(whole, coordinates_at_area(whole, 0.98 * area))
     assert (before[:, 2] < load / area * before[:, 3] * 1.5).all()
+
+
+@pytest.mark.parametrize(("n_E", "n_H"), [(0.1, 0.1), (0.1, 10.0), (8.0, 0.1), (8.0, 10.0)])
+@pytest.mark.parametrize(("key", "share"), [("roy_chowdhury_ghosh_1994", 1.0), ("chang_etsion_bogy_1987", 0.454 + 0.41 * 0.3)])
+def test_a_plastic_asperity_bears_the_hardness_at_its_depth(key, share, n_E, n_H):
+    """Its mean pressure is the law's share of Bhattacharya and Nix's hardness: the film's where it is hardly pressed, the
+    body's where it is pressed through. So a soft film is squeezed out on its body, and a hard one is let down by it: it bears
+    less load on its way there."""
+    tau, n = 200.0, 60
+    eta = 0.02
+    lam = (eta * math.sqrt(1e9 / math.pi) / 18.0**0.25) ** 4
+    given = groups(theta=1e9 * np.ones(n), lam=lam, nu=0.3, n_E=n_E, n_H=n_H, tau=tau, film_aspect=tau).resolved()
+    last = parts_of(key, given)[-1]
+    assert last.state == "plastic"
+    w = np.geomspace(0.05 * tau, 60.0 * tau, n)
+    _, _, load, area = normal_states(last, coordinates(last, w)).T
+    c, power = (n_H / n_E, 2) if n_H < 1.0 else (1.0 / math.sqrt(n_E), 1)
+    chi = 1.0 + (n_H - 1.0) * np.exp(-c * (w / tau) ** power)
+    assert_allclose(load / area, share * eta * chi, rtol=2e-3)
+    assert load[-1] / area[-1] == pytest.approx(share * eta, rel=2e-3)
+    assert (np.diff(load) > 0.0).all() == (n_H < 1.0)
 
 
 BODIES = {"first": "hardened_steel_52100", "second": "tungsten", "work_of_adhesion": 0.05, "nominal_area": "1 mm^2"}

@@ -210,7 +210,7 @@ def test_command_for_people(case, tmp_path):
     said = " ".join(result.stdout.split())  # lines are folded to the width of the terminal
     for word in ("kogut_etsion_2004", "working load 10 N", "recommended: ", "within their validity", "does not stick"):
         assert word in said
-    names = {"compare.csv", "compare_at_load.csv", "compare.nc", "compare.png"}
+    names = {"compare.csv", "compare_at_load.csv", "compare.nc", "compare.png", "spread.png"}
     assert {path.name for path in out.iterdir()} == names and all(name in said for name in names)
     lines = (out / "compare.csv").read_text().splitlines()
     assert lines[0] == "model,mean_separation [m],load [N],contact_area [m^2],friction_force [N],friction_coefficient"
@@ -289,7 +289,8 @@ def test_the_table_at_the_working_load(case, tmp_path, data):
     with (tmp_path / "out" / "compare_at_load.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     results = ["friction_coefficient", "mean_separation [m]", "load [N]", "contact_area [m^2]", "friction_force [N]"]
-    assert list(rows[0]) == ["model", "grade", *results, "outside_validity", "why_not"]
+    measured = ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
+    assert list(rows[0]) == ["model", "grade", *results, *measured, "outside_validity", "why_not"]
     assert [row["model"] for row in rows] == list(data["model"].values)
     for head in results:
         values = data[f"{head.partition(' ')[0]}_at_load"].values

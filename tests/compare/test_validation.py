@@ -98,6 +98,14 @@ def test_who_refuses_is_left_out_with_the_reason(tmp_path):
     assert found.attrs["place"] == "p. 2, Table 3"
 
 
+def test_a_load_that_is_not_carried_leaves_the_others(tmp_path):
+    """Asperity models carry no 100 kN on a square millimetre of such steel; what they say at 1 N counts."""
+    found = st.validate(written(tmp_path, values="load [N],friction_coefficient\n1,0.2\n1e5,0.2\n"))
+    one = found.sel(model="chang_etsion_bogy_1988")
+    assert np.isfinite(one["predicted"].values).tolist() == [True, False] and int(one["answered"]) == 1
+    assert np.all(np.diff(found["answered"].values) <= 0)
+
+
 # ---- what an entry has to say
 
 

@@ -195,7 +195,8 @@ def test_the_substrate_of_a_film():
     substrate, whole = (yielded_shares(problem, h, f"load_share_{name}yielded") for name in ("substrate_", ""))
     assert (substrate < whole).all() and substrate[0, 2] < 0.01 * substrate[0, 0]
     with pytest.raises(InputError, match="tells film and substrate apart"):
-        yielded_shares(make_problem(subject, Choice("soft_coating_2015", film="layered")), h, "load_share_substrate_yielded")
+        as_one = Choice("greenwood_williamson_1966", film="layered", tangential="none")
+        yielded_shares(make_problem(subject, as_one), h, "load_share_substrate_yielded")
 
 
 def test_no_yield_of_the_substrate_is_a_limit():
@@ -210,6 +211,31 @@ def test_no_yield_of_the_substrate_is_a_limit():
     share = yielded_shares(make_problem(there, Choice()), h.reshape(1, 1), "load_share_substrate_yielded")
     assert bool(found["kept"][0]) and share.item() == pytest.approx(0.001, rel=1e-3)
     assert share.item() <= 0.001 * (1 + 1e-6)
+
+
+def test_what_is_uncertain_is_held_for_nineteen_of_twenty():
+    """Friction is strength times area over load: with a strength that is uncertain the area must be so much smaller."""
+    table = case({"maximise": "contact_area"}, RADIUS, {"friction_coefficient": {"high": 0.1}})
+    sure = float(design(table)["contact_area"][0])
+    assert sure == pytest.approx(0.1 * LOAD / STRENGTH, rel=2e-6)
+    table["contact"]["interfacial_shear_strength"] = "200 +/- 20 MPa"
+    found = design(table)
+    deviations = (0.1 * LOAD / float(found["contact_area"][0]) - STRENGTH) / 20e6
+    assert 1.3 < deviations < 2.3  # 1.64 if there were more than 32 points
+    assert found.attrs["uncertain"] == "interfacial_shear_strength" and bool(found["kept"][0])
+
+
+def test_a_material_that_is_chosen_brings_its_own_ranges():
+    table = coated(LEAST, {"coating": {"material": ["silver", "gold"]}})
+    nominal = design(table)
+    wide = design(table | {"uncertainty": {"ranges": True}})
+    assert wide.attrs["uncertain"] == "numbers of materials within their ranges"
+    worse = [
+        float(data["friction_coefficient"][data["coating.material"].values.tolist().index(name)])
+        for name in ("silver", "gold")
+        for data in (nominal, wide)
+    ]
+    assert worse[1] > worse[0] and worse[3] > worse[2]
 
 
 def test_an_interruption_keeps_the_best_so_far():

@@ -145,6 +145,15 @@ def test_what_decides_nothing_compiles_nothing(plug_in):
     assert run("first")["first"][1:] == [1, 0]
 
 
+def test_a_formula_that_moved_to_another_module(plug_in):
+    """The code is the same, and so is the file's name; what is in it asks for a module that is no more."""
+    folder, run = plug_in
+    run("first")
+    (folder / "formulas.py").rename(folder / "elsewhere.py")
+    (folder / "kernels.py").write_text(KERNELS.replace("from formulas", "from elsewhere"))
+    np.testing.assert_allclose(run("first")["first"][0], np.sin(X) + 1.0, rtol=1e-15)
+
+
 def test_a_folder_that_cannot_be_written_costs_only_time_and_is_said_once(plug_in):
     folder, run = plug_in
     (folder / "cache").write_text("a file where the folder should be")

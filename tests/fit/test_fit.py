@@ -190,6 +190,14 @@ def test_what_the_data_determine_is_not_called_badly_determined(series):
     assert found.attrs["verdict"] == "" and float(found["high"][1] / found["low"][1]) < 1.2
 
 
+def test_a_number_that_is_uncertain_and_not_free_is_said_so(series):
+    table = case(free={ADHESION: BOTH[ADHESION]})
+    table["contact"][STRENGTH] = "200 +/- 20 MPa"
+    found = fit(table, series(exact(), 0.01))
+    assert f"{STRENGTH}: uncertain, and taken as the nominal value" in found.attrs["verdict"]
+    assert float(found["value"][0]) == pytest.approx(50e-3, rel=1e-4)
+
+
 def test_every_sample_may_have_its_own_number(series):
     values = np.where(np.arange(LOADS.size) % 2, 1.0, 1.5) * exact()
     data = series(values, 0.01, sample=["dry", "wet"] * 4)
@@ -239,6 +247,21 @@ def test_akaikes_criterion_where_errors_are_not_given(series):
     scale = (0.05 * values.max()) ** 2  # of the residuals: the same for all models
     by_hand = 8 * np.log(((values - said) ** 2).sum() / scale / 8) + 4 + 12 / 5
     assert aicc_of(one) == pytest.approx(by_hand, rel=1e-9)
+
+
+def test_values_left_out_are_predicted_from_all_others(series):
+    """Linear in the strength: every fifth value by the closed form of the others."""
+    slope, error = exact() / 200e6, 0.02 * exact()
+    values = exact() + error * np.random.default_rng(11).standard_normal(LOADS.size)
+    free = {STRENGTH: {"low": "1 MPa", "high": "400 MPa", "spacing": "linear"}}
+    found = fit(case(free=free, models=["fuller_tabor_1975", "persson_2001"]), series(values, error))
+    off = np.empty(LOADS.size)
+    for at in range(5):
+        out = np.arange(at, LOADS.size, 5)
+        rest = np.setdiff1d(np.arange(LOADS.size), out)
+        best = (values * slope / error**2)[rest].sum() / ((slope / error) ** 2)[rest].sum()
+        off[out] = (best * slope[out] - values[out]) / error[out]
+    assert float(found["left_out"].sel(model="fuller_tabor_1975")) == pytest.approx(np.sqrt((off**2).mean()), rel=1e-6)
 
 
 def test_weights_of_akaike():

@@ -14,13 +14,17 @@ from stiction import cli
 from stiction.laws.validity import doubts_of
 from stiction.solving.choice import Choice
 from stiction.surfaces.boundary_elements import kept
+from stiction.surfaces.boundary_elements.adhesive import solve_adhesive
+from stiction.surfaces.boundary_elements.bodies import Bodies
 from stiction.surfaces.boundary_elements.compliance import Compliance, Film
+from stiction.surfaces.boundary_elements.curve import curve_of_map
 from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.boundary_elements.telling import telling
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import filter_period, level
 from stiction.surfaces.targets import SelfAffine
+from tables import read
 
 SIDE, POINTS = 20e-6, 64
 BODIES = {"first": "hardened_steel_52100", "second": "silver", "interfacial_shear_strength": 20e6}
@@ -53,6 +57,19 @@ def area(contact):
 
 def elastic(rough, **more):
     return st.Contact(first=ELASTIC, second=ELASTIC, roughness=rough, nominal_area=SIDE**2, **more)
+
+
+def test_a_wave_in_one_direction_is_westergaards():
+    """By the curve that the model solves; a profile has no asperities, so that no contact has this roughness."""
+    points, bodies = 512, Bodies(1e9)
+    heights = 1e-8 * np.cos(2.0 * math.pi * np.arange(points) / points) * np.ones((4, 1))
+    surface = HeightMap(heights, (SIDE * 4 / points, SIDE), periodic=True)
+    rows = [{name: float(value) for name, value in row.items()} for row in read("boundary_elements.csv")]
+    whole = math.pi * 1e9 * 1e-8 / SIDE
+    curve = curve_of_map(surface, bodies, [row["share"] * whole for row in rows])
+    for one, row in zip(curve.contacts, rows, strict=True):
+        assert one.area_pixels / one.nominal_area == pytest.approx(row["area"], abs=2.0 / points)
+        assert one.pressure.max() == pytest.approx(row["largest"] * whole, rel=1e-3)
 
 
 def test_waves_in_full_contact_have_their_mean_planes_on_each_other():
@@ -91,6 +108,34 @@ def test_friction_of_an_interface_is_exact(contact):
     assert float(more["friction_coefficient"]) == pytest.approx(20e6 * float(found["contact_area"]) / 2e-3 + 0.1, rel=1e-9)
     bare = st.solve(contact, load="2 mN", model=MODEL, tangential="none")
     assert "friction_force" not in bare
+
+
+def test_friction_of_the_pressure_of_every_point(contact, rough):
+    """The lesser of alpha p and tau_0, and growth to p^2 + 9 tau_0^2 = H^2, summed here over the solver's own pressures."""
+    weak = contact.replace(interfacial_shear_strength=25e6, pressure_coefficient=0.15)
+    first, second = contact.first, contact.second
+    modulus = 1.0 / sum((1.0 - one.poissons_ratio**2) / one.youngs_modulus for one in (first, second))
+    (one,) = solve_map(rough.heights - rough.heights.mean(), rough.size, modulus=modulus, loads=[40e-3 / 3.0], periodic=True,
+                       hardness=second.hardness)  # fmt: skip
+    pressure, point = one.pressure, one.nominal_area / one.pressure.size
+    found = st.solve(weak, load="40 mN", model=MODEL, shear="lesser")
+    edge = 3.0 * 25e6 * (one.area_pixels - one.area)  # what pixels at edges can make of it
+    assert abs(float(found["friction_force"]) - 3.0 * np.minimum(0.15 * pressure, 25e6).sum() * point) <= edge
+    plain = st.solve(weak, load="40 mN", model=MODEL, tangential="bowden_tabor_1943")
+    assert float(found["friction_force"]) < float(plain["friction_force"])
+    strong = contact.replace(interfacial_shear_strength=60e6)
+    grown = st.solve(strong, load="40 mN", model=MODEL, shear="junction_growth")
+    bearing = math.sqrt(second.hardness**2 - 9.0 * 60e6**2)
+    expected = 3.0 * 60e6 * np.maximum(pressure > 0.0, pressure / bearing).sum() * point
+    assert abs(float(grown["friction_force"]) - expected) <= 3.0 * 60e6 * (one.area_pixels - one.area)
+    assert float(grown["friction_force"]) > 1.2 * 60e6 * float(grown["contact_area"])
+    for changes, given, message in (
+        ({}, {"shear": "lesser"}, "pressure_coefficient"),
+        ({"interfacial_shear_strength": second.hardness / 3.0}, {"shear": "junction_growth"}, "grow without end|without end"),
+        ({"pressure_coefficient": 0.1}, {"shear": "junction_growth"}, "under one strength"),
+    ):
+        with pytest.raises(st.InputError, match=message):
+            st.solve(contact.replace(**changes), load="2 mN", model=MODEL, **given)
 
 
 def test_no_pressure_is_above_the_hardness_unless_asked_for(contact):
@@ -194,6 +239,42 @@ def test_maps_that_cannot_be_solved_get_a_line(rough):
         st.solve(st.Indices(theta=10.0, lam=10.0, nu=0.3), load=1e-3, model=MODEL)
 
 
+def test_memory_is_asked_for_before_a_map_is_made_or_solved(contact, monkeypatch):
+    with pytest.raises(st.InputError, match="100000 x 100000 points"):
+        st.gaussian_surface((100_000, 100_000), (1e-3, 1e-3), SelfAffine(0.8, 1e-4, 1e-6, 1e-7), 1)
+    monkeypatch.setattr("stiction.surfaces.boundary_elements.memory.available_memory", lambda: 10**5)
+    with pytest.raises(st.InputError, match="64 x 64 points"):
+        st.solve(contact, load="1 mN", model=MODEL)
+
+
+def test_adhesion_is_solved_if_asked_for(rough):
+    """As by the solver of maps that stick; of elastic bodies and one period only; what the map does not resolve is said."""
+    soft = elastic(rough, work_of_adhesion=0.05, interfacial_shear_strength=1e6)
+    asked = {"model": MODEL, "yielding": "none", "adhesion": "shortest_range"}
+    found = st.solve(soft, load=["1 mN", "-1 uN"], **asked)
+    near = 2.0 * (1.0 - 0.4**2) / 2e9
+    reach = math.sqrt(2.0 * SIDE / POINTS * near * 0.05)
+    assert float(found["adhesion_range"][0]) == pytest.approx(reach) and float(found["points_at_edge"][0]) == pytest.approx(2.0)
+    plain = solve_adhesive(rough.heights - rough.heights.mean(), rough.size, modulus=1.0 / near, loads=[1e-3, -1e-6], work=0.05,
+                           reach=reach)  # fmt: skip
+    assert_allclose(found["area_fraction"], [one.area / SIDE**2 for one in plain], rtol=1e-9)
+    assert float(found["friction_coefficient"][0]) == pytest.approx(1e6 * float(found["contact_area"][0]) / 1e-3)
+    bare = st.solve(soft, load="1 mN", model=MODEL, yielding="none")
+    assert float(found["contact_area"][0]) > float(bare["contact_area"])
+    said = {one.quantity for one in doubts_of(st.solve(soft, load="1 mN", **asked | {"adhesion": "atomic_range"}))}
+    assert "points_at_edge" in said and "adhesion_share" not in said
+    assert "range_tabor" in {one.quantity for one in doubts_of(found)}
+    alone = replace(rough, periodic=False)
+    for contact, changes, message in (
+        (soft, {"yielding": "at_hardness"}, "elastic bodies"),
+        (elastic(alone, work_of_adhesion=0.05), {}, "left_out, or one period"),
+        (elastic(rough), {}, "work_of_adhesion"),
+        (soft, {"shear": "junction_growth"}, "where faces adhere"),
+    ):
+        with pytest.raises(st.InputError, match=message):
+            st.solve(contact, load="1 mN", **asked | changes)
+
+
 def test_what_was_solved_is_read_and_what_differs_is_not(contact, rough):
     steps = []
     with telling(lambda one: steps.append(one.load)):
@@ -243,6 +324,7 @@ def test_a_comparison_has_it_as_one_more_row(contact):
     row = data.sel(model=MODEL)
     alone = st.solve(contact, load="2 mN", model=MODEL)
     assert float(row["friction_coefficient_at_load"]) == float(alone["friction_coefficient"])
+    assert data["model"].values[data["solved"].values].tolist() == [MODEL]
     solved = np.isfinite(row["load"].values)
     assert solved.sum() == 5 and solved[:5].all() and (row["doubtful"].values[~solved] == 1).all()
     assert (np.diff(row["contact_area"].values[:5]) > 0.0).all()

@@ -52,7 +52,7 @@ def row(density, n_E, film_nu, nu, film_aspect, hardness, pressure):
     width = 2.06 * n_E**-0.047 / k / film_aspect  # a/t at the whole area
     radii = np.geomspace(0.9 * width.min() * 1e-3**0.086, 1.1 * width.max(), 24)
     curve = CubicSpline(np.log(radii), [math.log(n_E * solve(1.0, n_E, film_nu, nu, one)[0]) for one in radii])
-    c = 0.601 - 0.066 * math.log(alpha)
+    c = 0.617 - 0.041 * math.log(alpha)
 
     def modulus(area):
         return math.sqrt((share * np.exp(2 * curve(np.log(width * area**0.086)))).sum())

@@ -19,6 +19,7 @@ from stiction.studies.bands import levels, quantiles
 from stiction.studies.case import parse_case
 from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.drawing import Variant, draw, scrambled
+from stiction.studies.spreads import ends_of_models, weights_of_models
 
 # Exponential heights and elastic asperities: mu is tau_0 R^(1/2)/(E* sigma^(1/2)) times a number, at every load.
 POWER_LAW = {
@@ -147,6 +148,23 @@ def test_of_contacts_solved_together_the_others_are_as_alone():
         solve_pointwise(contact.replace(roughness=rough.replace(asperity_density=1e9)), choice, load=1.0)
 
 
+def test_a_map_is_solved_once_and_has_no_band(tmp_path):
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=3e-6, deviation=8e-9)
+    np.save(tmp_path / "scan.npy", st.gaussian_surface((32, 32), (40e-6, 40e-6), spectrum, seed=1).heights)
+    scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
+    data = solve_case(case({"roughness": {"first": scan}}, {"load": "0.1 N", "model": "boundary_elements"}))
+    assert "quantile" not in data.dims and "what is uncertain has no band" in data.attrs["outside_validity"]
+
+
+def test_a_number_beside_a_scan_is_not_uncertain(tmp_path):
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=3e-6, deviation=8e-9)
+    np.save(tmp_path / "scan.npy", st.gaussian_surface((32, 32), (40e-6, 40e-6), spectrum, seed=1).heights)
+    scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
+    other = {"asperity_height_deviation": "5 +/- 1 nm", "asperity_radius": "50 um", "asperity_density": "1e11 1/m^2"}
+    with pytest.raises(InputError, match=r"roughness\.second\.asperity_height_deviation: '5 nm ± 1 nm'; allowed: one number"):
+        case({"roughness": {"first": scan, "second": other}})
+
+
 ADHESIVE = {
     "first": "hardened_steel_52100",
     "second": "hardened_steel_52100",
@@ -187,6 +205,20 @@ def test_spreads_are_kept_apart(compared):
     low, high = compared.attrs["recommended_range"]  # two thirds of the weight are within 90 % of it
     assert float(models["spread_low"]) <= low <= high <= float(models["spread_high"])
     assert float(models["spread_factor"]) == float(models["spread_high"] / models["spread_low"])
+
+
+def test_the_spread_of_the_models_is_by_their_weights():
+    """Weights exp(-2 cost) of those of one family that can be: of four, 1, e^-2, none and 1, in the order of mu."""
+    costs = {"cost": ("model", [0.0, 1.0, np.inf, 0.0, 0.0]), "family_of_curve": ("model", ["a", "a", "a", "a", "b"])}
+    mu = {"friction_coefficient_at_load": ("model", [0.1, 0.2, 0.9, 0.3, 5.0])}
+    attributes = {"recommended": "w", "family": "a"}
+    data = xarray.Dataset(mu | costs, coords={"model": list("wxyzv")}, attrs=attributes)
+    names, weights = weights_of_models(data)
+    assert names == ["w", "x", "z"]
+    np.testing.assert_allclose(weights, np.array([1.0, np.exp(-2.0), 1.0]) / (2.0 + np.exp(-2.0)))
+    assert weights_of_models(data, little=0.1)[0] == ["w", "z"]
+    assert ends_of_models(data, 0.9) == [0.1, 0.3] and ends_of_models(data, 0.04) == [0.2, 0.2]
+    assert ends_of_models(data.assign_attrs(recommended="none"), 0.9) == []
 
 
 def test_the_bar_has_a_colour_for_each(compared):

@@ -51,7 +51,8 @@ def test_indices_of_a_power_law_are_the_shares_of_its_variance(of_power_law):
         found = of_power_law[f"friction_coefficient_{order}_order"].values
         np.testing.assert_allclose(found, np.stack([exact, exact], axis=1), atol=0.03)
         low, high = (of_power_law[f"friction_coefficient_{order}_order_{end}"].values for end in ("low", "high"))
-        assert np.all(low <= exact[:, None]) and np.all(exact[:, None] <= high) and np.all(high - low < 0.2)
+        np.testing.assert_allclose((low + high) / 2.0, found)
+        assert np.all(np.abs(found - exact[:, None]) < high - low) and np.all(high - low < 0.05)
     np.testing.assert_allclose(of_power_law["contact_area_total_order"].values[:, 0], [0.0, 1.0], atol=0.01)
 
 

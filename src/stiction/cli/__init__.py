@@ -6,8 +6,22 @@ import gc
 
 # isort: off
 # In the order of the help.
-from stiction.cli import run, serve, sweep, sensitivity, fit, design, compare  # noqa: F401
-from stiction.cli import validate, surface, figures, models, materials, cite, schema  # noqa: F401
+from stiction.cli import (  # noqa: F401
+    run,
+    serve,
+    sweep,
+    sensitivity,
+    fit,
+    design,
+    compare,
+    validate,
+    surface,
+    figures,
+    models,
+    materials,
+    cite,
+    schema,
+)
 
 # isort: on
 from stiction.cli.output import readable, said_if_unwritable

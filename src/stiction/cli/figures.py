@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Reading, app, bar, busy, console, folder, solving
+from stiction.cli.program import Json, app, bar, busy, console, folder, solving
 from stiction.quantities.table import QUANTITIES
 
 if TYPE_CHECKING:
@@ -25,7 +25,12 @@ def _bounds(name: str) -> str:
 def figures(
     theta: Annotated[float, typer.Option(help=_bounds("theta"))] = 40.0,
     lam: Annotated[float, typer.Option(help=_bounds("lam"))] = 10.0,
-    reading: Reading = None,
+    reading: Annotated[
+        str | None,
+        typer.Option(
+            help="Of figures 1 to 3: corrected (default), published, or layered: its asperities on a film that is solved."
+        ),
+    ] = None,
     out: Annotated[
         Path, typer.Option(parser=folder, metavar="FOLDER", help="Folder for the pictures and tables; other files in it stay.")
     ] = Path("figures"),
@@ -34,8 +39,8 @@ def figures(
     """Figures 1 to 3 of the 2015 paper, and where in the plane of theta and lambda each of its claims holds.
 
     theta and lambda of the figures are not printed in the paper: 40 and 10 show its claims (a) to (c). The map of the claims
-    covers theta 1 to 1e4 and lambda 1e-3 to 1e4 in both readings. Written: fig1a.png to fig3.png, curves.csv, claims.png,
-    claims.csv.
+    covers theta 1 to 1e4 and lambda 1e-3 to 1e4 in both readings, and with the film solved in place of its law. Written:
+    fig1a.png to fig3.png, curves.csv, claims.png, claims.csv.
     """
     from stiction.report.files import check_folder
 

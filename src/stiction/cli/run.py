@@ -13,7 +13,6 @@ from stiction.cli.program import (
     Ranges,
     TakesOptionsOfRecords,
     app,
-    bar,
     busy,
     console,
     keys_of,
@@ -102,7 +101,7 @@ def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, s
     with solving():
         from stiction.studies.case_results import solve_case
 
-        return solve_case(case, case.choice.with_changes(laws, options), bar)
+        return solve_case(case, case.choice.with_changes(laws, options))
 
 
 def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:

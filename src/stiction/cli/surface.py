@@ -77,16 +77,24 @@ def surface(
     if json:
         print_json(summary(analysis) | ({} if solved is None else {"contact": _contact_in_json(solved)}))
         return
-    from stiction.report.surface_tables import asperity_table, surface_notes, surface_summary
+    _print(analysis, solved)
+    if out is not None:
+        written(out, names)
+
+
+def _print(analysis: "Analysis", solved: "ContactOfMap | None") -> None:
+    from stiction.report.surface_tables import (
+        asperity_table,
+        contact_notes,
+        contact_table,
+        surface_notes,
+        surface_summary,
+    )
 
     terminal = console()
     terminal.print(surface_summary(analysis), "", asperity_table(analysis), "", *surface_notes(analysis), sep="\n")
     if solved is not None:
-        from stiction.report.surface_tables import contact_notes, contact_table
-
         terminal.print("", contact_table(solved), "", *contact_notes(solved), sep="\n")
-    if out is not None:
-        written(out, names)
 
 
 def _pressures(contact: str | None, hardness: float | None) -> list[float]:

@@ -195,10 +195,7 @@ class Contact(Subject):
         return self.roughness.map
 
     def as_numbers(self) -> "Contact":
-        if self.measured is None:
-            return self
-        surface = self.roughness.surface
-        return self.replace(roughness=self.roughness.replace(surface=None if surface is None else surface.replace()))
+        return self if self.measured is None else self.replace(roughness=self.roughness.as_numbers())
 
     def with_surface_moments(self) -> "Contact":
         surface = self.roughness.surface

@@ -51,6 +51,10 @@ class Roughness(Input):
         found._measured = measured
         return found
 
+    def as_numbers(self) -> "Roughness":
+        """The same without the memory of scans and their map."""
+        return self.replace() if self.surface is None else self.replace(surface=self.surface.as_numbers())
+
     @property
     def map(self) -> Any:
         """The map (a HeightMap) that stands for both faces, where these numbers are from scans that make one; else None."""

@@ -47,7 +47,7 @@ def _row(record: Record) -> dict[str, Any]:
         "text": text_of(record),
     }
     if isinstance(record, FilmLaw):
-        row["measured_error"] = _measured(record)
+        row["measured_film_error"] = _measured(record)
     if isinstance(record, AsperityMethod):
         row["options_mean"] = {name: option.meaning for name, option in record.parameters.items()}
     return row | {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}

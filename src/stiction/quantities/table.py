@@ -4,67 +4,12 @@ Validators, docstrings, command-line help, result attributes and axis labels rea
 unit or a bound. The symbols are those of docs/theory.md.
 """
 
-from dataclasses import dataclass, replace
-from math import inf, isinf
+from dataclasses import replace
+from math import inf
+
+from stiction.quantities.quantity import COUNT, Quantity
 
 __all__ = ["QUANTITIES", "Quantity"]
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """One row of the table.
-
-    name: the key; symbol: plain text; latex: without dollar signs; unit: SI, "" if none; meaning: a phrase;
-    lower, upper: bounds in the unit, with lower_included, upper_included (infinite values are never allowed);
-    normalised_by: what the dimensionless form is divided by, "" if it has none; example: an accepted input; short: a name that
-    fits on an axis of a plot together with its unit.
-    """
-
-    name: str
-    symbol: str
-    latex: str
-    unit: str
-    meaning: str
-    lower: float = -inf
-    upper: float = inf
-    lower_included: bool = False
-    upper_included: bool = False
-    normalised_by: str = ""
-    example: str = ""
-    short: str = ""
-
-    @property
-    def attributes(self) -> dict[str, str]:
-        """Attributes of a variable: long_name, symbol and units; comment, the meaning in full where the name is short."""
-        comment = {"comment": self.meaning} if self.short else {}
-        return {"long_name": self.short or self.meaning, "symbol": self.symbol, "units": self.unit or "1"} | comment
-
-    @property
-    def allowed(self) -> str:
-        """The allowed range with its unit, in words: "> 0 Pa", ">= 0 and < 0.5", "any finite number of m"."""
-        unit = f" {self.unit}" if self.unit else ""
-        ends = []
-        if not isinf(self.lower):
-            ends.append(f"{'>=' if self.lower_included else '>'} {self.lower:g}{unit}")
-        if not isinf(self.upper):
-            ends.append(f"{'<=' if self.upper_included else '<'} {self.upper:g}{unit}")
-        return " and ".join(ends) or ("any finite number" + (f" in {self.unit}" if self.unit else ""))
-
-    @property
-    def wanted(self) -> str:
-        """The allowed range with an example where a unit has to be written: '> 0 m, e.g. "200 nm"'."""
-        return f'{self.allowed}, e.g. "{self.example}"' if self.unit and self.example else self.allowed
-
-    @property
-    def scale(self) -> str:
-        """What results of a whole contact are scaled by (contact.subject.Scales): the SI unit, or "count" of asperities."""
-        return "count" if self.normalised_by == _COUNT else self.unit
-
-    @property
-    def label(self) -> str:
-        """The meaning with its unit, as on an axis: "asperity tip radius [m]"."""
-        return f"{self.meaning} [{self.unit}]" if self.unit else self.meaning
-
 
 # Bounds of the table below: lower, upper, whether each is included.
 _ANY = (-inf, inf, False, False)
@@ -88,7 +33,6 @@ _POISSON = (0.0, 0.5, True, False)
 
 _LOAD = "K R^(1/2) sigma^(3/2) per asperity"
 _AREA = "pi R sigma per asperity"
-_COUNT = "number of asperities"
 
 # fmt: off
 _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
@@ -162,10 +106,10 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "share of the tangential energy release that peels: 1 after Savkoor and Briggs, 0 for none"),
     ("hardening", "E_t/E", r"E_\mathrm{t}/E", "", _SHARE_BELOW_ONE, "0.01",
      "tangent modulus over Young's modulus, of the softer body"),
+    ("specific_contact_resistance", "rho_c", r"\rho_\mathrm{c}", "ohm m^2", _POSITIVE, "1e-12 ohm m^2",
+     "electrical resistance of the interface times its real area"),
     # of a measurement; no example, so that it is not listed among the numbers of a case file
     ("contact_resistance", "R_c", r"R_\mathrm{c}", "ohm", _POSITIVE, "", "electrical resistance of the contact"),
-    ("specific_contact_resistance", "rho_c", r"\rho_\mathrm{c}", "ohm m^2", _POSITIVE, "",
-     "electrical resistance of the interface times its real area"),
     # of a measured surface; no example either
     ("scan_size", "L", "L", "m", _POSITIVE, "", "size of a scan, or another length along it"),
 ]
@@ -223,16 +167,24 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
      "share of the load on asperities that the model gives no friction"),
     ("load_share_yielded", "s_y", r"s_\mathrm{y}", "", _SHARE, "", "share of the load on asperities that have yielded"),
-    ("load_share_substrate_yielded", "s_{s,y}", r"s_\mathrm{s,y}", "", _SHARE, "",
+    ("load_share_substrate_yielded", "s_sy", r"s_\mathrm{s,y}", "", _SHARE, "",
      "share of the load on asperities whose substrate has yielded"),
     ("rms_slope", "h'", r"h'", "", _NOT_NEGATIVE, "", "rms slope of the Gaussian surface that has these asperities"),
     ("stickiness_ratio", "Q", "Q", "", _POSITIVE, "", "repulsion in contact spots over the attraction beside them"),
     ("range_over_gap", "rho/g_0", r"\varrho/g_0", "", _NOT_NEGATIVE, "",
      "range of the attraction over the gap beside contact spots, (16/3) h'^2/h''"),
     ("thickness_over_radius", "t/R", r"t/R", "", _NOT_NEGATIVE, "", "film thickness over asperity radius"),
+    ("contact_over_thickness", "a/t", r"a/t", "", _NOT_NEGATIVE, "",
+     "contact radius of the mean touching asperity over the thickness of a film"),
+    ("stress_over_yield", "s_M/Y", r"\sigma_\mathrm{M}/Y", "", _NOT_NEGATIVE, "",
+     "largest von Mises stress under the mean touching asperity over the yield stress there"),
+    ("interface_tension", "s_i/Y", r"\sigma_\mathrm{i}/Y", "", _NOT_NEGATIVE, "",
+     "largest tension between film and body over the yield stress of the weaker"),
+    ("interface_shear", "tau_i/(Y/sqrt(3))", r"\sqrt{3}\tau_\mathrm{i}/Y", "", _NOT_NEGATIVE, "",
+     "largest shear between film and body over the shear yield stress of the weaker"),
     ("stiff_film_over_wave", "t/lambda_s", r"t/\lambda_\mathrm{s}", "", _NOT_NEGATIVE, "",
      "thickness of a film of five times the modulus of the bodies or more, over the shortest wave of the surface"),
-    ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, _COUNT, "number of touching asperities"),
+    ("touching_asperities", "n", "n", "", _NOT_NEGATIVE, COUNT, "number of touching asperities"),
     ("pull_off_force", "P_off", r"P_\mathrm{off}", "N", _NOT_NEGATIVE, _LOAD,
      "largest tension that is carried"),
     ("pull_off_separation", "d_off", r"d_\mathrm{off}", "m", _ANY, "sigma",
@@ -256,6 +208,12 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("solution_residual", "r", "r", "", _NOT_NEGATIVE, "",
      "gaps where there is contact, over the rms height difference of neighbouring points"),
     ("load_error", "e_P", r"e_P", "", _NOT_NEGATIVE, "", "relative error of the load that the pressures carry"),
+    ("adhesion_range", "rho", r"\rho", "m", _POSITIVE, "", "range of the attraction of the faces"),
+    ("range_tabor", "mu_rho", r"\mu_\rho", "", _NOT_NEGATIVE, "", "Tabor parameter with the range of attraction"),
+    ("points_at_edge", "n_e", r"n_\mathrm{e}", "", _POSITIVE, "",
+     "points along the length over which the edge of contact is pulled"),
+    ("attraction_residual", "r_w", r"r_w", "", _NOT_NEGATIVE, "",
+     "pressure left where faces do not touch, over the largest attraction"),
     ("point_spacing", "n_s", r"n_\mathrm{s}", "", _POSITIVE, "", "every how many-th point of the map is solved"),
     # of films
     ("load_share_beyond_film", "s_P", r"s_P", "", _SHARE, "",
@@ -278,6 +236,10 @@ _SHORT = {
     "counter_nu": "Poisson's ratio, counter",
     "film_stiffness": "film stiffness group",
     "load_share_substrate": "substrate's load share",
+    "contact_over_thickness": "a over film thickness",
+    "stress_over_yield": "stress over yield stress",
+    "interface_tension": "tension at the interface",
+    "interface_shear": "shear at the interface",
     "film_plasticity_index": "film plasticity index",
     "friction_constant": "film friction constant",
     "film_friction_constant": "film constant over K",
@@ -365,6 +327,10 @@ _SHORT = {
     "solution_residual": "residual",
     "load_error": "error of the load",
     "point_spacing": "point spacing",
+    "adhesion_range": "range of attraction",
+    "range_tabor": "Tabor parameter of range",
+    "points_at_edge": "points at the edge",
+    "attraction_residual": "attraction left",
     "load_share_beyond_film": "load share with a > t",
     "friction_share_beyond_film": "friction share, a > t",
 }

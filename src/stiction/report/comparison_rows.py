@@ -39,9 +39,11 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "outside_validity": [doubt.short for doubt in read_doubts(one["doubts"].item())],
             "doubts": json.loads(one["doubts"].item()),
             "measured_error": json.loads(one["measured_error"].item()),
+            "measured_film_error": json.loads(one["measured_film_error"].item()),
             "why_not": one["why_not"].item() or None,
             "family": one["family_of_curve"].item() or None,
             "cost": one["cost"].item(),
+            "solved": one["solved"].item(),
             "command": run_command(data, str(name)),
         }
         row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
@@ -111,14 +113,19 @@ def _head(data: "xarray.Dataset", name: str) -> str:
 
 def at_load_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
     """Heads and rows of a table: what every model says at the working load; of a measured surface also the lowest and the
-    highest friction coefficient over the methods of finding asperities."""
+    highest friction coefficient over the methods of finding asperities, where numbers are uncertain its quantiles."""
     names = [f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1])]
     names[1:1] = [f"{names[0]}_{end}" for end in ("low", "high") if f"{names[0]}_{end}" in data]
     heads = [_head(data, name).replace("_at_load", "") for name in names]
+    names += ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
+    heads += names[-3:]
+    shares: list[float] = data["quantile"].values.tolist() if "quantile" in data.dims else []
+    heads += [f"friction_coefficient_q{round(100.0 * share):02d}" for share in shares]
     texts = ("outside_validity", "why_not")
     rows = (
         [str(one[name].item()) for name in ("model", "grade")]
         + [one[name].item() for name in names]
+        + (one["friction_coefficient_at_load_quantile"].values.tolist() if shares else [])
         + [str(one[name].item()) for name in texts]
         for one in (data.isel(model=at) for at in range(data.sizes["model"]))
     )

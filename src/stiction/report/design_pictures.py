@@ -1,14 +1,16 @@
-"""A picture of a design: how the search went, the best for each choice from the lists, and the front of two wishes."""
+"""A picture of a design: the best for each choice from the lists, how the search went, and the front of two wishes."""
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.quantities.table import QUANTITIES
 from stiction.report.design_tables import columns_of
-from stiction.report.pictures import BLUE, GREY, ORANGE, finish, say
+from stiction.report.picture_style import along
+from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, finish, say
+from stiction.report.tables import shown
 
 if TYPE_CHECKING:
     import xarray
@@ -19,41 +21,34 @@ _BARS = 12
 
 
 def design_figure(data: "xarray.Dataset") -> Figure:
-    """The best for each choice from the lists; the front of two wishes, or how the search went."""
-    figure = Figure(figsize=(11.0, 4.8), layout="constrained")
-    left, right = figure.subplots(1, 2)
-    wishes = [
-        one.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for one in data.attrs["wishes"].split("\n")
-    ]
-    _bars(left, data, wishes[0])
-    if len(wishes) == 2:
-        _front(right, data, wishes)
-    else:
-        _search(right, data, wishes[0])
-    figure.suptitle(
-        "\n".join(filter(None, [data.attrs.get("case", ""), "; ".join(data.attrs["wishes"].split("\n"))])), fontsize=11
-    )
+    """The best for each choice from the lists, if there are several; the front of two wishes, with what is chosen along it; how
+    the search of one wish went."""
+    said = data.attrs["wishes"].split("\n")
+    wishes = [one.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for one in said]
+    several, two = data.sizes["design"] > 1, len(wishes) == 2
+    drawn: list[Callable[[Axes], None]] = [lambda axes: _bars(axes, data, wishes[0])] if several else []
+    drawn.append(lambda axes: _front(axes, data, wishes) if two else _search(axes, data, wishes[0]))
+    if two and not several and data.sizes["front"]:
+        drawn.append(lambda axes: _chosen(axes, data, wishes[0]))
+    figure = Figure(figsize=(max(5.6 * len(drawn), 7.0), 4.8), layout="constrained")
+    for axes, draw in zip(figure.subplots(1, len(drawn), squeeze=False)[0], drawn, strict=True):
+        draw(axes)
+    figure.suptitle("\n".join(filter(None, [data.attrs.get("case", ""), "; ".join(said)])), fontsize=11)
     return figure
-
-
-def _axis(name: str) -> str:
-    row = QUANTITIES[name]
-    unit = f" [{row.unit.replace('m^2', 'm²')}]" if row.unit else ""
-    return f"{(row.short or row.meaning)} ${row.latex}${unit}"
 
 
 def _bars(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
     count = min(data.sizes["design"], _BARS)
     columns = columns_of(data, "design")
-    chosen = [name for name in data.attrs["chosen"].split(", ") if name in columns and data[columns[name]].dtype.kind in "UO"]
-    names = [", ".join(str(data[columns[name]].values[at]) for name in chosen) or "best" for at in range(count)]
+    chosen = [name for name in data.attrs["chosen"].split(", ") if data[columns[name]].dtype.kind in "UO"]
+    names = [", ".join(str(data[columns[name]].values[at]) for name in chosen) or str(at + 1) for at in range(count)]
     values, kept = data[columns[wish]].values[:count], data["kept"].values[:count]
     places = np.arange(count)[::-1]
     axes.barh(places, values, color=[BLUE if one else GREY for one in kept])
+    along(axes, "x", wish, values, log=False)
     axes.set_yticks(places, names)
-    axes.set_xlabel(_axis(wish))
-    axes.set_title("best for each choice; grey: breaks a limit", fontsize=9)
-    axes.grid(axis="x", alpha=0.3)
+    axes.grid(False, axis="y")
+    axes.set_title("best for each choice" + ("" if kept.all() else "; grey: breaks a limit"), fontsize=9)
 
 
 def _front(axes: Axes, data: "xarray.Dataset", wishes: list[str]) -> None:
@@ -63,12 +58,26 @@ def _front(axes: Axes, data: "xarray.Dataset", wishes: list[str]) -> None:
     columns = columns_of(data, "front")
     x, y = (data[columns[one]].values for one in wishes)
     axes.plot(x, y, color=BLUE, marker="o", markersize=4, linewidth=1)
-    for values, scale in ((x, axes.set_xscale), (y, axes.set_yscale)):
-        if values.min() > 0.0 and values.max() > 9.0 * values.min():
-            scale("log")
-    axes.set(xlabel=_axis(wishes[0]), ylabel=_axis(wishes[1]))
+    along(axes, "x", wishes[0], x)
+    along(axes, "y", wishes[1], y)
     axes.set_title("none is better in both than any of these", fontsize=9)
-    finish(axes)
+
+
+def _chosen(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
+    """What is chosen along the front: numbers, between the ends between which they were searched."""
+    columns = columns_of(data, "front")
+    x = data[columns[wish]].values
+    names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
+    for name, colour, marker in zip(names, (BLUE, ORANGE, GREEN, RED) * 2, "os^Ddv<>", strict=False):
+        one, last = data[columns[name]], name.rpartition(".")[2]
+        low, high, values = one.attrs["searched_from"], one.attrs["searched_to"], one.values
+        text = f"{last.replace('_', ' ')}: {shown(low, last, 3)} to {shown(high, last, 3)}"
+        share = np.log(values / low) / np.log(high / low) if one.attrs["spacing"] == "log" else (values - low) / (high - low)
+        axes.plot(x, share, color=colour, marker=marker, markersize=4, linewidth=0.8, label=text)
+    along(axes, "x", wish, x)
+    axes.set_ylabel("from the low end (0) to the high end (1)")
+    axes.set_title("what is chosen along the front", fontsize=9)
+    axes.legend(fontsize=8, framealpha=0.9)
 
 
 def _search(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
@@ -77,16 +86,12 @@ def _search(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
     if not there.any():
         say(axes, "no design keeps the limits")
         return
-    axes.plot(1 + np.flatnonzero(there), value[there], color=ORANGE, linewidth=1.8, drawstyle="steps-post")
+    y = -value[there] if data.attrs["wishes"].startswith("most ") else value[there]
+    axes.plot(1 + np.flatnonzero(there), y, color=ORANGE, linewidth=1.8, drawstyle="steps-post")
     axes.set_xscale("log")
     axes.set_xlabel("designs asked")
-    off = (
-        "distance from the target: "
-        if " next to " in data.attrs["wishes"]
-        else "less of "
-        if "most " in data.attrs["wishes"]
-        else ""
-    )
-    axes.set_ylabel(("-" if off == "less of " else "") + ("" if off == "less of " else off) + _axis(wish))
-    axes.set_title("best design so far that keeps all limits", fontsize=9)
+    target = " next to " in data.attrs["wishes"]
+    if not (target and y.min() <= 0.0):
+        along(axes, "y", wish, y, log=target, before="off the target: " if target else "")
     finish(axes)
+    axes.set_title("best design so far that keeps all limits", fontsize=9)

@@ -31,7 +31,7 @@ def design_table(data: "xarray.Dataset", along: str) -> Table:
     numbers = np.unique(np.linspace(0, data.sizes[along] - 1, min(data.sizes[along], _ROWS)).round().astype(int))
     if along == "design":
         numbers = np.arange(min(data.sizes[along], _ROWS))
-    shown_columns = [name for name in columns if name != "broken" or float(data[columns[name]].max()) > 0.0]
+    shown_columns = [name for name in columns if name != "broken"]
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
     for name in shown_columns:
         table.add_column(_head(name), justify="right")
@@ -42,7 +42,7 @@ def design_table(data: "xarray.Dataset", along: str) -> Table:
 
 def _head(name: str) -> str:
     last = name.rpartition(".")[2]
-    return {"friction_coefficient": "mu", "kept": "limits"}.get(last, last.replace("_", " "))
+    return {"kept": "limits"}.get(last, QUANTITIES[last].symbol if last in QUANTITIES else last.replace("_", " "))
 
 
 def _cell(name: str, value: Any) -> str:

@@ -62,7 +62,9 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
         }
     doubts = [doubt.as_data() for doubt in doubts_of(data)]
     unused = json.loads(data.attrs.get("unused_inputs", "[]"))
-    return {"attrs": {**data.attrs, "doubts": doubts, "unused_inputs": unused}, "groups": dict(groups), "variables": variables}
+    measured = json.loads(data.attrs.get("measured_error", "null"))
+    attrs = {**data.attrs, "doubts": doubts, "unused_inputs": unused, "measured_error": measured}
+    return {"attrs": attrs, "groups": dict(groups), "variables": variables}
 
 
 def _names(data: "xarray.Dataset") -> list[str]:
@@ -82,6 +84,8 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
         "model": f"{used.get('model')} ({', '.join(filter(None, [laws, options])) or 'no other laws'})",
         "grade": f"{used.get('grade')}: {GRADES.get(used.get('grade', ''), '')}",
         "doubt": [str(doubt) for doubt in doubts_of(data)] or "none: within the ranges that are claimed",
+        "measured error": used.get("measured_error_in_words"),
+        "area": used.get("area_by"),
         "not used": used.get("inputs_not_used"),
         "remark": used.get("remarks"),
         "sources": used.get("sources"),

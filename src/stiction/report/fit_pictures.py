@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.report.picture_style import along
 from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, label
 
 if TYPE_CHECKING:
@@ -163,12 +164,10 @@ def _profile_panel(axes: Axes, one: "xarray.Dataset") -> None:
     axes.axvspan(float(one["low"]), float(one["high"]), color=SKY, alpha=0.3, linewidth=0)
     axes.axvline(float(one["value"]), color="black", linewidth=1)
     axes.set_ylim(-0.3, max(4.5, min(_TOP, 1.05 * np.nanmax(rise))))
-    if value[there].min() > 0.0 and value[there].max() > 9.0 * value[there].min():
-        axes.set_xscale("log")
+    along(axes, "x", quantity, value[there])
     ends = [show(float(one[end]), quantity, 3) for end in ("low", "high")]
     opened = "open at an end: " if bool(one["open_low"]) or bool(one["open_high"]) else ""
     axes.set_title(f"{opened}95 %: {ends[0]} to {ends[1]}", fontsize=9)
-    unit = str(one["unit"].values)
-    axes.set_xlabel(f"{name}" + (f" [{unit.replace('m^2', 'm²')}]" if unit != "1" else ""))
+    axes.set_xlabel(f"{name} {axes.get_xlabel().rpartition('$')[2]}".strip())
     axes.set_ylabel("rise of $\\chi^2$")
     axes.grid(alpha=0.3)

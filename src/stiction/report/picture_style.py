@@ -1,17 +1,52 @@
-"""Words, units and looks that the pictures of surfaces have in common."""
+"""Words, units and looks that pictures have in common."""
 
 import math
 from typing import Any
 
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, LogFormatter
+
 from stiction.laws.finding import methods
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
+from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, finish
 
-__all__ = ["look_of", "plain", "scale", "unit_for"]
+__all__ = ["along", "look_of", "plain", "scale", "unit_for"]
 
 _COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
 _MARKERS = ("o", "s", "^", "D", "v", "P")
+
+
+def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool = True, before: str = "") -> None:
+    """Label and ticks of the "x" or "y" axis for values (n,) of a quantity, in SI, in a unit with a fitting prefix; logarithmic
+    where they span a decade, unless that is not wanted."""
+    row, axis = QUANTITIES[quantity], getattr(axes, f"{which}axis")
+    seen = np.abs(values[np.isfinite(values)])
+    if log and seen.size and values.min() > 0.0 and seen.max() > 9.0 * seen.min():
+        getattr(axes, f"set_{which}scale")("log")
+    size = 10.0 ** math.floor(math.log10(seen.max())) if seen.size and seen.max() > 0.0 else 1.0
+    text, _, unit = show(size, quantity).partition(" ")
+    factor = float(text) / size if row.unit else 1.0
+    finish(axes)
+    if factor != 1.0:
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:.6g}"))
+        if axis.get_scale() == "log":
+            axis.set_minor_formatter(_InUnit(factor))
+    axis.set_label_text(
+        f"{before}{row.short or row.meaning} ${row.latex}$" + (f" [{unit.replace('m^2', 'm²')}]" if unit else "")
+    )
+
+
+class _InUnit(LogFormatter):
+    """Labels of small ticks in a unit with a prefix, where matplotlib would label them."""
+
+    def __init__(self, factor: float):
+        super().__init__(minor_thresholds=(1.2, 0.5))
+        self.factor = factor
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        return f"{x * self.factor:.6g}" if super().__call__(x, pos) else ""
 
 
 def look_of(method: str, at: int) -> dict[str, Any]:

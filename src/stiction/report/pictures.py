@@ -139,7 +139,7 @@ def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     load, mu = data["load"].values, data["friction_coefficient"].values
     drawn = (load > 0.0) & (mu > 0.0)
     axes.plot(load[drawn], mu[drawn], color="black", **_marked(int(drawn.sum())))
-    seen = [mu[drawn], *_method_spread(axes, data, load)]
+    seen = [mu[drawn], *_method_spread(axes, data, load), *_input_band(axes, data, load)]
     axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
     if drawn.any():
         axes.set_xscale("log")
@@ -169,6 +169,21 @@ def _method_spread(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> list
     axes.lines[0].set_label(f"taken: {data.attrs.get('roughness_method', 'first method')}")
     axes.legend(fontsize=8, framealpha=0.9)
     return [np.maximum(low, floor), high]
+
+
+def _input_band(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> list[np.ndarray]:
+    """The band of friction over what is uncertain of the inputs; returns what is drawn, nothing where there is no such band."""
+    if "friction_coefficient_quantile" not in data:
+        return []
+    band, shares = data["friction_coefficient_quantile"].values, data["quantile"].values
+    low, high = (np.broadcast_to(band[at], load.shape) for at in (0, -1))
+    there = (load > 0.0) & (low > 0.0) & np.isfinite(high)
+    if not there.any():
+        return []
+    text = f"{shares[0]:.0%} to {shares[-1]:.0%} of what is\nuncertain of the inputs"
+    axes.fill_between(load[there], low[there], high[there], color=BLUE, alpha=0.2, linewidth=0.0, label=text)
+    axes.legend(fontsize=8, framealpha=0.9)
+    return [low[there], high[there]]
 
 
 def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
@@ -273,12 +288,14 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
 
 
 def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
-    """The map of the claims: a column for each, a row for each reading; here: theta and lam that are marked."""
+    """The map of the claims: a column for each, a row for each reading and for the film that is solved; here: theta and lam
+    that are marked."""
     import matplotlib
 
     from stiction.studies.paper_claims import CLAIMS, READINGS
+    from stiction.studies.paper_figures import in_words
 
-    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 6.6), layout="constrained")
+    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(READINGS)), layout="constrained")
     grid = figure.subplots(len(READINGS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
     colours = matplotlib.colormaps["viridis"]
     norm = BoundaryNorm(np.linspace(0.0, 1.0, 11), colours.N)
@@ -295,7 +312,7 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
             if row == 0:
                 axes.set_title(f"({claim.key}) {_wrapped(claim.says)}", fontsize=9)
             if column == 0:
-                axes.set_ylabel(f"{reading} reading\nplastic adhesion index $\\lambda$")
+                axes.set_ylabel(f"{in_words(reading)}\nplastic adhesion index $\\lambda$")
             if row == len(READINGS) - 1:
                 axes.set_xlabel(r"elastic adhesion index $\theta$")
     bar = figure.colorbar(ScalarMappable(norm, colours), ax=grid, shrink=0.8, pad=0.01)

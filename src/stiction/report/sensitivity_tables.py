@@ -10,6 +10,7 @@ from rich.text import Text
 
 from stiction.laws.validity import doubts_of
 from stiction.report.several_tables import of_point, points_dimension
+from stiction.solving.pointwise import WHY_NOT
 
 if TYPE_CHECKING:
     import xarray
@@ -105,6 +106,9 @@ def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
         models = ", ".join(f"{name} {weight:.0%}" for name, weight in json.loads(used["models"]).items())
         yield Text(f"models: {models}", style="dim")
         yield Text(f"drawn: {used['uncertainty']}", style="dim")
+        for text, share in json.loads(used["doubts_of_points"]).items():
+            if text in WHY_NOT:
+                yield Text(f"left out, {share:.1%} of the points drawn: {text}", style="bold yellow")
         yield Text("total, first: share of the variance of the logarithm; effect: its change from end to end", style="dim")
     else:
         yield Text('nothing is uncertain: give numbers errors, "0.5 +/- 0.1 GPa", or use --ranges', style="bold")

@@ -191,8 +191,12 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
         notes.append(f"friction: {used['friction_law']}")
     elif bool((data["load"] <= 0.0).any()):
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
+    if used.get("area_by"):
+        notes.append(f"contact area: {used['area_by']}")
+    if used.get("measured_error_in_words"):
+        notes.append(f"measured error: {used['measured_error_in_words']}")
     notes += [one.say("--") for one in unused_of(data)]
-    notes += _measured(read_film_errors(used.get("measured_error", "[]")))
+    notes += _measured(read_film_errors(used.get("measured_film_error", "[]")))
     notes += [used["remarks"]] if used.get("remarks") else []
     for kind in _NOTED:
         key = used[kind.keyword]
@@ -217,11 +221,12 @@ def outside_validity(data: "xarray.Dataset") -> Text | None:
 def comparison_table(data: "xarray.Dataset") -> Table:
     """What each model says at the working load, or along its curve if there is none, from the least friction up; the
     recommended one is green. Of a measured surface the spread of mu over the methods of finding asperities stands in place of
-    the contact area. Doubts are numbered as in `doubts`."""
+    the contact area. The error is that of the contact area, measured on solved surfaces near this contact. Doubts are numbered
+    as in `doubts`."""
     table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
     table.add_column("model", overflow="fold")
     with_range_over_methods = "friction_coefficient_at_load_low" in data
-    for head in ("grade", "mu", "over methods" if with_range_over_methods else "contact area", "doubts"):
+    for head in ("grade", "mu", "over methods" if with_range_over_methods else "contact area", "error", "doubts"):
         table.add_column(head, justify="left" if head in ("grade", "doubts") else "right", no_wrap=True)
     judged = "friction_coefficient_at_load" in data
     known = doubts(data)
@@ -235,7 +240,9 @@ def comparison_table(data: "xarray.Dataset") -> Table:
         name = str(one["model"].item())
         look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
         fourth = over_methods(one) if with_range_over_methods else size
-        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), fourth, numbers or "-")), style=look)
+        error = float(one["measured_area_error"]) if judged else np.nan
+        wrong = f"{error:+.0%}" if np.isfinite(error) else "-"
+        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), fourth, wrong, numbers or "-")), style=look)
     return table
 
 

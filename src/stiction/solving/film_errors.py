@@ -18,6 +18,7 @@ from stiction.solving.problem import Problem
 __all__ = ["as_attributes", "film_errors", "in_words", "off_by", "read_film_errors"]
 
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
+_MAPS = 10
 _FLOWS = "films that flow were compared with nothing: what squeezes them out is solved nowhere here"
 
 
@@ -84,6 +85,20 @@ def _ranges(ranges: Mapping[str, tuple[float, float]]) -> str:
     return " and ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in ranges.items())
 
 
+def on_solved_maps(problem: Problem, points: int) -> tuple[np.ndarray, ...] | None:
+    """Of an area law of surfaces on a film, on the maps of truth/films.csv near each contact, repeated for its points: mean of
+    ln(area over that of the map), its rms, the relative rms, distance (0, infinite where nothing is near) and number of maps.
+    None of other models, which the set of solved surfaces has."""
+    if not problem.record.on_film:
+        return None
+    found, _ = _on_maps(problem, problem.record.key)
+    if found is None:
+        return None
+    near = np.isfinite(found.rms)
+    each = np.log(found.mean), found.rms, np.expm1(found.rms), np.where(near, 0.0, np.inf), np.where(near, _MAPS, 0)
+    return tuple(np.repeat(one, points) for one in each)
+
+
 def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:
     """Radius of the mean contact over the thickness of one film (n, m); None where asperities are not counted."""
     groups = problem.groups.resolved()
@@ -129,7 +144,7 @@ def _ends(values: np.ndarray) -> list[float]:
 
 def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, str]:
     """Attributes of a result that say its measured errors, as JSON; a netCDF file keeps them."""
-    return {"measured_error": json.dumps(film_errors(problem, results))}
+    return {"measured_film_error": json.dumps(film_errors(problem, results))}
 
 
 def read_film_errors(text: str) -> list[dict[str, Any]]:

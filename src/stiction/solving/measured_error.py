@@ -1,11 +1,11 @@
 """How far a model is from solved surfaces near a contact: its measured error.
 
-The set (docs/truth.md) has the contact area of every model on surfaces whose contact was solved, with ways of finding asperities,
-mean pressures, hardnesses and films. Near a contact that means: at its pressure and hardness over E* h', read off between those
-of the set, for each surface of it; and the mean over surfaces, each weighing exp(-d^2/2) with its distance d in Nayak's alpha,
-and where the map is known in skewness, lay and the slope of its top. A contact that is given by numbers is compared with Gaussian
-isotropic surfaces. Friction of an interface is its strength times the area, so that its error is that of the area, less where
-the strength rises with pressure. Adhesion is not in the set.
+The set (docs/truth.md) has the contact area of every model on surfaces whose contact was solved, by every way of finding
+asperities, at some mean pressures, hardnesses and films. Near a contact that means: at its pressure and hardness over E* h',
+read off between those of the set, for each surface of it; and the mean over surfaces, each weighing exp(-d^2/2) with its
+distance d in Nayak's alpha, and where the map is known in skewness, lay and the slope of its top. A contact that is given by
+numbers is compared with Gaussian isotropic surfaces. Friction of an interface is its strength times the area, so that its
+error is that of the area, less where the strength rises with pressure. Adhesion is not in the set.
 """
 
 import json
@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.solving.film_errors import on_solved_maps
 from stiction.solving.problem_base import Problem
 from stiction.solving.solved_set import SolvedSet, solved_set
 from stiction.solving.state import state_of
@@ -33,20 +34,23 @@ _ELASTIC = 3.0  # hardness over E* h' from which on nothing flows
 _FILM_SCALES = (0.7, 0.8)  # ln of the modulus over the substrate's, of the thickness over sqrt(m2/m4)
 _MOST_ADHESION = 0.1  # pull-off forces over the load, in the set there are none
 _LEAST_SHARE = 0.8  # of the compliance that is the coated body's: in the set the other is rigid
-_MOST_POINTS = 2000
+_MOST_POINTS = 200
+_PIXELS = 0.015  # ln of the area of a map that is solved, by the width of its points
+_ITSELF, _MAP = "the solution itself", "map"
 _SUM = "greenwood_williamson_1966"
 
 
 @dataclass(frozen=True)
 class MeasuredErrors:
-    """At k points. area: ln(A/solved A) on average near each, not a number where nothing near was measured; scatter: its standard
-    deviation over the surfaces near; friction: that of mu, where it is of the interface; distance: of the nearest surface,
-    pressure, hardness; surfaces: how many count. column: the model and the way of finding asperities; why_not: why there is
-    nothing at some of them, "" if there is."""
+    """At k points. area: ln(A/solved A) on average near each, not a number where nothing near was measured; expected: its root
+    mean square over the surfaces near, and relative: that of A/solved A - 1; friction: of mu as area, where it is of the
+    interface; distance: of the nearest surface, pressure, hardness; surfaces: how many count. column: the model and the way of
+    finding asperities; why_not: why there is nothing at some of them, "" if there is."""
 
     column: str
     area: np.ndarray
-    scatter: np.ndarray
+    expected: np.ndarray
+    relative: np.ndarray
     friction: np.ndarray
     distance: np.ndarray
     surfaces: np.ndarray
@@ -63,7 +67,7 @@ class MeasuredErrors:
         return {
             "measured_as": self.column,
             "area": _plain(np.expm1(self.area)),
-            "area_rms": _plain(np.expm1(np.hypot(self.area, self.scatter))),
+            "area_rms": _plain(self.relative),
             "friction": _plain(np.expm1(self.friction)),
             "distance": _plain(self.distance),
             "surfaces": self.surfaces.astype(int).tolist(),
@@ -73,16 +77,19 @@ class MeasuredErrors:
     @property
     def words(self) -> str:
         """In a line."""
+        if self.column == _ITSELF:
+            return "it is what the others are measured by; the width of points leaves 1 to 2 %"
         if not self.known:
             return f"not measured here: {self.why_not}"
         some = np.isfinite(self.area)
         low, high = np.expm1(self.area[some].min()), np.expm1(self.area[some].max())
-        most = np.expm1(np.hypot(self.area[some], self.scatter[some]).max())
+        most = self.relative[some].max()
         ends = f"{low:+.0%}" if f"{low:+.0%}" == f"{high:+.0%}" else f"{low:+.0%} to {high:+.0%}"
         count, near = int(self.surfaces[some].max()), float(np.min(self.distance[some]))
         where = "" if some.all() else f" at {int(some.sum())} of {some.size} points"
         of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
-        return f"contact area {ends} against solved surfaces{where} (rms {most:.0%}; {count} near, the nearest at {near:.1f}){of_mu}"
+        nearest = f"{count} near, the nearest at {near:.1f}"
+        return f"contact area {ends} against solved surfaces{where} (rms {most:.0%}; {nearest}){of_mu}"
 
 
 def _plain(values: np.ndarray) -> list[float | None]:
@@ -114,24 +121,42 @@ def _name(chosen, record) -> str:
 def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> MeasuredErrors:
     """At the points of these normalised results, contacts first: flat over both."""
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
-    nothing = np.full(load.size, np.nan)
     column = column_of(problem)
+    if problem.record.of_map is not None:
+        there = np.where(np.isfinite(area.ravel()), 0.0, np.nan)
+        return MeasuredErrors(_ITSELF, there, there + _PIXELS, there + _PIXELS, there, there, np.ones(load.size))
     why = _why_not(problem, results, column, load.size)
     if why:
-        return MeasuredErrors(column, nothing, nothing, nothing, nothing, np.zeros(load.size), why)
+        return _unknown(column, load.size, why)
     place = _Place.of(problem, load)
     known = solved_set()
-    if problem.groups.has_film:
-        found = _on_film(known, column, place, problem)
-    else:
-        found = _bare(known, column, place)
+    coated = problem.groups.has_film
+    found = _on_film(known, column, place, problem) if coated else _bare(known, column, place)
+    if found is None and coated:
+        found = on_solved_maps(problem, load.size // len(problem.groups))
     if found is None:
-        return MeasuredErrors(column, nothing, nothing, nothing, nothing, np.zeros(load.size), "this model was not measured")
-    error, scatter, distance, surfaces = found
-    far = ~(distance <= FAR) | ~np.isfinite(error)
-    error, scatter = np.where(far, np.nan, error), np.where(far, np.nan, scatter)
-    why = "" if not far.any() else f"the nearest of the solved surfaces is at {np.nanmin(distance):.1f}, above {FAR:g}"
-    return MeasuredErrors(column, error, scatter, _of_friction(problem, results, error), distance, surfaces, why)
+        return _unknown(column, load.size, "this model was not measured")
+    distance, surfaces = found[3], found[4]
+    far = ~(distance <= FAR) | ~np.isfinite(found[0])
+    error, expected, relative = (np.where(far, np.nan, one) for one in found[:3])
+    why = _far(distance[far]) if far.any() else ""
+    return MeasuredErrors(column, error, expected, relative, _of_friction(problem, results, error), distance, surfaces, why)
+
+
+def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
+    nothing = np.full(points, np.nan)
+    return MeasuredErrors(column, nothing, nothing, nothing, nothing, nothing, np.zeros(points), why)
+
+
+def _far(distance: np.ndarray) -> str:
+    least = float(np.min(distance, initial=np.inf, where=np.isfinite(distance)))
+    if math.isinf(least):
+        return "the film is not as in the set, elastic and on one body under a rigid one"
+    return (
+        f"the nearest of the solved surfaces is at {least:.1f}, above {FAR:g}"
+        if least > FAR
+        else "it carries no such load there"
+    )
 
 
 def _why_not(problem: Problem, results: Mapping[str, np.ndarray], column: str, points: int) -> str:
@@ -208,18 +233,20 @@ def _surface_distance(known: SolvedSet, place: _Place, at: int) -> np.ndarray:
 
 
 def _bare(known: SolvedSet, column: str, place: _Place):
-    """Mean error, scatter, distance and number of surfaces at k points; None of a model that was not measured."""
+    """Mean, root mean square of logarithm and ratio, distance, number of surfaces at k points; None of a model that was not
+    measured. A solution of the map is as good on any surface: then only pressure and hardness tell how near."""
     errors = known.errors(column)
     if errors is None:
         return None
-    rows = [_at_point(known, errors, place, at) for at in range(place.pressure.size)]
-    return tuple(np.array(column) for column in zip(*rows, strict=True))
+    anywhere = column.endswith(f"|{_MAP}")
+    rows = [_at_point(known, errors, place, at, anywhere) for at in range(place.pressure.size)]
+    return tuple(np.array(values) for values in zip(*rows, strict=True))
 
 
-def _at_point(known: SolvedSet, errors: np.ndarray, place: _Place, at: int):
+def _at_point(known: SolvedSet, errors: np.ndarray, place: _Place, at: int, anywhere: bool):
     pressure, hardness = float(place.pressure[at]), float(place.hardness[at])
     if not (pressure > 0.0 and hardness > 0.0):
-        return math.nan, math.nan, math.nan, 0
+        return _NONE
     loads = known["loads"]
     softest = float(known["hardnesses"][1:].min())
     if hardness < softest:  # all flows: what counts is the pressure over the hardness
@@ -227,24 +254,30 @@ def _at_point(known: SolvedSet, errors: np.ndarray, place: _Place, at: int):
     low, high = float(loads[0]), float(loads[-1])
     scale = _FLOWING_PRESSURE if hardness <= _FLOWING else _PRESSURE
     beyond = max(math.log(low / pressure), math.log(pressure / high), 0.0) / scale
-    found = _between(known, errors, min(max(pressure, low), high), hardness)
-    squared = _surface_distance(known, place, at) + beyond**2
-    return _averaged(found, squared)
+    inside = min(max(pressure, low), high)
+    found, solved = (_between(known, one, inside, hardness) for one in (errors, known.areas))
+    squared = np.zeros(len(found)) if anywhere else _surface_distance(known, place, at)
+    asked = np.isfinite(solved) & np.isfinite(errors).any(axis=(1, 2))  # there, and of this model at all
+    return _averaged(found, np.where(asked, squared + beyond**2, np.inf))
+
+
+_NONE = (math.nan, math.nan, math.nan, math.inf, 0)
 
 
 def _averaged(found: np.ndarray, squared: np.ndarray):
     """Weighted by exp(-d^2/2), of those that are numbers; none where most of what is near says nothing."""
     if not np.isfinite(squared).any():
-        return math.nan, math.nan, math.nan, 0
+        return _NONE
     least = float(squared.min())
     weights = np.exp(-0.5 * (squared - least))
     told = np.isfinite(found)
     if not told.any() or weights[told].sum() < 0.5 * weights[np.isfinite(squared)].sum():
-        return math.nan, math.nan, math.sqrt(least), 0
+        return math.nan, math.nan, math.nan, math.sqrt(least), 0
     weights, values = weights[told] / weights[told].sum(), found[told]
     mean = float(np.sum(weights * values))
-    scatter = math.sqrt(float(np.sum(weights * (values - mean) ** 2)))
-    return mean, scatter, math.sqrt(float(squared[told].min())), int(np.count_nonzero(weights > 0.1 * weights.max()))
+    expected = math.sqrt(float(np.sum(weights * values**2)))
+    relative = math.sqrt(float(np.sum(weights * np.expm1(values) ** 2)))
+    return mean, expected, relative, math.sqrt(float(squared[told].min())), int(np.count_nonzero(weights > 0.1 * weights.max()))
 
 
 def _between(known: SolvedSet, errors: np.ndarray, pressure: float, hardness: float) -> np.ndarray:
@@ -269,14 +302,13 @@ def _at_pressure(loads: np.ndarray, errors: np.ndarray, pressure: float) -> np.n
         return left
     if part > 1.0 - 1e-9:
         return next_one
-    last = np.where(part < 0.5, left, np.nan)  # the last load that was solved stands for a little more
-    return np.where(np.isfinite(next_one), left + part * (next_one - left), last)
+    return np.where(np.isfinite(next_one), left + part * (next_one - left), left)  # the last that was solved stands for more
 
 
 def _on_film(known: SolvedSet, column: str, place: _Place, problem: Problem):
     """As `_bare`, on a film that is elastic, on one body, the other rigid."""
     groups, film = problem.groups, problem.chosen.film
-    name, method = column.split("|")
+    name = column.split("|")[0]
     own = film is not None and f"{film.key}|mccool"
     candidates = [f"{name} + {film.key}|{one}" if film else column for one in ("mccool", "moments")] + [own or column]
     errors = next((one for one in map(known.film_errors, candidates) if one is not None), None)
@@ -285,10 +317,9 @@ def _on_film(known: SolvedSet, column: str, place: _Place, problem: Problem):
     elastic = (groups.n_H * place.hardness.reshape(len(groups), -1)[:, 0] / np.maximum(groups.film_modulus, 1.0)) > 1.0
     like = elastic & (groups.coated_share >= _LEAST_SHARE) & (groups.films == 1.0)
     points = place.pressure.size // len(groups)
-    rows = []
-    for at, holds in enumerate(np.repeat(like, points)):
-        rows.append(_film_point(known, errors, place, at) if holds else (math.nan, math.nan, math.inf, 0))
-    return tuple(np.array(column) for column in zip(*rows, strict=True))
+    holds = np.repeat(like, points)
+    rows = [_film_point(known, errors, place, at) if holds[at] else _NONE for at in range(place.pressure.size)]
+    return tuple(np.array(values) for values in zip(*rows, strict=True))
 
 
 def _film_point(known: SolvedSet, errors: np.ndarray, place: _Place, at: int):

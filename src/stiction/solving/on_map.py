@@ -9,9 +9,12 @@ from stiction.contact.contact import Contact
 from stiction.laws.joining import resistances
 from stiction.laws.registry import select_options
 from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.solving.point_shear import POINT_SHEARS, points_of
 from stiction.solving.problem_base import Problem, with_coefficient
 
 if TYPE_CHECKING:
+    from stiction.laws.registry import TangentialLaw
     from stiction.surfaces.boundary_elements.curve import MapCurve
     from stiction.surfaces.boundary_elements.solve import MapContact
     from stiction.surfaces.heightmap import HeightMap
@@ -23,6 +26,7 @@ _PLAIN = {
     "solution_residual": "residual",
     "load_error": "load_error",
 }
+_SOLVED = ("solution_residual", "load_error")  # of solutions without adhesion
 # Loads of a curve that has to be quick: how many; the heaviest as nominal pressure over modulus times gradient, and over the
 # hardness; the lightest over it.
 _FEW, _HEAVY, _OF_HARDNESS, _LIGHT = 5, 0.2, 0.3, 0.02
@@ -39,13 +43,18 @@ class OnMap(Problem):
 
     @property
     def adheres(self) -> bool:
-        return False
+        return self.options.get("adhesion", "left_out") != "left_out"
 
     @property
     def effects(self) -> list[str]:
         coated = isinstance(self.subject, Contact) and self.subject.has_film
         flows = self.options.get("yielding") != "none"
-        known = (("plasticity", flows), ("the film", coated), ("contacts that act on each other", True))
+        known = (
+            ("adhesion", self.adheres),
+            ("plasticity", flows),
+            ("the film", coated),
+            ("contacts that act on each other", True),
+        )
         return [name for name, there in known if there]
 
     @property
@@ -89,10 +98,9 @@ class OnMap(Problem):
         """The contacts of the map at normalised loads (m,)."""
         contact, surface = self.contact, self.surface()
         unit = contact.scales().factors()["N"]
-        if not (load > 0.0).all():
-            raise InputError(
-                "load", contact.show(float(load.min() * unit), "load"), f"above 0: {self.record.key} knows no adhesion"
-            )
+        if not self.adheres and not (load > 0.0).all():
+            allowed = f"above 0: {self.record.key} knows no adhesion, unless that is chosen"
+            raise InputError("load", contact.show(float(load.min() * unit), "load"), allowed)
         assert self.record.of_map is not None
         options = select_options(self.record, self.options)
         return self.record.of_map(surface, contact, load * unit / contact.nominal_area, **options)
@@ -111,8 +119,14 @@ class OnMap(Problem):
             "plane_separation": planes / factors["m"],
             "contact_stiffness": curve.array("stiffness") * whole / factors["N/m"],
             **{name: curve.array(own) for name, own in _PLAIN.items()},
-            **{name: np.full(load.size, value) for name, value in curve.of_map.items()},
+            **{
+                name: np.full(load.size, value) / factors.get(QUANTITIES[name].scale, 1.0)
+                for name, value in curve.of_map.items()
+            },
+            **curve.more,
         }
+        if self.adheres:
+            found = {name: table for name, table in found.items() if name not in ("contact_stiffness", *_SOLVED)}
         if not self.surface().periodic:
             found["load_at_ends"] = curve.array("load_at_ends")
         if self.friction:
@@ -146,27 +160,28 @@ class OnMap(Problem):
         return float(measured.mean_heights[measured.method])
 
     def _friction(self, one: "MapContact") -> float:
-        """The tangential force of the whole contact, normalised: of the pressure and the area of every point, those that flow
-        and those that do not."""
-        assert self.chosen.tangential is not None and one.pressure is not None
-        factors = self.contact.scales().factors()
+        """The tangential force of the whole contact, normalised."""
+        assert self.chosen.tangential is not None
         whole = self.contact.nominal_area / one.nominal_area
-        pixel = one.nominal_area / one.pressure.size
-        pressure = one.pressure[one.pressure > 0.0]
-        hardness = float(pressure.max()) if one.plastic_area > 0.0 else np.inf
+        of_points = POINT_SHEARS.get(self.options.get("shear", ""))
+        if of_points is not None and one.pressure is None:
+            raise InputError("shear", self.options["shear"], "law, where faces adhere: pressures there are not all of contact")
+        if of_points is not None:
+            return of_points(self.contact, self.chosen.tangential.key, one) * whole / self.contact.scales().factors()["N"]
+        if one.pressure is None:  # of the whole load and area
+            factors = self.contact.scales().factors()
+            load, area = one.load * whole / factors["N"], one.area * whole / factors["m^2"]
+            return float(resistances(self.chosen.tangential, self.groups, np.array([[load]]), np.array([[area]])).item())
+        return self._by_law(self.chosen.tangential, one, whole)
+
+    def _by_law(self, tangential: "TangentialLaw", one: "MapContact", whole: float) -> float:
+        """Of the pressure and the area of every point, those that flow and those that do not."""
+        factors = self.contact.scales().factors()
         total = 0.0
-        for state, some in (("elastic", pressure[pressure < hardness]), ("plastic", pressure[pressure >= hardness])):
-            if some.size:
-                area = np.full(some.size, pixel * _of_pixels(one, state))
-                loads, areas = some * pixel * whole / factors["N"], area * whole / factors["m^2"]
-                total += float(resistances(self.chosen.tangential, self.groups, loads[None], areas[None], state).sum())
+        for state, pressure, area in points_of(one):
+            loads, areas = (
+                pressure * area.counted * whole / factors["N"],
+                np.full(pressure.size, area.real * whole / factors["m^2"]),
+            )
+            total += float(resistances(tangential, self.groups, loads[None], areas[None], state).sum())
         return total
-
-
-def _of_pixels(one: "MapContact", state: str) -> float:
-    """What is in contact of a pixel that is counted: the excess at the edges is taken off the points that do not flow, as far
-    as these have it."""
-    elastic, wanted = one.area_pixels - one.plastic_area, one.area - one.plastic_area
-    if elastic > 0.0 and wanted > 0.0:
-        return 1.0 if state == "plastic" else wanted / elastic
-    return one.area / one.area_pixels

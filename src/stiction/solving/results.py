@@ -9,7 +9,7 @@ from stiction.contact.subject import Subject
 from stiction.laws.validity import as_attributes
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.table import QUANTITIES
-from stiction.solving import film_errors, unused
+from stiction.solving import film_errors, measured_error, unused
 from stiction.solving.conditions import doubts_of_results
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
@@ -77,6 +77,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         "grade": max(record.grade for record in records),
         "sources": " ".join(used),
         **as_attributes(doubts_of_results(problem, tables)),
+        **measured_error.as_attributes(measured_error.measured_errors(problem, tables)),
         **film_errors.as_attributes(problem, tables),
         **unused.as_attributes(unused.unused_inputs(problem)),
         "remarks": "; ".join(subject.remarks()),

@@ -172,7 +172,7 @@ def pull_off_variables(problem: Problem, factors: Mapping[str, Any], found: Inve
 def _at_load(problem: Problem, load: np.ndarray, unit: np.ndarray) -> dict[str, np.ndarray]:
     """Results of the full shape at normalised loads, of a theory that knows no separation."""
     model = problem.record.key
-    if (load < 0.0).any():
+    if (load < 0.0).any() and not problem.adheres:
         raise InputError(
             "load", problem.subject.show(float((load * unit).min()), "load"), f"0 or more: {model} knows no adhesion"
         )

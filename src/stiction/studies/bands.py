@@ -13,7 +13,7 @@ from stiction.solving.candidates import candidates
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT
 from stiction.studies.case import Case
-from stiction.studies.drawing import OUTPUTS, Draws, Variant, draw, scrambled, shares_of_points
+from stiction.studies.drawing import OUTPUTS, Draws, Variant, draw, scrambled, shares_of_points, solves_maps
 
 if TYPE_CHECKING:
     import xarray
@@ -59,6 +59,9 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Pro
     the standard error that the sampling leaves it. As it is where nothing is uncertain."""
     if not case.uncertain:
         return data
+    if solves_maps(choice):
+        why = f"what is uncertain has no band: {choice.model} would have to solve the map for every point that is drawn"
+        return with_doubts(data, [Doubt(why)])
     wanted = case.uncertainty
     names = [name for name in OUTPUTS if name in data.data_vars]
     shares = scrambled(len(case.unknowns), wanted.count, wanted.seed, _PARTS)

@@ -259,12 +259,13 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...
     nominal = {path: float(one.values[0]) for path, one in (numbers | found).items()}
     content = _measured(with_own_materials(with_values(content, nominal), folder, _tables), folder)
     _refuse_uncertain_scans(content, used)
-    if _wants_ranges(content):
+    if wants_ranges(content):
         used |= {one.path: one for one in with_ranges(content, [*numbers, *used])}
     return content, numbers | {one.path: one for one in named(list(used.values()))}
 
 
-def _wants_ranges(content: Mapping) -> bool:
+def wants_ranges(content: Mapping) -> bool:
+    """Whether numbers of materials vary within their ranges, as the tables say."""
     table = content.get("uncertainty", {})
     return isinstance(table, Mapping) and table.get("ranges") is True
 

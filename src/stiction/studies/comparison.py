@@ -1,5 +1,6 @@
 """Every model that applies, on one contact: what they say of its friction, how far they differ, and which to trust."""
 
+import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -19,6 +20,7 @@ from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding
 from stiction.solving.inversion import Unreachable, separations_at
+from stiction.solving.measured_error import measured_errors
 from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
 from stiction.solving.results import labelled
@@ -52,12 +54,15 @@ def compare(
     Where a model has no tangential law of its own and the contact states an interfacial shear strength, that law of the
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
     contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
-    working load, with grade, `outside_validity` in words and `doubts` as JSON. A theory that knows no separation has none (not
-    a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at the
-    working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
+    working load, with grade, `outside_validity` in words, `doubts` as JSON; `measured_area_error` (and `_rms`) and
+    `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number
+    where none was solved near; `measured_error` as JSON, `measured_error_in_words`. A theory that knows no separation has
+    none (not a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at
+    the working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
     `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
     which of the family count for nothing and why, and `advice` where none is recommended; `cost` of each model is over `model`;
-    `doubtful` says of every point whether it is within what its model claims, outside of it, or impossible (0, 1, 2);
+    `solved`, whether it is the contact of the map itself, converged; `doubtful` says of every point whether it is within what
+    its model claims, outside of it, or impossible (0, 1, 2);
     `criteria` (is it sticky?), and `left_out`: model: why. Where the roughness was measured, there are also
     friction_coefficient_at_load_by_method (asperity_method, model),
     friction_coefficient_at_load_low and _high. Raises InputError for bad input.
@@ -77,6 +82,9 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
+    known = any(one.measured is not None and one.measured.known for one in answers)
+    for one in answers:
+        one.beside_measured = known
     return _dataset(contact, answers, target)
 
 
@@ -146,9 +154,12 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         judged = at_load or {name: table[None, :] for name, table in curve.items()}
         answer.outside = answer.outside + doubts_of_results(problem, judged)
         answer.film_off = film_errors.off_by(problem, judged)
-        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_error"]
+        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_film_error"]
         answer.adhesion = _largest(state_of(problem, at_load).get("adhesion_share")) if at_load else np.inf
+        if at_load:
+            answer.measured = measured_errors(problem, at_load)
     answer.effects = problem.effects
+    answer.of_map = problem.record.of_map is not None
     answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
     answer.curve = _in_units(problem, curve)
     answer.doubtful = doubtful_points(problem, {name: table[None, :] for name, table in curve.items()})
@@ -215,7 +226,7 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "grade": [one.grade for one in shown],
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
-        "measured_error": [one.film_errors for one in shown],
+        "measured_film_error": [one.film_errors for one in shown],
         "why_not": [one.why_not for one in shown],
         "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
     }
@@ -225,8 +236,27 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
     for row, one in zip(doubtful, shown, strict=True):
         row[: one.doubtful.size] = one.doubtful
     data = data.assign(doubtful=(("model", "point"), doubtful))
+    data = data.assign(solved=("model", np.array([one.solved for one in shown], dtype=bool)))
+    data = data.assign({name: ("model", values) for name, values in _measured(shown).items()})
     data = data.assign(cost=("model", np.array([one.cost for one in shown]), {"long_name": "how ill founded a model is here"}))
     return data.assign_attrs(_attributes(contact, answers, target))
+
+
+def _measured(answers: list[Answer]) -> dict[str, np.ndarray]:
+    """Of each model its measured error at the working load: of the area and of mu on average, root mean square of the area's,
+    relative, not a number where it was not measured near; and in words, and as JSON."""
+    every = [one.measured for one in answers]
+    numbers = {
+        "measured_area_error": [np.nan if one is None else np.expm1(one.area[0]) for one in every],
+        "measured_area_error_rms": [np.nan if one is None else one.relative[0] for one in every],
+        "measured_friction_error": [np.nan if one is None else np.expm1(one.friction[0]) for one in every],
+    }
+    words = ["" if one is None else one.words for one in every]
+    data = ["null" if one is None else json.dumps(one.as_data()) for one in every]
+    return {name: np.array(values) for name, values in numbers.items()} | {
+        "measured_error_in_words": np.array(words, dtype=object),
+        "measured_error": np.array(data, dtype=object),
+    }
 
 
 def _or_nothing(values: np.ndarray | None, points: int) -> np.ndarray:

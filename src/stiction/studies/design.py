@@ -9,6 +9,7 @@ import numpy as np
 
 from stiction import __version__
 from stiction.quantities.table import QUANTITIES
+from stiction.studies.case import wants_ranges
 from stiction.studies.case_text import case_text, show_exactly, with_written
 from stiction.studies.design_plan import LOAD, DesignPlan, Options, make_design_plan
 from stiction.studies.design_space import TOLERANCE, Answers, Space
@@ -217,7 +218,7 @@ def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.
 
 
 def _refined(found: Designing, number: int, tell: Tell) -> None:
-    """The numbers between ends of the best designs, by a model of their neighbourhood (COBYQA: Ragonneau & Zhang 2025): where a
+    """The numbers between ends of the best designs, by a model of their neighbourhood (COBYQA: Ragonneau 2022): where a
     limit or an end decides, to its last digit."""
     if not found.plan.free:
         return
@@ -308,9 +309,10 @@ def _columns(found: Designing, rows: np.ndarray, along: str) -> dict[str, tuple]
             index = one.index(shares[:, at])
             entries = one.entries if one.is_number else one.words
             values = np.array([entries[int(i)] for i in index])
-            said = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
+            said: dict[str, Any] = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
         else:
-            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes)
+            ends = {"searched_from": one.low, "searched_to": one.high, "spacing": "log" if one.log else "linear"}
+            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes) | ends
         columns[name] = (along, values, said)
     for name, values in known.items():
         if name not in columns:
@@ -337,10 +339,17 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
         "validity": plan.validity,
         "asked": found.archive.count,
         "tolerance": TOLERANCE,
-        "uncertain": ", ".join(".".join(path[1:]) for path in plan.uncertain),
+        "uncertain": _uncertain(plan),
         "verdict": said,
         "stopped": int(found.stopped),
     }
+
+
+def _uncertain(plan: DesignPlan) -> str:
+    ranges = ["numbers of materials within their ranges"] if wants_ranges(plan.given) else []
+    bodies = ("first", "second", "coating") if ranges else ()
+    own = [".".join(one.path[1:]) for one in plan.uncertain if not (len(one.path) > 2 and one.path[1] in bodies)]
+    return ", ".join([*own, *ranges])
 
 
 def _designed_case(found: Designing, out: Path) -> str:

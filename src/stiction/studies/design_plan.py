@@ -15,6 +15,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.studies.fit_plan import without_studies
 from stiction.studies.free import Free, read_free
 from stiction.studies.places import as_numbers, flat, placed, read_end, subject_table
+from stiction.studies.uncertain import Uncertain
 
 __all__ = ["Design", "DesignPlan", "Limit", "Options", "Wish", "make_design_plan"]
 
@@ -98,7 +99,7 @@ class Limit:
 @dataclass(frozen=True)
 class DesignPlan:
     """A design, ready to be searched. content: the tables of the case without studies; given: as they were written. wishes with
-    the value of a target in SI units. uncertain: path -> what gives values at shares, of numbers that are uncertain."""
+    the value of a target in SI units. uncertain: numbers of the contact that are drawn."""
 
     content: Mapping[str, Any]
     given: Mapping[str, Any]
@@ -112,7 +113,7 @@ class DesignPlan:
     validity: str
     effort: int
     seed: int
-    uncertain: Mapping[tuple[str, ...], Any]
+    uncertain: tuple[Uncertain, ...]
 
     @property
     def unknowns(self) -> tuple[Free | Options, ...]:
@@ -134,9 +135,9 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
         raise InputError(f"design.{error.field}", error.value, error.allowed) from None
     plain, several = opened(without_studies(content), folder)
     for path, one in several.items():
-        raise InputError(
-            ".".join(path), f"{one.values.size} numbers", "one number; of several one is chosen under [design.choose]"
-        )
+        if not isinstance(one, Uncertain):
+            allowed = "one number; of several one is chosen under [design.choose]"
+            raise InputError(".".join(path), f"{one.values.size} numbers", allowed)
     plain = as_numbers(plain)
     free, options = _unknowns(design, plain)
     wishes, targets = _wishes(design)
@@ -153,7 +154,7 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
         validity=design.validity,
         effort=design.effort,
         seed=design.seed,
-        uncertain={},
+        uncertain=tuple(one for one in several.values() if isinstance(one, Uncertain)),
     )
 
 

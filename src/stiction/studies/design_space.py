@@ -14,9 +14,10 @@ from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, Pointwise, solve_pointwise
 from stiction.solving.problem import make_problem
 from stiction.solving.yielded import YIELDED, yielded_shares
-from stiction.studies.case import case_of
+from stiction.studies.case import case_of, wants_ranges
 from stiction.studies.design_plan import LOAD, DesignPlan
 from stiction.studies.places import with_numbers
+from stiction.studies.uncertain import with_ranges
 
 __all__ = ["TOLERANCE", "Answers", "Space"]
 
@@ -52,7 +53,7 @@ class Space:
 
     def __post_init__(self):
         wanted = [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]
-        self.names = list(dict.fromkeys([*wanted, "friction_coefficient", "load"]))
+        self.names = list(dict.fromkeys([*wanted, "friction_coefficient"]))
         self.choice = self._choice()
 
     @property
@@ -140,9 +141,8 @@ class Space:
                 content = _replaced(content, one.path, one.entries[int(index[0])])
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
             numbers[free.path] = xarray.DataArray(free.at(shares[some, at]), dims=(_DESIGN,))
-        for path, values in self._sampled().items():
-            if path not in numbers:
-                numbers[path] = xarray.DataArray(values, dims=(_SAMPLE,))
+        for path, values in self._sampled(content, list(numbers)).items():
+            numbers[path] = xarray.DataArray(values, dims=(_SAMPLE,))
         load = numbers.pop(LOAD, None)
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore", InputDoubt)
@@ -153,15 +153,21 @@ class Space:
             load = xarray.DataArray(case.load, dims=("load",))
         return case.subject, load
 
-    def _sampled(self) -> Mapping[tuple[str, ...], np.ndarray]:
-        """Values of what is uncertain (samples,), the same for every design."""
+    def _sampled(self, content: Mapping, chosen: list[tuple[str, ...]]) -> dict[tuple[str, ...], np.ndarray]:
+        """Values of what is uncertain and not chosen (samples,), the same for every design of the same materials. Of a material
+        that is chosen its own ranges count."""
         from scipy.stats import qmc
 
-        paths = list(self.plan.uncertain)
-        if not paths:
+        replaced = [one.path for one in self.plan.options if not one.is_number]
+        kept = [one for one in self.plan.uncertain if not any(one.path[: len(path)] == path for path in replaced)]
+        if wants_ranges(self.plan.given):
+            kept += [one for one in with_ranges(content, [*chosen, *(one.path for one in kept)])]
+        kept = [one for one in kept if one.path not in chosen]
+        together = list(dict.fromkeys(one.dimension for one in kept))
+        if not kept:
             return {}
-        shares = qmc.Sobol(len(paths), rng=self.plan.seed).random(_SAMPLES)
-        return {path: self.plan.uncertain[path].at(shares[:, at]) for at, path in enumerate(paths)}
+        shares = qmc.Sobol(len(together), rng=self.plan.seed).random(_SAMPLES)
+        return {one.path: one.at(shares[:, together.index(one.dimension)]) for one in kept}
 
     def _solved(self, shares: np.ndarray, some: np.ndarray) -> Answers:
         subject, load = self._contacts(shares, some)
@@ -169,7 +175,8 @@ class Space:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore", InputDoubt)
             solved = solve_pointwise(subject, self.choice, load=load, keep=sorted(keep))
-        shape = (len(some), len(next(iter(self._sampled().values()))) if self.plan.uncertain else 1, load.sizes.get("load", 1))
+        samples = next((array.sizes[_SAMPLE] for _, array in subject.arrays() if _SAMPLE in array.dims), 1)
+        shape = (len(some), samples, load.sizes.get("load", 1))
         groups = subject.all_groups()
         tables = {name: self._table(name, solved, groups, shape, subject) for name in self.names}
         wishes = [
@@ -181,8 +188,17 @@ class Space:
         return Answers(
             np.column_stack([_worst(one) for one in wishes]),
             np.column_stack([_worst(one) for one in broken]),
-            {name: np.median(table.reshape(len(some), -1), axis=1) for name, table in tables.items()},
+            self._shown(tables, wishes, broken),
         )
+
+    def _shown(self, tables: Mapping, wishes: list[np.ndarray], broken: list[np.ndarray]) -> dict[str, np.ndarray]:
+        """What is shown of each result (designs,): where a limit or a wish of it is kept worst; else in the middle."""
+        found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
+        names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.wishes)]
+        for name, worst in zip(names, [*broken[: len(self.plan.limits)], *wishes], strict=True):
+            table, rows = tables[name], np.arange(len(worst))
+            found[name] = table.reshape(len(rows), -1)[rows, np.argmax(worst.reshape(len(rows), -1), axis=1)]
+        return found
 
     def _table(self, name: str, solved: Pointwise, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
         """A result or a group (designs, samples, loads)."""

@@ -8,13 +8,14 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.subject import Subject
+from stiction.laws.registry import RoughSurface, find
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, Pointwise, solve_pointwise
 from stiction.studies.case import Case
 from stiction.studies.uncertain import SAMPLE
 
-__all__ = ["OUTPUTS", "Draws", "Variant", "draw", "scrambled", "shares_of_points"]
+__all__ = ["OUTPUTS", "Draws", "Variant", "draw", "scrambled", "shares_of_points", "solves_maps"]
 
 # What is asked of contacts that are drawn.
 OUTPUTS = ("friction_coefficient", "contact_area", "load", "pull_off_force")
@@ -80,6 +81,11 @@ def draw(
     names: of the results that are kept. progress: wraps the list of steps. Raises InputError where the first variant refuses
     the nominal contact, or where there are too many points.
     """
+    for one in variants:
+        if solves_maps(one.choice):
+            raise InputError(
+                "model", one.choice.model, "a model that solves many contacts at once, where numbers are uncertain"
+            )
     found = _layout(case, variants, names)
     count = len(shares)
     if count * found.points > _MOST:
@@ -90,6 +96,11 @@ def draw(
         for part, solved in _solvable(case, variants[at], shares, some, names):
             _keep(found, part, solved)
     return found
+
+
+def solves_maps(choice: Choice) -> bool:
+    """Whether this model solves the map of one contact, point by point: not for thousands that are drawn."""
+    return find(choice.model, RoughSurface).of_map is not None
 
 
 def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Draws:

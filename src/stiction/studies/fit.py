@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Fitting", "fit", "plan_of_fit", "run_fit"]
 
+_FEW = 100  # independent sets, below which a 95 % band is rough
 # From a text, what wraps a list of steps.
 Progress = Callable[[str], Callable[[Iterable], Iterable]]
 
@@ -200,10 +201,18 @@ def _attributes(found: Fitting) -> dict[str, Any]:
         "chi_square": one.best.chi_square * one.scale**2,
         "confidence": CONFIDENCE,
         "errors": _errors_said(one),
-        "verdict": "\n".join(verdicts(one)),
+        "verdict": "\n".join([*verdicts(one), *_unsure(found)]),
         "stopped": int(found.stopped),
         **bands,
     }
+
+
+def _unsure(found: Fitting) -> list[str]:
+    """Where the numbers of the answer are not what they should be."""
+    said = [] if found.best.best.fit.success else [f"the search did not end at a minimum: {found.best.best.fit.message}"]
+    if found.bands is not None and found.bands.effective < _FEW:
+        said.append(f"the bands rest on {found.bands.effective:.0f} independent sets of numbers: they are rough")
+    return said
 
 
 def _errors_said(one: Fitted) -> str:

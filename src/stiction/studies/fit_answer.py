@@ -156,6 +156,9 @@ def verdicts(one: Fitted) -> list[str]:
     for at, profile in enumerate(one.profiles):
         if at not in entangled:
             found += _of_one(one, at, profile)
+    named = one.forward.plan.uncertain
+    if named:
+        found.append(f"{', '.join(named)}: uncertain, and taken as the nominal value; the intervals do not hold what that adds")
     return found
 
 

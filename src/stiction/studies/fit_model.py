@@ -17,7 +17,7 @@ from stiction.studies.places import with_numbers
 
 __all__ = ["Forward", "Parameter", "derived", "forward_of", "solved_sets"]
 
-_SET = "set"
+_SET, _ROW = "set", "row"
 
 
 @dataclass(frozen=True)
@@ -34,12 +34,12 @@ class Parameter:
 
 @dataclass(frozen=True)
 class _Group:
-    """Measured values (rows) of one contact: the numbers that the data give of it, and which parameters (columns) it has."""
+    """Measured values (rows) that are asked for together: the numbers of the contact that the data give of each (rows,), and
+    which parameters (columns) they have."""
 
     rows: np.ndarray
-    known: Mapping[tuple[str, ...], float]
+    known: Mapping[tuple[str, ...], np.ndarray]
     columns: tuple[int, ...]
-    pressed: bool
 
 
 @dataclass(frozen=True)
@@ -66,10 +66,9 @@ class Forward:
         some = self.data.some(group.rows)
         names = {"contact_area" if name == "contact_resistance" else name for name in some.quantity}
         contact = {path: values for path, values in numbers.items() if path != RESISTANCE}
-        load = some.load if group.pressed else None
-        tables = solved_sets(self.plan.content, self.choice, contact, group.known, load, sorted(names))
+        tables = solved_sets(self.plan.content, self.choice, contact, group.known, some.load, sorted(names))
         resistance = numbers.get(RESISTANCE, self.plan.resistance)
-        columns = [derived(tables, name, resistance)[:, at if group.pressed else 0] for at, name in enumerate(some.quantity)]
+        columns = [derived(tables, name, resistance)[:, at] for at, name in enumerate(some.quantity)]
         return np.column_stack(columns)
 
 
@@ -86,14 +85,14 @@ def solved_sets(
     content: Mapping[str, Any],
     choice: Choice,
     numbers: Mapping[tuple[str, ...], np.ndarray],
-    known: Mapping[tuple[str, ...], float],
-    load: np.ndarray | None,
+    known: Mapping[tuple[str, ...], np.ndarray],
+    load: np.ndarray,
     keep: Sequence[str],
 ) -> dict[str, np.ndarray]:
-    """Results (sets, points), by name, of contacts with these numbers (sets,) and those that are known, at the loads (points,),
-    or at one separation where there are none; not a number for what is refused, set by set."""
-    sets, points = (len(next(iter(numbers.values()))) if numbers else 1), 1 if load is None else len(load)
-    found = {name: np.full((sets, points), np.nan) for name in keep}
+    """Results (sets, rows), by name, of contacts with these numbers (sets,) and those that are known (rows,), at the loads
+    (rows,), or at any separation where these are no numbers; not a number for what is refused, set by set."""
+    sets = len(next(iter(numbers.values()))) if numbers else 1
+    found = {name: np.full((sets, len(load)), np.nan) for name in keep}
     waiting = [np.arange(sets)]
     while waiting:
         some = waiting.pop()
@@ -117,20 +116,22 @@ def _solved(content, choice, numbers, known, load, keep) -> dict[str, np.ndarray
     from stiction.studies.case import case_of
 
     arrays = {path: xarray.DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
+    arrays |= {path: float(v[0]) if (v == v[0]).all() else xarray.DataArray(v, dims=(_ROW,)) for path, v in known.items()}
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore", InputDoubt)
-        subject = case_of(with_numbers(content, {**known, **arrays}), {}).subject
-        points: dict[str, Any] = {"separation": 0.0} if load is None else {"load": xarray.DataArray(load, dims=("row",))}
+        subject = case_of(with_numbers(content, arrays), {}).subject
+        pressed = bool(np.isfinite(load).all())
+        points: dict[str, Any] = {"load": xarray.DataArray(load, dims=(_ROW,))} if pressed else {"separation": 0.0}
         solved = solve_pointwise(subject, choice, **points, keep=keep)
-    shape = (len(next(iter(numbers.values()))) if numbers else 1, 1 if load is None else len(load))
+    shape = (len(next(iter(numbers.values()))) if numbers else 1, len(load))
     return {name: _as_table(solved.variables[name], shape) for name in keep if name in solved.variables}
 
 
 def _as_table(variable: tuple, shape: tuple[int, int]) -> np.ndarray:
     dims, values, _ = variable
-    wanted = [dim for dim in (_SET, "row") if dim in dims]
+    wanted = [dim for dim in (_SET, _ROW) if dim in dims]
     ordered = values.transpose([dims.index(dim) for dim in wanted])
-    return np.broadcast_to(ordered.reshape(shape[0] if _SET in dims else 1, shape[1] if "row" in dims else 1), shape)
+    return np.broadcast_to(ordered.reshape(shape[0] if _SET in dims else 1, shape[1] if _ROW in dims else 1), shape)
 
 
 def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> Forward:
@@ -155,20 +156,19 @@ def _parameters(plan: FitPlan) -> tuple[Parameter, ...]:
 
 
 def _groups(data: Measurements, parameters: Sequence[Parameter]) -> tuple[_Group, ...]:
-    """The measured values by contact: what the data give of it, whose parameters it has, and whether it is under a load."""
+    """The measured values by which numbers the data give of them, whose parameters they have, and whether there is a load."""
     found: dict[tuple, list[int]] = {}
     own = any(one.sample is not None for one in parameters)
     for at in range(len(data)):
-        key = (tuple(sorted(data.known[at].items())), data.sample[at] if own else None, bool(np.isfinite(data.load[at])))
+        key = (tuple(sorted(data.known[at])), data.sample[at] if own else None, bool(np.isfinite(data.load[at])))
         found.setdefault(key, []).append(at)
     return tuple(
         _Group(
             np.array(rows),
-            dict(known),
+            {path: np.array([data.known[at][path] for at in rows]) for path in paths},
             tuple(at for at, one in enumerate(parameters) if one.sample is None or one.sample == sample),
-            pressed,
         )
-        for (known, sample, pressed), rows in found.items()
+        for (paths, sample, _), rows in found.items()
     )
 
 

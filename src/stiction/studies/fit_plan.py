@@ -1,7 +1,7 @@
 """What a fit is of: the table [fit] of a case, read and checked against the measured series."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ from stiction.quantities.inputs import Input
 from stiction.studies.free import Free, read_free
 from stiction.studies.measurements import Measurements, read_measurements
 from stiction.studies.places import as_numbers, flat, placed, read_end
+from stiction.studies.uncertain import Uncertain
 
 __all__ = ["RESISTANCE", "Fit", "FitPlan", "make_fit_plan"]
 
@@ -36,7 +37,8 @@ class Fit(Input):
 @dataclass(frozen=True)
 class FitPlan:
     """A fit, ready to be computed. content: the tables of the case without [fit], its scans and own materials read; given: the
-    tables as they were written. predict: tables of the contact with the numbers asked for."""
+    tables as they were written. predict: tables of the contact with the numbers asked for. uncertain: numbers that are
+    uncertain and not free."""
 
     content: Mapping[str, Any]
     given: Mapping[str, Any]
@@ -47,6 +49,7 @@ class FitPlan:
     predict: Mapping[str, Any]
     resistance: float | None
     data: Measurements
+    uncertain: tuple[str, ...] = ()
 
 
 def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
@@ -65,6 +68,8 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
         raise InputError(f"fit.{error.field}", error.value, error.allowed) from None
     plain, several = opened(without_studies(given), folder)
     for path, one in several.items():
+        if isinstance(one, Uncertain):
+            continue  # its nominal value stands for it, which is said
         raise InputError(
             ".".join(path), f"{one.values.size} numbers", "one number in [contact]; several go under [fit.predict]"
         )
@@ -78,7 +83,9 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
         plain, given, folder, str(given.get("title", "")), free, tuple(fit.models), fit.predict, resistance, measured
     )
     _check(plan)
-    return plan
+    taken = {one.path for one in free} | {path for row in measured.known for path in row}
+    names = tuple(".".join(path[1:]) for path, one in several.items() if isinstance(one, Uncertain) and path not in taken)
+    return replace(plan, uncertain=names)
 
 
 def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:

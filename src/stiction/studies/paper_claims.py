@@ -21,7 +21,8 @@ import numpy as np
 
 from stiction.studies.paper_figures import FILM_VALUES, H_RANGE
 
-READINGS = ("corrected", "published")
+# The paper's two readings, and its asperities on a film that is solved.
+READINGS = ("corrected", "published", "layered")
 THETA = np.geomspace(1.0, 1e4, 25)
 LAM = np.geomspace(1e-3, 1e4, 25)
 LIGHT, MODERATE = 1e-3, 1e-2  # over the reference load
@@ -197,15 +198,29 @@ class ClaimMap:
 def surfaces_at(theta: float, lam: np.ndarray, reading: str) -> Surfaces:
     """Every surface of the paper at one theta and each of lam (n,)."""
     from stiction.solving.evaluate import evaluate
+    from stiction.studies.paper_layered import LAYERED
 
+    if reading == LAYERED:
+        return _layered_surfaces(theta, np.asarray(lam, dtype=float))
     lam = np.asarray(lam, dtype=float).reshape(-1, 1, 1, 1, 1)
     film: dict[str, Any] = {"n_E": _N_E[:, None, None, None], "n_H": _N_H[:, None, None], "tau": _TAU[:, None]}
     bare = evaluate(_H, theta, lam, reading=reading)
     return Surfaces(Curves(*bare), Curves(*evaluate(_H, theta, lam, **film, reading=reading)))
 
 
+def _layered_surfaces(theta: float, lam: np.ndarray) -> Surfaces:
+    from stiction.studies.paper_layered import totals
+
+    shape = len(lam), _N_E.size, _N_H.size, _TAU.size
+    each, *films = (one.ravel() for one in np.meshgrid(lam, _N_E, _N_H, _TAU, indexing="ij"))
+    bare = (one.reshape(-1, 1, 1, 1, _H.size) for one in totals(theta, lam, _H))
+    coated = (one.reshape(*shape, _H.size) for one in totals(theta, each, _H, tuple(films)))
+    return Surfaces(Curves(*bare), Curves(*coated))
+
+
 def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callable[[list], Iterable] = iter) -> ClaimMap:
-    """Judge every claim at every pair of theta and lam, in both readings. progress: wraps the loop, to show how far it is."""
+    """Judge every claim at every pair of theta and lam, in both readings and with a film that is solved. progress: wraps the
+    loop, to show how far it is."""
     results = np.empty((2, len(CLAIMS), len(READINGS), len(theta), len(lam)))
     steps = [(row, column) for row in range(len(READINGS)) for column in range(len(theta))]
     for row, column in progress(steps):

@@ -53,17 +53,32 @@ class PanelCurves:
         groups = self.bare.attrs
         fixed = ", ".join(f"{name} = {value:g}" for name, value in self.panel.fixed.items())
         chosen = f"theta = {groups['theta']:g}, lambda = {groups['lam']:g} (not printed in the paper)"
-        return f"{self.panel.figure} of the 2015 paper, {groups['reading']} reading: {fixed}\n{chosen}, h = 4 to -4"
+        return f"{self.panel.figure} of the 2015 paper, {in_words(groups['reading'])}: {fixed}\n{chosen}, h = 4 to -4"
+
+
+def in_words(reading: str) -> str:
+    """What a reading of the paper is called in pictures."""
+    from stiction.studies.paper_layered import LAYERED
+
+    return "its film solved" if reading == LAYERED else f"{reading} reading"
 
 
 def panel_curves(panel: Panel, theta: float, lam: float, reading: str) -> PanelCurves:
-    """Solve one panel. theta, lam > 0; reading "corrected" or "published". Raises InputError."""
+    """Solve one panel. theta, lam > 0; reading "corrected", "published" or "layered" (`paper_layered`). Raises InputError."""
     from stiction.contact.contact import Indices
     from stiction.quantities.units import axis
     from stiction.solving.solve import solve
+    from stiction.studies.paper_layered import LAYERED, choice, film_groups
 
     h = np.linspace(*H_RANGE, _POINTS)
     film = {**panel.fixed, panel.along: axis(panel.along, panel.values)}
+    if reading == LAYERED:
+        contacts = {
+            True: Indices(theta=theta, lam=lam, **film | film_groups(film["tau"])),
+            False: Indices(theta=theta, lam=lam),
+        }
+        coated, bare = (solve(contacts[one], separation=h, **choice(one).arguments()) for one in (True, False))
+        return PanelCurves(panel, coated, bare.assign_attrs(theta=theta, lam=lam, reading=reading))
     coated = solve(Indices(theta=theta, lam=lam, **film), separation=h, reading=reading)
     bare = solve(Indices(theta=theta, lam=lam), separation=h, reading=reading)
     return PanelCurves(panel, coated, bare.assign_attrs(theta=theta, lam=lam))

@@ -16,13 +16,17 @@ import numpy as np
 from stiction.laws.registry import GRADES
 from stiction.laws.validity import Doubt
 from stiction.solving.candidates import Candidate
+from stiction.solving.measured_error import MeasuredErrors
 
 # The cost of leaving a range by a factor of two: an effect that is left out weighs more than an assumption strained.
 COST_OF_A_DOUBLING = {"effect": 3.0, "assumption": 1.0, "fit": 0.5, "statistics": 0.0}
 COST_OF_GRADE = {"A": 0.0, "B": 0.1, "C": 0.5}
-# Of a film law that was found off by a factor of two in area near this contact.
+# Of a film law off by a factor of two in area on a sphere near this contact, where no surfaces were solved near it.
 COST_OF_FILM = 0.5
 COST_UNIT = 0.5
+# The cost of a measured error of the contact area by a factor of e; where others were measured near this contact and a model
+# was not, it is taken for this wrong.
+COST_OF_ERROR, NOT_MEASURED = 10.0, 0.3
 _COSTS = COST_OF_A_DOUBLING | {"impossible": math.inf}
 # A model with less of the weight than this is set aside.
 _LITTLE = 0.05
@@ -42,8 +46,9 @@ class Answer:
     curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
     takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
-    over the load. film_off: by how many factors of two its film law was found off near this contact, and film_errors: what was
-    measured of it, as JSON. why_not: why it says nothing, or nothing of friction.
+    over the load. measured: its error on solved surfaces near this contact and load; beside_measured: that of others is known.
+    film_off: by how many factors of two its film law was found off on a sphere near this contact; film_errors: what was
+    measured of it, as JSON. why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
     """
 
     candidate: Candidate
@@ -56,15 +61,25 @@ class Answer:
     effects: list[str] = field(default_factory=list)
     of_interface: bool = False
     adhesion: float = math.inf
+    measured: MeasuredErrors | None = None
+    beside_measured: bool = False
     film_off: float = 0.0
     film_errors: str = "[]"
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
+    of_map: bool = False
 
     @property
     def mu(self) -> float:
         """The friction coefficient at the working load, not a number where there is none."""
         return self.at_load.get("friction_coefficient", np.nan) if self.at_load else np.nan
+
+    @property
+    def solved(self) -> bool:
+        """Whether it is the solution of the contact's own map at the working load, converged."""
+        return (
+            self.of_map and self.at_load is not None and not any(one.kind in ("impossible", "effect") for one in self.outside)
+        )
 
     @property
     def impossible(self) -> list[Doubt]:
@@ -83,7 +98,15 @@ class Answer:
         for doubt in self.outside:
             if doubt.kind != "impossible":
                 worst[doubt.quantity] = max(worst.get(doubt.quantity, 0.0), self.cost_of(doubt))
-        return COST_OF_GRADE[self.grade] + COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS) + sum(worst.values())
+        return COST_OF_GRADE[self.grade] + sum(worst.values()) + self.cost_of_error
+
+    @property
+    def cost_of_error(self) -> float:
+        """What its measured error costs; where there is none near, that of its film law."""
+        if self.measured is not None and self.measured.known:
+            return COST_OF_ERROR * float(np.nanmax(self.measured.expected))
+        of_film = COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS)
+        return of_film + (COST_OF_ERROR * NOT_MEASURED if self.beside_measured else 0.0)
 
     def cost_of(self, doubt: Doubt) -> float:
         """What one doubt costs."""
@@ -202,6 +225,7 @@ def _reason(best: Answer, family: list[Answer], weights: np.ndarray, others: lis
         f"beside it {shares}" if shares else "",
         _two_opinions(family, weights),
         _left(best, within),
+        f"measured error: {best.measured.words}" if best.measured is not None and best.measured.known else "",
         FAMILIES[best.of_interface],
         f"grade {best.grade} ({GRADES[best.grade]})",
         f"takes account of {' and '.join(best.effects)}" if best.effects else "",
@@ -219,12 +243,19 @@ def _standing(models: int, own: float) -> str:
     return f"in the middle of {models} models by how well each is founded here ({own:.0%} of the weight is its own)"
 
 
+_WRONG = "its contact area is far from that of solved surfaces near this contact"
+_NOT_THERE = "it was not measured near this contact, where others were"
+
+
 def _set_aside(little: list[Answer], able: list[Answer]) -> str:
     """Models that count for little or cannot be so, by the doubt that weighs most on each."""
     by_reason: dict[str, list[str]] = {}
     for one in [*little, *(one for one in able if one.impossible)]:
         worst = max(one.impossible or one.outside, key=one.cost_of, default=None)
-        said = worst.rule if worst else f"grade {one.grade}"
+        if not one.impossible and one.cost_of_error > max((one.cost_of(doubt) for doubt in one.outside), default=0.0):
+            said = _WRONG if one.measured is not None and one.measured.known else _NOT_THERE
+        else:
+            said = worst.rule if worst else f"grade {one.grade}"
         by_reason.setdefault(said, []).append(f"{one.candidate.name} {one.mu:.3g}")
     return "\n".join(f"{said}: {', '.join(names)}" for said, names in by_reason.items())
 

@@ -174,11 +174,15 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
     sources: dict[str, None] = {}
     doubts: dict[str, Doubt] = {}
     why = "it says nothing of what was measured"
-    for subject, rows in subjects:
+    waiting = list(subjects)
+    while waiting:
+        subject, rows = waiting.pop()
         try:
             data = solve(subject, load=values.load[rows], model=name)
         except InputError as error:
             why = f"{error.field} is not given: {error.allowed}" if error.value is None else error.allowed
+            if len(rows) > 1 and error.field == "load":  # one that is not carried says nothing of the others
+                waiting += [(subject, rows[at : at + 1]) for at in range(len(rows))]
             continue
         for place, row in enumerate(rows):
             if values.quantity[row] in data:

@@ -29,6 +29,7 @@ from scipy.special import ndtri
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
+from stiction.surfaces.boundary_elements.memory import require_arrays
 from stiction.surfaces.heightmap import HeightMap, size_in_metres
 from stiction.surfaces.johnson import johnson
 from stiction.surfaces.targets import SelfAffine, require_positive
@@ -40,6 +41,7 @@ Spectrum = Callable[[np.ndarray], np.ndarray]
 _BLOCK = 2**19  # waves that are filtered at once: little memory beside that of the map
 _WORKERS = 2
 _LEAST_POINTS = 8
+_ARRAYS = 3  # as large as the map, alive while one is made
 _SETTLED = 0.01  # the iteration ends when a step improves the spectrum by less than this part
 
 
@@ -203,6 +205,7 @@ def _check_grid(shape, seed) -> None:
     whole = len(shape) == 2 and all(isinstance(count, int | np.integer) and count > 0 for count in shape)
     if not whole or shape[1] < _LEAST_POINTS or 1 < shape[0] < _LEAST_POINTS:
         raise InputError("shape", shape, f"(rows, columns), at least {_LEAST_POINTS} each, or (1, columns) of a profile")
+    require_arrays(shape, _ARRAYS)
     if not isinstance(seed, int | np.integer) or seed < 0:
         raise InputError("seed", seed, "an integer >= 0")
 

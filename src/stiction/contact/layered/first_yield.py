@@ -21,7 +21,7 @@ from stiction.contact.layered.compliance import Layer
 from stiction.contact.layered.stresses import Radial, Stresses
 from stiction.contact.layered.waves import CoatedBody
 
-__all__ = ["ANGLES", "PARTS", "PLACES", "Yield", "first_yield", "norms", "table_of_norms"]
+__all__ = ["ANGLES", "PARTS", "PLACES", "Yield", "at_interface", "first_yield", "norms", "table_of_norms"]
 
 # Where the largest is looked for by itself, so that each is a smooth function of a/t: on the film's surface, at the edge of the
 # contact, inside the film, where it meets the body, in the body.
@@ -67,6 +67,18 @@ def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0)
         largest = _refined(square[..., None], np.ones(square.shape, dtype=bool))[0] ** 0.5
         found.append(Yield(float(largest / strength), "interface" if between else name, float(ahead), float(z[at[0]])))
     return max(found)
+
+
+def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
+    """The largest tension across the interface of film and body, 0 if there is none, and the largest shear on it, over the mean
+    pressure, under a traction that is this multiple of the pressure, 0 or more."""
+    r = np.unique(np.concatenate([_RADII, 2.0 * _WIDE * max(1.0, stresses.thickness)]))
+    radial = stresses.in_film(r, np.array([stresses.thickness]))
+    _, _, zz, rz = radial.pressed
+    _, _, zz_dragged, rz_dragged, _, tz = radial.dragged
+    tension = float((zz + traction * np.abs(zz_dragged)).max())
+    square, _ = _over_directions((rz * rz, rz * rz_dragged, rz_dragged**2, tz * tz), 1.0, traction)
+    return max(tension, 0.0), float(square.max() ** 0.5)
 
 
 def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:

@@ -14,8 +14,13 @@ The map bears the nominal pressure: its areas, stiffness and friction are multip
 The hardness is that of the softer body, where there is a film that of the film or of what it meets. Where both carry a film
 each has half of the thickness. The substrate does not yield.
 
+*Adhesion*, if asked for, of elastic bodies and one period: faces a gap $g$ apart have the energy $-w\,e^{-g/\rho}$
+([pastewka_robbins_2014] for the way), $\rho$ 0.3 nm, or the shortest that the map resolves: then $E^*\rho^2/w$ is two points.
+
 *Friction*: a law of the interface, of the pressure of every point. Where $\tau=\tau_0+\alpha p$ the sum is exact,
-$T=\tau_0A+\alpha P$. *Area*: $A=A_\text{px}-\frac{\pi-1+\ln2}{24}S\,\Delta x$, $S$ the length of the edges of points in
+$T=\tau_0A+\alpha P$. With `shear` the strength of a point is the lesser of $\alpha p$ and $\tau_0$ ([orowan_1943]), or points
+that flow under pressure and shear grow until $p^2+9\tau_0^2=H^2$ ([tabor_1959]): $T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$
+over the points. *Area*: $A=A_\text{px}-\frac{\pi-1+\ln2}{24}S\,\Delta x$, $S$ the length of the edges of points in
 contact. *Check*: Hertz, Westergaard, Johnson, Greenwood & Higginson, and the library ContactMechanics (tests).
 """
 
@@ -24,12 +29,13 @@ from dataclasses import replace
 from math import inf
 from typing import TYPE_CHECKING
 
-from stiction.contact.contact import Contact
+from stiction.contact.contact import EQUILIBRIUM_DISTANCE, Contact
 from stiction.contact.materials import Material
 from stiction.contact.pair import compliance_of, pair_of
 from stiction.laws.claims import Validity
 from stiction.laws.registry import RoughSurface
 from stiction.laws.sources import Source
+from stiction.quantities.errors import InputError
 from stiction.surfaces.boundary_elements import limits
 from stiction.surfaces.boundary_elements.bodies import Bodies
 from stiction.surfaces.boundary_elements.compliance import Film
@@ -59,7 +65,7 @@ def _film(material: Material, thickness: float, substrate: Material) -> Film:
 
 
 def of_map(
-    surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str
+    surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str, shear: str, adhesion: str
 ) -> "MapCurve":  # fmt: skip
     """Contacts of the map at nominal pressures [Pa]. Raises InputError for a map or a pressure that cannot be solved."""
     from stiction.surfaces.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
@@ -67,7 +73,25 @@ def of_map(
     bodies = bodies_of(contact)
     if yielding == "none":
         bodies = replace(bodies, hardness=None)
+    if adhesion != "left_out":
+        return _sticking(surface, contact, bodies, pressures, adhesion)
     return curve_of_map(surface, bodies, pressures, sampled=points == "sampled")
+
+
+def _sticking(
+    surface: "HeightMap", contact: Contact, bodies: Bodies, pressures: Sequence[float], adhesion: str
+) -> "MapCurve":  # fmt: skip
+    """With the work of adhesion of the faces that meet, over the range that is asked for."""
+    from stiction.surfaces.boundary_elements.sticking import shortest_range, sticking_curve
+
+    coating = contact.coating
+    work = contact.work_of_adhesion if coating is None or coating.work_of_adhesion is None else coating.work_of_adhesion
+    if not contact.adheres or work is None:
+        raise InputError("work_of_adhesion", contact.work_of_adhesion, f"> 0 J/m^2: adhesion is {adhesion}")
+    atomic = adhesion == "atomic_range"
+    reach = EQUILIBRIUM_DISTANCE if atomic else max(shortest_range(surface, bodies, work), EQUILIBRIUM_DISTANCE)
+    curve = sticking_curve(surface, bodies, pressures, work=work, reach=reach)
+    return curve if atomic else replace(curve, of_map={**curve.of_map, "range_tabor": float(contact.tabor_parameter(reach))})
 
 
 RECORD = RoughSurface(
@@ -79,27 +103,40 @@ RECORD = RoughSurface(
         Source("stanley_kato_1997", "", "displacements by Fourier transforms"),
         Source("almqvist_2007", "", "pressures between 0 and the hardness"),
         Source("nogi_kato_1997", "", "compliance of a film; checked by the boundary conditions of a wave, not against print"),
+        Source("love_1929", "", "displacement under a point of a map that ends"),
+        Source("pastewka_robbins_2014", "", "faces that attract each other over a range; solved by another descent"),
+        Source("orowan_1943", "", "shear = lesser; reconstructed, not compared with print"),
+        Source("tabor_1959", "", "shear = junction_growth; reconstructed, not compared with print"),
         Source("yastrebov_2017", "", "the area that pixels add"),
     ),
     of_map=of_map,
     takes_surface_moments=True,
+    accuracy=limits.TOLERANCE,
     up_to_full_contact=True,
     verified="Hertz, Westergaard, Johnson, Greenwood & Higginson; a quadratic program of few points; ContactMechanics",
-    own_options={"points": ("all", "sampled"), "yielding": ("at_hardness", "none")},
+    own_options={
+        "points": ("all", "sampled"),
+        "yielding": ("at_hardness", "none"),
+        "shear": ("law", "lesser", "junction_growth"),
+        "adhesion": ("left_out", "atomic_range", "shortest_range"),
+    },
     validity=(
-        Validity("points_in_shortest_wave", limits.LEAST_PIXELS, inf, "the area is not converged in points"),
+        Validity("points_in_shortest_wave", limits.LEAST_PIXELS, inf, "the area is not converged in points", "fit"),
         Validity("longest_waves_on_a_side", limits.LEAST_WAVES, inf, "the map is no sample of its surface", "statistics"),
         Validity("points_in_contact", limits.LEAST_CONTACT, inf, "so few points give a rough area only"),
         Validity("map_gradient", 0.0, limits.STEEPEST, "slopes are too steep for half-spaces"),
         Validity("load_at_ends", 0.0, limits.MOST_AT_ENDS, "the map ends within the contact", "statistics"),
         Validity("points_in_film", 1.0, inf, "the film is thinner than a point of the map is wide"),
         Validity("film_over_side", 0.0, limits.THICKEST, "what presses at the ends is less exact"),
+        Validity("points_at_edge", limits.LEAST_POINTS, inf, "the map does not resolve the edge of adhesive contact", "effect"),
+        Validity("range_tabor", limits.LEAST_TABOR, inf, "the range that the map resolves is not short"),
+        Validity("attraction_residual", 0.0, limits.MOST_ATTRACTION_LEFT, "the solution did not converge", "effect"),
         Validity("solution_residual", 0.0, limits.TOLERANCE, "the solution did not converge", "effect"),
         Validity("load_error", 0.0, limits.LEAST_LOAD_ERROR, "the pressures do not carry the load", "effect"),
     ),
     notes=(
         "Solved on the map, prepared as its roughness says; one period (periodic = true, and made maps) has no form taken off "
-        "and no ends. No adhesion. The hardness is the largest pressure of a point; the substrate of a film does not yield. "
-        'points="sampled" solves only as many points as the area needs to 1 to 2 %.'
+        "and no ends. No adhesion, unless asked for. The hardness is the largest pressure of a point; the substrate of a film "
+        'does not yield. points="sampled" solves only as many points as the area needs to 1 to 2 %.'
     ),
 )

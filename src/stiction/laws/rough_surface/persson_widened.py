@@ -1,21 +1,22 @@
 r"""Persson's area of contact, widened to what solved maps show; of a scan, the solution of its own contact: this project's own.
 
-*Assumes*: half-spaces without adhesion and friction; one hardness. *Source*: this project: a fit to maps of rough surfaces whose
-contact was solved point by point ([the set](truth.md)); [persson_2001] for the form, and [nayak_1971] for the moments. With
+*Assumes*: half-spaces without adhesion and friction; one hardness. *Source*: this project: a fit to maps of rough surfaces
+whose contact was solved point by point ([the set](truth.md)); [persson_2001] for the form, [nayak_1971] for the moments. With
 $p$ over $E^*h'$, $h'$ the root mean square gradient, and $\alpha=m_0m_4/m_2^2$,
 
 $$
-\frac{A_\text{el}}{A_n}=\operatorname{erf}\left(\sqrt2\,p\left[1+c\left(1-\sqrt{\operatorname{erf}(\sqrt2\,p)}\right)\right]\right),\qquad
-c=c_0-c_1\ln\alpha
+\frac{A_\text{el}}{A_n}=
+\operatorname{erf}\left(\sqrt2\,p\left[1+c\left(1-\sqrt{\operatorname{erf}(\sqrt2\,p)}\right)\right]\right),\qquad
+c=.617-.041\ln\alpha
 $$
 
-and with the hardness $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$. So it is where the contact is given by numbers, $\sigma$,
-$R$ and $N$: what is then left out, skewness, wear, a lay and chance of a small map, is the larger part of its error. Where the
-contact names scans, it solves the contact of their map at every pressure with the fewest points that are enough (four in the
-shortest wave, 1000 in contact), elastic or up to the hardness; a map with more points than that can be done for takes one of the
-formulas of `area_estimates`. `area_by` of the result says which it was.
+and with the hardness $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$. So it is where the contact is given by numbers,
+$\sigma$, $R$ and $N$: what is then left out, skewness, wear, a lay and the chance in a small map, is the larger part of its
+error. Where the contact names scans, it solves the contact of their map at every pressure with the fewest points that are
+enough (four in the shortest wave, 1000 in contact), elastic or up to the hardness; a map with more points than that can be done
+for takes one of the formulas of `area_estimates`. `area_by` of the result says which it was.
 
-*Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load; with $c=0$ it is [`persson_2001`](#persson_2001), and $A=pA_n/H$ for a soft body.
+*Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load, $c=0$ would be [`persson_2001`](#persson_2001); $A=pA_n/H$ for a soft body.
 """
 
 import numpy as np
@@ -39,7 +40,7 @@ WAYS = {
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H), by the formula of the moments; none under tension."""
+    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H), by the moments; none under tension."""
     density = groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     elastic = of_moments(pressure, np.maximum(bandwidth(density), LEAST_BANDWIDTH))

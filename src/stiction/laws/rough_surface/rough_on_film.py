@@ -19,7 +19,9 @@ $$
 $$
 
 *Spectrum*: of sigma, R and N only the moments are known; their surface is taken as self-affine, $S\propto k^{-2-2H}$ with
-$H=0.8$ between two waves that give it these moments. A spectrum that was measured is taken in its place by `area_of_waves`.
+$H=0.8$ between two waves that give it these moments. Where the contact names a scan, the spectrum is that of its map, and the
+bare area law is the solution of its own contact, as in [`persson_widened`](#persson_widened); `area_by` of the result says
+which it was.
 
 *Limit*: the bare area law, for a film of no thickness with the modulus of the bodies, for one without end with the film's own.
 *Check*: where film and bodies are alike, $p=0.05\,E^*h'$ and $F=G$ of Nayak's $\alpha=6.93$ ($NR\sigma=0.05$) as `by_moments`
@@ -38,12 +40,11 @@ from stiction.laws.film.shared.layered_rows import coefficients
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
 from stiction.laws.sources import Source
-from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, require_gaussian
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, require_gaussian, slope_over_sharpness
 
 # a k, with the powers of area and modulus.
 _SIZE, _BY_AREA, _BY_MODULUS = 2.06, 0.086, -0.047
-# Of elastic and plastic area.
-_POWER = 3.5
 _HURST, _WAVES = 0.8, 24
 # Ratios of the shortest to the longest wave between which the bandwidth is looked up.
 _RATIOS = np.concatenate([[1.0], 1.0 + np.geomspace(1e-4, 1.0, 60), np.geomspace(2.0, 1e12, 600)[1:]])
@@ -135,15 +136,75 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
-    from stiction.surfaces.boundary_elements.area_estimates import widened, width_by_moments  # slow to import
+    from stiction.surfaces.boundary_elements.area_estimates import of_moments, with_hardness  # slow to import
 
     density = groups.roughness_parameter[:, None]
+    pressure, alpha = reduced_pressure(np.maximum(load, 0.0), density), bandwidth(density)
+    waves, thickness = waves_of_moments(groups.roughness_parameter), _thickness(groups)
+    elastic = area_of_waves(pressure, lambda p: of_moments(p, alpha), waves, thickness, groups)
+    return with_hardness(elastic, pressure, _hardness(groups)) / (math.pi * density)
+
+
+def _thickness(groups: Groups) -> np.ndarray:
+    """Of one film (n,), over sqrt(R sigma)."""
+    return np.broadcast_to(groups.film_aspect / groups.films, len(groups))
+
+
+def _hardness(groups: Groups) -> np.ndarray:
+    """Of the film (n, 1), over E* h'."""
+    return (hardness_over_slope(groups) * groups.n_H)[:, None]
+
+
+def area_on_map(load: np.ndarray, groups: Groups, surface: HeightMap) -> np.ndarray:
+    """As `area_at_load`, of the map itself: its spectrum, and as the bare area law the solution of its own contact; all
+    contacts have its surface."""
+    from stiction.surfaces.boundary_elements.area_estimates import with_hardness  # slow to import
+
+    whole, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
-    c = width_by_moments(bandwidth(density))
-    thickness = np.broadcast_to(groups.film_aspect / groups.films, len(load))
-    elastic = area_of_waves(pressure, lambda p: widened(p, c), waves_of_moments(groups.roughness_parameter), thickness, groups)
-    plastic = pressure / (hardness_over_slope(groups) * groups.n_H)[:, None]
-    return np.minimum((elastic**_POWER + plastic**_POWER) ** (1.0 / _POWER), 1.0) / (math.pi * density)
+    slopes = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
+    found = np.zeros(load.shape)
+    for at in range(len(load)):
+        one, p = whole[at : at + 1], pressure[at : at + 1]
+        bare = _bare_curve(surface, p, float(slopes[at]), float(one.n_E[0]))
+        found[at] = area_of_waves(p, bare, waves_of_map(surface, one), _thickness(one), one)[0]
+    return with_hardness(found, pressure, _hardness(whole)) / (math.pi * density)
+
+
+def waves_of_map(surface: HeightMap, groups: Groups) -> Waves:
+    """The spectrum of a map, in units of the sqrt(R sigma) that its moments give; groups: of one contact."""
+    from stiction.laws.asperity_method.mccool import mccool
+    from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
+
+    spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
+    power = spectrum.wavevector**2 * spectrum.density * spectrum.waves
+    unit = math.sqrt(float(groups.roughness_parameter[0]) / mccool(surface, None).density)
+    return Waves(spectrum.wavevector * unit, power / power.sum())
+
+
+def _bare_curve(surface: HeightMap, pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
+    """The bare area of a map against the pressure over E* h', for all that films of this modulus may make of the pressures."""
+    from scipy.interpolate import PchipInterpolator
+
+    from stiction.surfaces.boundary_elements.map_area import map_area  # slow to import
+
+    some = pressure[pressure > 0.0]
+    if not some.size:
+        return np.zeros_like
+    low, high = 0.5 * float(some.min()) / max(n_E, 1.0), 2.0 * float(some.max()) / min(n_E, 1.0)
+    at = np.linspace(math.log(low), math.log(high), 6 * math.ceil(math.log(high / low)) + 13)
+    curve = PchipInterpolator(at, np.log(map_area(surface).share(np.exp(at) * slope, math.inf)))
+
+    def bare(p: np.ndarray) -> np.ndarray:
+        return np.where(p > 0.0, np.exp(curve(np.log(np.clip(p, low, high)))), 0.0)
+
+    return bare
+
+
+WAYS = (
+    "formula from the moments of the surface, which is taken for Gaussian, isotropic and self-affine",
+    "solution of the contact of the map without a film, or a formula from its slopes if it is too large, and its spectrum",
+)
 
 
 RECORD = RoughSurface(
@@ -156,6 +217,8 @@ RECORD = RoughSurface(
         Source("nayak_1971", "", "the moments that belong to sigma, R and N"),
     ),
     area_at_load=area_at_load,
+    area_on_map=area_on_map,
+    way=lambda surface: WAYS[surface is not None],
     takes_surface_moments=True,
     on_film=True,
     up_to_full_contact=True,
@@ -169,5 +232,6 @@ RECORD = RoughSurface(
         Validity("stiff_film_over_wave", 0.15, math.inf, "under a thin film five times as stiff as the bodies its area is off"),
     ),
     notes="The hardness is the film's, wherever it is: a soft film that a hard body confines bears more, and under a hard film "
-    "the body may yield first; neither is counted. Of sigma, R and N the spectrum is taken as self-affine, Hurst exponent 0.8.",
+    "the body may yield first; neither is counted. Of sigma, R and N the spectrum is taken as self-affine, Hurst exponent 0.8; "
+    "of a scan it is that of its map.",
 )  # fmt: skip

@@ -29,6 +29,7 @@ from scipy.optimize import Bounds, minimize
 from stiction.quantities.errors import InputError
 from stiction.surfaces.boundary_elements.compliance import Compliance, Film
 from stiction.surfaces.boundary_elements.doubts import MapDoubt
+from stiction.surfaces.boundary_elements.limits import LEAST_POINTS, MOST_ATTRACTION_LEFT
 from stiction.surfaces.boundary_elements.measures import edges, rms_step
 from stiction.surfaces.boundary_elements.memory import require_memory
 from stiction.surfaces.boundary_elements.minimise import Problem, minimise
@@ -39,10 +40,8 @@ from stiction.surfaces.heightmap import size_in_metres
 __all__ = ["AdhesiveContact", "solve_adhesive"]
 
 _FAR = 1e3  # mean gap over range and height of the map, at which faces are apart
-_TOLERANCE = 1e-4  # largest pressure left where faces do not touch, over w/rho
 _MOST = 5000
 _ARRAYS = 20  # as large as the map, of the descent
-_LEAST_POINTS = 2.0  # along the length over which the edge is pulled
 
 
 @dataclass(frozen=True)
@@ -136,7 +135,7 @@ def _descent(faces: _Faces, gap: np.ndarray, pressure: float) -> tuple[np.ndarra
     most = _FAR * (1.0 + float(np.ptp(faces.heights)))
     found = minimize(
         faces.energy, gap.ravel(), args=(pressure,), jac=True, method="L-BFGS-B", bounds=Bounds(0.0, most),
-        options={"maxiter": _MOST, "maxfun": 2 * _MOST, "gtol": _TOLERANCE, "ftol": 0.0, "maxcor": 8},
+        options={"maxiter": _MOST, "maxfun": 2 * _MOST, "gtol": 0.1 * MOST_ATTRACTION_LEFT, "ftol": 0.0, "maxcor": 8},
     )  # fmt: skip
     gap = found.x.reshape(gap.shape)
     slope = faces.energy(found.x, pressure)[1].reshape(gap.shape)
@@ -152,9 +151,9 @@ def _contact(faces, gap, residual, load, largest, reach, size, of_grid) -> Adhes
     pixel, pitch = nominal / gap.size, (size[0] / gap.shape[0], size[1] / gap.shape[1])
     sides = edges(touch, True)
     doubts = of_grid
-    if residual > 10.0 * _TOLERANCE and not apart:
+    if residual > MOST_ATTRACTION_LEFT and not apart:
         why = f"not converged: pressure of {residual:.2g} of the largest attraction is left where faces do not touch"
-        doubts = (*of_grid, MapDoubt("not_converged", residual, 10.0 * _TOLERANCE, why))
+        doubts = (*of_grid, MapDoubt("not_converged", residual, MOST_ATTRACTION_LEFT, why))
     return AdhesiveContact(
         load=load,
         area=int(np.count_nonzero(touch)) * pixel,
@@ -171,6 +170,6 @@ def _contact(faces, gap, residual, load, largest, reach, size, of_grid) -> Adhes
 def _doubts_of_edge(shape, size, compliance, work, reach):
     pitch = max(length / count for length, count in zip(size, shape, strict=True))
     points = reach**2 / (compliance.near * work) / pitch
-    if points < _LEAST_POINTS:
-        why = f"the edge of contact is pulled over {points:.2g} points, at least {_LEAST_POINTS:g} are needed"
-        yield MapDoubt("points_at_edge", points, _LEAST_POINTS, why)
+    if points < LEAST_POINTS:
+        why = f"the edge of contact is pulled over {points:.2g} points, at least {LEAST_POINTS:g} are needed"
+        yield MapDoubt("points_at_edge", points, LEAST_POINTS, why)

@@ -17,8 +17,8 @@ gradient s(r) at rank r over h', [mean over ranks below r of s^m]^(1/m), m = .78
 
 Constants were fitted to the surfaces of the set with seeds 1 and 2 (docs/truth.md), (2) and (3) to its Gaussian isotropic ones.
 Error of the others, of seeds 3 and 4, in % rms (largest), p = .002 to .3: Gaussian isotropic (2) 6.6 (37), 80 % of all within
-5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) of other surfaces: skewed 5.1 (18), peaked 7.4, flat 5.1, with a lay 5.1 (23), bimodal
-3.8, periodic 10, worn 30 (96): at light loads it misses plateaus that are rough again.
+5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) of other surfaces: skewed 5.1 (18), peaked 7.4, flat 5.1, with a lay 5.1 (23),
+bimodal 3.8, periodic 10, worn 30 (96): at light loads it misses plateaus that are rough again.
 """
 
 import math
@@ -36,6 +36,7 @@ __all__ = [
     "by_moments",
     "by_ranks",
     "by_top_slopes",
+    "first_crossing",
     "map_slopes",
     "of_moments",
     "width_by_moments",
@@ -148,9 +149,10 @@ def widened(pressure, c):
 
 
 def with_hardness(elastic, pressure, hardness):
-    """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness may
-    be infinite. From p = H on all is in contact."""
-    return np.minimum((elastic**_MEETING + (pressure / hardness) ** _MEETING) ** (1.0 / _MEETING), 1.0)
+    """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness
+    may be infinite. From p = H on all is in contact."""
+    flowing = np.minimum(pressure / hardness, 1.0)
+    return np.minimum((elastic**_MEETING + flowing**_MEETING) ** (1.0 / _MEETING), 1.0)
 
 
 def of_moments(pressure, alpha):
@@ -173,7 +175,7 @@ def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))
     reach = np.minimum(0.5 * slopes.ranks, 1.0)
-    return _first_crossing(reach, widened(pressure / ratio, c), beyond=float(widened(pressure, c)))
+    return first_crossing(reach, widened(pressure / ratio, c), beyond=float(widened(pressure, c)))
 
 
 def by_ranks(pressure: float, slopes: MapSlopes) -> float:
@@ -183,10 +185,10 @@ def by_ranks(pressure: float, slopes: MapSlopes) -> float:
     mean = (np.cumsum(slopes.squares ** (0.5 * _POWER)) / count) ** (1.0 / _POWER)
     area = slopes.ranks / (1.195 + 0.312 * mean)
     beyond = min(float(widened(pressure, c)), _FULL)
-    return _first_crossing(area, widened(pressure / mean, c), beyond)
+    return first_crossing(area, widened(pressure / mean, c), beyond)
 
 
-def _first_crossing(area, wanted, beyond):
+def first_crossing(area, wanted, beyond):
     """Where the area first reaches what is wanted of it, between two bins by a straight line; `beyond` if it nowhere does."""
     reached = np.flatnonzero(area >= wanted)
     if not len(reached):

@@ -1,7 +1,7 @@
 """Contacts of one map at many nominal pressures, with what makes them doubtful as numbers."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -15,18 +15,19 @@ from stiction.surfaces.boundary_elements.solve import MapContact, MapContacts
 from stiction.surfaces.boundary_elements.telling import tell
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["MapCurve", "curve_of_map"]
+__all__ = ["MapCurve", "curve_of_map", "of_map"]
 
 
 @dataclass(frozen=True)
 class MapCurve:
     """contacts: at the nominal pressure of each, in the order asked for, fewer where it was interrupted; None for those that
     were not reached. every: only every so many-th point was solved. of_map: numbers of the map that no load changes, by
-    their names in the table of quantities."""
+    their names in the table of quantities; more: others of every contact, by these names."""
 
     contacts: tuple[MapContact | None, ...]
     every: int
     of_map: Mapping[str, float]
+    more: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def array(self, name: str) -> np.ndarray:
         """A number of every contact by its name, not a number where it was not reached."""
@@ -56,7 +57,7 @@ def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float],
         contacts, every = found.contacts, found.every
     else:
         contacts, every = at_pressures(surface.heights, surface.size, **given), 1
-    return MapCurve(_in_order(contacts, pressures), every, _of_map(surface, bodies, every))
+    return MapCurve(_in_order(contacts, pressures), every, of_map(surface, bodies, every))
 
 
 def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapContact | None, ...]:
@@ -71,7 +72,8 @@ def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapCon
     )
 
 
-def _of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
+def of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
+    """What no load changes, of a map of which every so many-th point is solved."""
     seen = waves(surface.heights, surface.size, surface.periodic)
     pitch, side = max(surface.pitch), min(surface.size)
     found = {

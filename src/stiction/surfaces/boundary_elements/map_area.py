@@ -177,7 +177,7 @@ class _Curve:
 
 def map_area(surface: HeightMap) -> MapArea:
     """Of a complete map; kept by its content."""
-    digest = hashlib.blake2b(np.ascontiguousarray(surface.heights), digest_size=20)
+    digest = hashlib.blake2b(np.ascontiguousarray(surface.heights).tobytes(), digest_size=20)
     digest.update(repr((surface.heights.shape, surface.size, surface.periodic)).encode())
     return _kept(digest.hexdigest(), _Held(surface))
 

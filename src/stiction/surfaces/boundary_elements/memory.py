@@ -5,7 +5,7 @@ from pathlib import Path
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["available_memory", "needed_memory", "require_memory"]
+__all__ = ["available_memory", "needed_memory", "require_arrays", "require_memory"]
 
 _NUMBER = 8  # bytes
 _PERIODIC = 20  # arrays as large as the map that are alive at once; measured: 17
@@ -35,7 +35,16 @@ def available_memory() -> int | None:
 
 def require_memory(shape: tuple[int, int], *, periodic: bool = True, kept: int = 1) -> None:
     """Raise InputError if a map of this shape cannot be solved in the memory there is: before it is made, or read."""
-    needed, there = needed_memory(shape, periodic=periodic, kept=kept), available_memory()
+    _require(shape, needed_memory(shape, periodic=periodic, kept=kept))
+
+
+def require_arrays(shape: tuple[int, int], arrays: int) -> None:
+    """Raise InputError unless there is memory for so many arrays of this shape."""
+    _require(shape, shape[0] * shape[1] * _NUMBER * arrays)
+
+
+def _require(shape: tuple[int, int], needed: int) -> None:
+    there = available_memory()
     if there is not None and needed > there:
         allowed = f"a map for which the {there / _GIGA:.2g} GB of free memory are enough; it needs {needed / _GIGA:.2g} GB"
         raise InputError("heights", f"{shape[0]} x {shape[1]} points", allowed)

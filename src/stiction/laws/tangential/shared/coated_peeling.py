@@ -27,7 +27,7 @@ __all__ = ["peeling_at", "peelings"]
 
 # The logarithm of u over its first value that lies halfway along the knots.
 _HALFWAY = 2.0
-_GOLDEN, _NARROWING = 0.5 * (math.sqrt(5.0) - 1.0), 22
+_GOLDEN, _NARROWING = 0.5 * (math.sqrt(5.0) - 1.0), 16
 _MOST_STEPS = 60
 
 
@@ -61,7 +61,7 @@ def _narrower(start, c, load, row):
         u -= here / slope
         if not u > 0.0:
             return -1.0
-        if abs(u - before_u) <= 1e-8 * u:
+        if abs(u - before_u) <= 1e-7 * u:
             break
     return u
 

@@ -1,0 +1,95 @@
+"""Friction of the points of a solved map: what each of them bears, and laws of their pressure that no asperity law has.
+
+    lesser            tau = min(alpha p, tau_0)                                                                           (1)
+    junction_growth   tau_0 on the area that carries the load under combined stresses, p^2 + 9 tau_0^2 = H^2              (2)
+
+(1): friction cannot exceed the strength of what is sheared (Orowan 1943, Proc. Inst. Mech. Eng. 150, 140). (2) Tabor (1959,
+Proc. R. Soc. A 251, 378), with his value of 9 for alpha: contacts that are pressed by more than (H^2 - 9 tau_0^2)^(1/2) flow
+under the shear and grow until they bear that, so that of contacts that flow mu = tau_0/(H^2 - 9 tau_0^2)^(1/2), which is his
+1/[9 (c^-2 - 1)]^(1/2) for c = 3 tau_0/H. Both are reconstructed and were not compared with print (grade C).
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from stiction.contact.contact import Contact
+from stiction.quantities.errors import InputError
+
+if TYPE_CHECKING:
+    from stiction.surfaces.boundary_elements.solve import MapContact
+
+__all__ = ["POINT_SHEARS", "PointArea", "points_of"]
+
+_TABOR = 9.0  # alpha of combined stresses, from his measurements
+
+
+class PointArea(NamedTuple):
+    """Of one point [m2]. counted: all of it, on which its pressure acts; real: without its share of the excess at edges."""
+
+    counted: float
+    real: float
+
+
+def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, PointArea]]:
+    """State, pressures [Pa] and area of the points in contact: of those that do not flow and those that do, if any.
+
+    The excess at the edges is taken off the points that do not flow, as far as these have it.
+    """
+    assert one.pressure is not None
+    pixel = one.nominal_area / one.pressure.size
+    pressure = one.pressure[one.pressure > 0.0]
+    hardness = float(pressure.max(initial=0.0)) if one.plastic_area > 0.0 else math.inf
+    elastic, wanted = one.area_pixels - one.plastic_area, one.area - one.plastic_area
+    shares = dict.fromkeys(("elastic", "plastic"), one.area / one.area_pixels)
+    if elastic > 0.0 and wanted > 0.0:
+        shares = {"elastic": wanted / elastic, "plastic": 1.0}
+    for state, some in (("elastic", pressure[pressure < hardness]), ("plastic", pressure[pressure >= hardness])):
+        if some.size:
+            yield state, some, PointArea(pixel, pixel * shares[state])
+
+
+def _lesser(contact: Contact, law: str, one: "MapContact") -> float:
+    """(1), the force of the map [N]."""
+    strength, coefficient = _strength(contact), contact.pressure_coefficient
+    if coefficient is None:
+        raise InputError(
+            "pressure_coefficient", None, "a number: shear = lesser is the lesser of it times the pressure and tau_0"
+        )
+    parts = (np.minimum(coefficient * pressure * area.counted, strength * area.real) for _, pressure, area in points_of(one))
+    return float(sum(part.sum() for part in parts))
+
+
+def _junction_growth(contact: Contact, law: str, one: "MapContact") -> float:
+    """(2), the force of the map [N]."""
+    from stiction.contact.pair import pair_of
+
+    strength = _strength(contact)
+    if law != "bowden_tabor_1943":
+        raise InputError("tangential", law, "bowden_tabor_1943: contacts grow under one strength of the interface")
+    if contact.coating is not None:
+        raise InputError("shear", "junction_growth", "law or lesser: how a film grows with its contacts is not known")
+    hardness = float(pair_of(contact.first, contact.second).hardness)
+    if strength**2 * _TABOR >= hardness**2:
+        raise InputError(
+            "interfacial_shear_strength", contact.show(strength, "interfacial_shear_strength"),
+            f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, from where they grow without end",
+        )  # fmt: skip
+    bearing = math.sqrt(hardness**2 - _TABOR * strength**2)
+    parts = (np.maximum(area.real, pressure * area.counted / bearing) for _, pressure, area in points_of(one))
+    return strength * float(sum(part.sum() for part in parts))
+
+
+def _strength(contact: Contact) -> float:
+    if contact.interfacial_shear_strength is None:
+        raise InputError("interfacial_shear_strength", None, "the strength of the interface")
+    return float(contact.interfacial_shear_strength)
+
+
+# Value of the option `shear` -> tangential force [N] of a map under a contact and the key of its tangential law.
+POINT_SHEARS: Mapping[str, Callable[[Contact, str, "MapContact"], float]] = {
+    "lesser": _lesser,
+    "junction_growth": _junction_growth,
+}

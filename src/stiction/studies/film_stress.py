@@ -1,0 +1,93 @@
+"""What the mean touching asperity makes of a film and its bond: how near to yield, where first, and what peels the film off."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.contact.layered.bodies import Bodies, bodies_of, per_root
+from stiction.contact.layered.first_yield import at_interface, first_yield
+from stiction.contact.layered.stresses import Stresses
+from stiction.contact.subject import Subject, as_subject
+from stiction.laws.claims import Validity
+from stiction.laws.validity import doubts_about, with_doubts
+from stiction.quantities.errors import InputError
+from stiction.solving.solve import solve
+
+if TYPE_CHECKING:
+    import xarray
+
+_FILM = "layered"
+# The radii, over the thickness of a film, at which stresses were compared.
+_LEAST, _MOST = 1e-3, 1e3
+_RULES = (
+    Validity("stress_over_yield", 0.0, 1.0, "film or body yields under the mean asperity, and its stresses are elastic"),
+    Validity("interface_shear", 0.0, 1.0, "a bond that is no stronger than the weaker of film and body is sheared off"),
+    Validity("interface_tension", 0.0, 1.0, "a bond that is no stronger than the weaker of film and body is torn off"),
+    Validity("contact_over_thickness", _LEAST, _MOST, "radii at which the stresses were compared", "fit"),
+)
+
+
+def film_stresses(contact: Subject, **given: Any) -> "xarray.Dataset":
+    """The stresses in a film, in the body below and between the two, under the mean touching asperity.
+
+    contact: a Contact or Indices with a film, one contact only. given: as `solve` takes it, a separation or load, a model and
+    laws; the film law is `layered`. The asperity has the mean area, load and friction force of those that touch, and its
+    stresses are those of an elastic sphere that is pressed and dragged (`contact.layered.stresses`).
+
+    Returns the dataset of `solve` with contact_over_thickness, stress_over_yield, interface_tension and interface_shear, and
+    with yields_first: "film", "interface" or "body", or "" where nothing touches. Where they leave what film and body bear,
+    `doubts` say so. The strength of the bond is not asked for: it is compared with the weaker of the two that it joins. Raises
+    InputError.
+    """
+    subject = as_subject(contact)
+    if not subject.has_film:
+        raise InputError("contact", "no film", "a contact with a film: its stresses are asked for")
+    groups, dims = Groups.of(subject.indices())
+    if dims:
+        raise InputError("contact", f"arrays along {', '.join(dims)}", "one contact, of plain numbers")
+    if given.get("film", _FILM) != _FILM:
+        raise InputError("film", given["film"], f"{_FILM}, which solves film and body as one")
+    data = solve(subject, **{**given, "film": _FILM})
+    factors = subject.scales().factors()
+    touching = np.maximum(data["touching_asperities"] / factors["count"], 1e-300)
+    friction = data.get("friction_force", 0.0 * data["load"])
+    means = (data["contact_area"] / factors["m^2"], data["load"] / factors["N"], friction / factors["N"])
+    rows = [_of_one(groups, *point) for point in zip(*(np.ravel(one / touching) for one in means), strict=True)]
+    return _with_results(data, subject, rows)
+
+
+def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[float, float, float, float, str]:
+    """Radius over thickness, and the rest of the results, of one asperity, normalised; not numbers where it does not press."""
+    radius = float(area**0.5 * per_root(groups)[0] ** 2)
+    if not (area > 1e-100 and load > 0.0):
+        return radius, np.nan, np.nan, np.nan, ""
+    pressure = load * float(groups.hardness_to_yield[0]) / (float(groups.eta[0]) * area)  # over the body's yield stress
+    (bodies,), _ = bodies_of(groups.resolved())
+    strength = float(groups.n_H[0])
+    return radius, *_worst(bodies, min(max(radius, _LEAST), _MOST), pressure, friction / load, strength)
+
+
+def _worst(bodies: Bodies, radius: float, pressure: float, traction: float, strength: float) -> tuple[float, float, float, str]:
+    """Of the coated bodies the one that comes off worst, each by itself."""
+    weaker = min(strength, 1.0)
+    yields, tensions, shears = [], [], []
+    for body in dict.fromkeys(bodies.coated):
+        stresses = Stresses(bodies.pair, body, radius)
+        yields.append(first_yield(stresses, traction, strength))
+        tension, shear = at_interface(stresses, traction)
+        tensions.append(pressure * tension / weaker)
+        shears.append(pressure * shear * 3.0**0.5 / weaker)
+    first = max(yields)
+    return pressure * first.excess, max(tensions), max(shears), first.where
+
+
+def _with_results(data: "xarray.Dataset", subject: Subject, rows: list[tuple]) -> "xarray.Dataset":
+    like = data["load"]
+    names = "contact_over_thickness", "stress_over_yield", "interface_tension", "interface_shear"
+    *numbers, where = zip(*rows, strict=True)
+    found = {name: np.reshape(np.array(column, dtype=float), like.shape) for name, column in zip(names, numbers, strict=True)}
+    variables = {name: (like.dims, values, subject.attributes(name)) for name, values in found.items()}
+    places = np.reshape(np.array(where, dtype=object), like.shape)
+    variables["yields_first"] = like.dims, places, {"long_name": "what yields first"}
+    return with_doubts(data.assign(variables), doubts_about(subject, _RULES, found))
