@@ -17,7 +17,8 @@ from scipy.optimize import least_squares
 
 import surfaces as design
 from solve import WORK
-from stiction.surfaces.boundary_elements.area_estimates import MapSlopes, first_crossing, map_slopes, widened
+from stiction.surfaces.boundary_elements.area_estimates import MapSlopes, first_crossing, map_slopes
+from stiction.surfaces.theory.widened_area import widened
 
 PRESSURES = np.array(design.LOADS)
 JUDGED = slice(0, 8)  # .002 to .3

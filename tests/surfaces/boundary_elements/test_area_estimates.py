@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 from test_rough_maps import UNIT, rough
 
-from stiction.surfaces.boundary_elements.area_estimates import by_moments, by_ranks, by_top_slopes, map_slopes, widened
+from stiction.surfaces.boundary_elements.area_estimates import by_moments, by_ranks, by_top_slopes, map_slopes
 from stiction.surfaces.boundary_elements.sampled import solve_sampled
 from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.targets import SelfAffine
+from stiction.surfaces.theory.widened_area import widened
 
 PRESSURES = np.array([0.005, 0.02, 0.1, 0.3])  # over E* h'
 

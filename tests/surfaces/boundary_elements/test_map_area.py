@@ -7,12 +7,13 @@ import pytest
 from test_rough_maps import UNIT, rough
 
 from stiction.surfaces.boundary_elements import map_area as module
-from stiction.surfaces.boundary_elements.area_estimates import by_ranks, map_slopes, with_hardness
+from stiction.surfaces.boundary_elements.area_estimates import by_ranks, map_slopes
 from stiction.surfaces.boundary_elements.map_area import MapArea, map_area
 from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.targets import SelfAffine
+from stiction.surfaces.theory.widened_area import with_hardness
 
 PRESSURES = np.array([0.01, 0.05, 0.2])  # over E* h'
 

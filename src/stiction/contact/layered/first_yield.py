@@ -15,7 +15,6 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.interpolate import Akima1DInterpolator
 
 from stiction.contact.layered.compliance import Layer
 from stiction.contact.layered.stresses import Radial, Stresses
@@ -100,6 +99,8 @@ def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> n
 
 def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
     """ln N of the PARTS (PARTS, PLACES, ANGLES), the last two of N times 1 + (t/a)^2."""
+    from scipy.interpolate import Akima1DInterpolator  # slow to import
+
     radii = ((1.0 + _SOLVED) / (1.0 - _SOLVED)) ** 2
     solved = np.stack([np.log(norms(Stresses(pair, body, radius, _REACH), ANGLES)) for radius in radii], axis=1)
     solved[3:] += np.log1p(radii**-2.0)[:, None]

@@ -19,17 +19,20 @@ for takes one of the formulas of `area_estimates`. `area_by` of the result says 
 *Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load, $c=0$ would be [`persson_2001`](#persson_2001); $A=pA_n/H$ for a soft body.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
 from stiction.laws.sources import Source
-from stiction.surfaces.boundary_elements.area_estimates import WIDEST_BAND, of_moments, with_hardness
-from stiction.surfaces.boundary_elements.map_area import map_area
-from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, LEAST_DENSITY, bandwidth, density_of_bandwidth, reduced_pressure
 from stiction.surfaces.theory.moments import slope_over_sharpness as slope_of
+from stiction.surfaces.theory.widened_area import WIDEST_BAND, of_moments, with_hardness
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
 
 WAYS = {
     "moments": "formula from the moments of the surface, which is taken for Gaussian and isotropic",
@@ -47,20 +50,26 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
     return with_hardness(elastic, pressure, hardness_over_slope(groups)[:, None]) / (np.pi * density)
 
 
-def area_on_map(load: np.ndarray, groups: Groups, surface: HeightMap) -> np.ndarray:
+def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
     """The same, of the map itself: all contacts have its surface."""
     density = groups.roughness_parameter[:, None]
     slope = groups.sharpness[:, None] * slope_of(density)
     pressure = reduced_pressure(np.maximum(load, 0.0), density) * slope  # over E*
     hardness = hardness_over_slope(groups) * slope[:, 0]
+    from stiction.surfaces.boundary_elements.map_area import map_area  # slow to import
+
     area = map_area(surface)
     shares = [area.share(row, float(h)) for row, h in zip(pressure, hardness, strict=True)]
     return np.array(shares).reshape(load.shape) / (np.pi * density)
 
 
-def way(surface: HeightMap | None) -> str:
+def way(surface: "HeightMap | None") -> str:
     """How the area is found, a key of WAYS. surface: the map, None where there is none."""
-    return "moments" if surface is None else map_area(surface).way
+    if surface is None:
+        return "moments"
+    from stiction.surfaces.boundary_elements.map_area import map_area  # slow to import
+
+    return map_area(surface).way
 
 
 RECORD = RoughSurface(

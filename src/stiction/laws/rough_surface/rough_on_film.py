@@ -30,7 +30,7 @@ has it; with a film of ten times the modulus and $a/t\to\infty$ the same.
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -40,8 +40,10 @@ from stiction.laws.film.shared.layered_rows import coefficients
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
 from stiction.laws.sources import Source
-from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, require_gaussian, slope_over_sharpness
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
 
 # a k, with the powers of area and modulus.
 _SIZE, _BY_AREA, _BY_MODULUS = 2.06, 0.086, -0.047
@@ -136,7 +138,7 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
-    from stiction.surfaces.boundary_elements.area_estimates import of_moments, with_hardness  # slow to import
+    from stiction.surfaces.theory.widened_area import of_moments, with_hardness  # slow to import
 
     density = groups.roughness_parameter[:, None]
     pressure, alpha = reduced_pressure(np.maximum(load, 0.0), density), bandwidth(density)
@@ -155,10 +157,10 @@ def _hardness(groups: Groups) -> np.ndarray:
     return (hardness_over_slope(groups) * groups.n_H)[:, None]
 
 
-def area_on_map(load: np.ndarray, groups: Groups, surface: HeightMap) -> np.ndarray:
+def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
     """As `area_at_load`, of the map itself: its spectrum, and as the bare area law the solution of its own contact; all
     contacts have its surface."""
-    from stiction.surfaces.boundary_elements.area_estimates import with_hardness  # slow to import
+    from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 
     whole, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
@@ -171,7 +173,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: HeightMap) -> np.ndar
     return with_hardness(found, pressure, _hardness(whole)) / (math.pi * density)
 
 
-def waves_of_map(surface: HeightMap, groups: Groups) -> Waves:
+def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
     """The spectrum of a map, in units of the sqrt(R sigma) that its moments give; groups: of one contact."""
     from stiction.laws.asperity_method.mccool import mccool
     from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
@@ -182,7 +184,7 @@ def waves_of_map(surface: HeightMap, groups: Groups) -> Waves:
     return Waves(spectrum.wavevector * unit, power / power.sum())
 
 
-def _bare_curve(surface: HeightMap, pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
+def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
     """The bare area of a map against the pressure over E* h', for all that films of this modulus may make of the pressures."""
     from scipy.interpolate import PchipInterpolator
 

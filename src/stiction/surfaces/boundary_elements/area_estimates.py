@@ -1,7 +1,8 @@
 """Elastic contact area of a map without its solution: from its slopes, or from the solution of some of its points.
 
 This project's own formulas, grade B: their evidence is solved maps. All begin with Persson's theory (2001),
-A/A0 = erf(2^(1/2) p), p: mean pressure over E* h', h' the rms gradient of the map, and widen it:
+A/A0 = erf(2^(1/2) p), p: mean pressure over E* h', h' the rms gradient of the map, and widen it, (1) and
+(2) in surfaces.theory.widened_area:
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
 
@@ -9,7 +10,6 @@ A/A0 = erf(2^(1/2) p), p: mean pressure over E* h', h' the rms gradient of the m
     by top slopes   A = G(p/F(A), c), c = .672 - .071 ln alpha                                                            (3)
     by ranks        A = G(p/S(r), c) with A = r/(1.195 + .312 S(r)), the first such r                                      (4)
                     c = .655 - .071 ln alpha + .183 ln R
-    with hardness   A = [A^3.5 + (p/H)^3.5]^(1/3.5), A on the right: elastic                                              (5)
 
 alpha: Nayak's m0 m4/m2^2; R: root of the ratio of the eigenvalues of the gradient tensor; points are ranked from the highest,
 r is the share of points above. F(A): rms gradient of the highest 2A of the map over that of all of it. S(r): of the local
@@ -26,28 +26,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.fft import rfft2
-from scipy.special import erf
 
 from stiction.surfaces.boundary_elements.operators import components
+from stiction.surfaces.theory.widened_area import of_moments, widened
 
-__all__ = [
-    "WIDEST_BAND",
-    "MapSlopes",
-    "by_moments",
-    "by_ranks",
-    "by_top_slopes",
-    "first_crossing",
-    "map_slopes",
-    "of_moments",
-    "width_by_moments",
-    "with_hardness",
-]
+__all__ = ["MapSlopes", "by_moments", "by_ranks", "by_top_slopes", "first_crossing", "map_slopes"]
 
 _BINS = 1024
 _POWER = 0.783
 _FULL = 0.995
-WIDEST_BAND = 160.0  # largest alpha of the set
-_MEETING = 3.5  # (5)
 _FIRST, _SECOND = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12.0, np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12.0
 
 
@@ -140,29 +127,6 @@ def _by_rank(heights, size, periodic):
     sums = np.diff(np.concatenate([[0.0], np.cumsum(square.ravel()[order])[ends - 1]]))
     counts = np.diff(np.concatenate([[0], ends]))
     return ends / heights.size, sums / counts / float(square.mean())
-
-
-def widened(pressure, c):
-    """(1); pressure: over E* h', of the local slope."""
-    plain = erf(math.sqrt(2.0) * pressure)
-    return erf(math.sqrt(2.0) * pressure * (1.0 + c * (1.0 - np.sqrt(plain))))
-
-
-def with_hardness(elastic, pressure, hardness):
-    """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness
-    may be infinite. From p = H on all is in contact."""
-    flowing = np.minimum(pressure / hardness, 1.0)
-    return np.minimum((elastic**_MEETING + flowing**_MEETING) ** (1.0 / _MEETING), 1.0)
-
-
-def of_moments(pressure, alpha):
-    """(2): share of the area in contact; pressure: mean, over E* h', >= 0; alpha: Nayak's. Gaussian isotropic surfaces."""
-    return widened(pressure, width_by_moments(alpha))
-
-
-def width_by_moments(alpha):
-    """c of (2)."""
-    return 0.617 - 0.041 * np.log(alpha)
 
 
 def by_moments(pressure: float, slopes: MapSlopes) -> float:

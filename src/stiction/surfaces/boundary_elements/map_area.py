@@ -16,10 +16,11 @@ from functools import cached_property, lru_cache
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from stiction.surfaces.boundary_elements.area_estimates import MapSlopes, by_ranks, by_top_slopes, map_slopes, with_hardness
+from stiction.surfaces.boundary_elements.area_estimates import MapSlopes, by_ranks, by_top_slopes, map_slopes
 from stiction.surfaces.boundary_elements.measures import waves
 from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.theory.widened_area import with_hardness
 
 __all__ = ["MapArea", "map_area"]
 

@@ -1,0 +1,44 @@
+"""Contact area of a surface from its moments: Persson's theory, widened to what solved maps show.
+
+This project's own formulas, grade B: their evidence is solved maps (docs/truth.md; fitted to the Gaussian isotropic ones of
+seeds 1 and 2). They begin with Persson (2001), A/A0 = erf(2^(1/2) p), p: mean pressure over E* h', h' the rms gradient:
+
+    G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
+    A = G(p, c), c = .617 - .041 ln alpha, alpha: Nayak's m0 m4/m2^2                                                      (2)
+    A = [A^3.5 + (p/H)^3.5]^(1/3.5), A on the right: elastic                                                              (5)
+
+(3) and (4), which want a map, are in surfaces.boundary_elements.area_estimates.
+"""
+
+import math
+
+import numpy as np
+from scipy.special import erf
+
+__all__ = ["WIDEST_BAND", "of_moments", "widened", "width_by_moments", "with_hardness"]
+
+WIDEST_BAND = 160.0  # largest alpha of the set
+_MEETING = 3.5  # (5)
+
+
+def widened(pressure, c):
+    """(1); pressure: over E* h', of the local slope."""
+    plain = erf(math.sqrt(2.0) * pressure)
+    return erf(math.sqrt(2.0) * pressure * (1.0 + c * (1.0 - np.sqrt(plain))))
+
+
+def with_hardness(elastic, pressure, hardness):
+    """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness
+    may be infinite. From p = H on all is in contact."""
+    flowing = np.minimum(pressure / hardness, 1.0)
+    return np.minimum((elastic**_MEETING + flowing**_MEETING) ** (1.0 / _MEETING), 1.0)
+
+
+def of_moments(pressure, alpha):
+    """(2): share of the area in contact; pressure: mean, over E* h', >= 0; alpha: Nayak's. Gaussian isotropic surfaces."""
+    return widened(pressure, width_by_moments(alpha))
+
+
+def width_by_moments(alpha):
+    """c of (2)."""
+    return 0.617 - 0.041 * np.log(alpha)
