@@ -8,6 +8,7 @@ import gc
 # In the order of the help.
 from stiction.cli import (  # noqa: F401
     run,
+    serve,
     sweep,
     sensitivity,
     fit,

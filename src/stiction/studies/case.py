@@ -38,7 +38,7 @@ from stiction.studies.uncertain import (
     with_ranges,
 )
 
-__all__ = ["Case", "as_case", "json_schema", "parse_case", "read_case"]
+__all__ = ["Case", "as_case", "case_in", "json_schema", "parse_case", "read_case"]
 
 _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
 
@@ -229,14 +229,20 @@ def _tables(path) -> Mapping:
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
     materials are named."""
+    case = case_in(content, folder)
+    for question in questions(case.subject):
+        warnings.warn(question, InputDoubt, stacklevel=2)
+    return case
+
+
+def case_in(content: Mapping, folder: Path = Path()) -> Case:
+    """The same without a warning: who calls asks `questions` about its subject."""
     require_names(content)
     content, several = opened(content, folder)
     uncertain = named([one for one in several.values() if isinstance(one, Uncertain)])
     arrays = {path: one.array(one.numbers()) for path, one in several.items() if not isinstance(one, Uncertain)}
     case = replace(case_of(content, arrays), uncertain=tuple(uncertain), tables=content, several=arrays)
     check_scans(case.subject)
-    for question in questions(case.subject):
-        warnings.warn(question, InputDoubt, stacklevel=2)
     return case
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.places import with_numbers
 
-__all__ = ["case_text", "show_exactly", "with_written"]
+__all__ = ["as_toml", "case_text", "show_exactly", "with_written"]
 
 _PLAIN_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -32,8 +32,13 @@ def show_exactly(value: float, name: str) -> Any:
 def case_text(content: Mapping, comments: list[str], folder: Path, out: Path) -> str:
     """The tables as TOML, after comments. What is named from a folder, scans and a file of materials, is named from where the
     text goes."""
-    lines = [f"# {line}" for line in comments]
-    _write(_moved(content, folder, out), (), lines)
+    return "".join(f"# {line}\n" for line in comments) + as_toml(_moved(content, folder, out))
+
+
+def as_toml(content: Mapping) -> str:
+    """The tables as TOML; what they name keeps its name."""
+    lines: list[str] = []
+    _write(content, (), lines)
     return "\n".join(lines) + "\n"
 
 

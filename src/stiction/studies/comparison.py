@@ -270,7 +270,7 @@ def _attributes(contact, answers: list[Answer], target: float | None) -> dict[st
     used = dict.fromkeys(key for one in answers for key in one.sources)
     left_out = [f"{one.candidate.name}: {one.why_not}" for one in answers if not one.curve]
     attributes: dict[str, Any] = {
-        "sources": " ".join(used), "left_out": "\n".join(left_out), "criteria": "\n".join(_criteria(contact)),
+        "sources": " ".join(used), "left_out": "\n".join(left_out), "criteria": "\n".join(criteria_of(contact)),
     }  # fmt: skip
     if target is None:
         return attributes
@@ -290,7 +290,7 @@ def _attributes(contact, answers: list[Answer], target: float | None) -> dict[st
     return attributes
 
 
-def _criteria(contact: Subject) -> list[str]:
+def criteria_of(contact: Subject) -> list[str]:
     """What the criteria of the registry say of the surface of a contact, one line each; those that want what is not known
     are left out."""
     groups = Groups.of(contact.with_surface_moments().indices())[0].substrate()

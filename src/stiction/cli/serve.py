@@ -1,0 +1,51 @@
+"""`stiction serve`: the page on which the knobs are turned."""
+
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from stiction.cli.program import app, busy
+from stiction.quantities.errors import InputError
+
+_LOOPBACK = ("127.0.0.1", "localhost", "::1")
+
+
+@app.command()
+def serve(
+    case: Annotated[
+        Path | None, typer.Argument(metavar="[CASE.toml]", help="Case file to begin with; without one, silver on steel.")
+    ] = None,
+    port: Annotated[int, typer.Option(min=1, max=65535, help="Port of the page.")] = 8080,
+    host: Annotated[
+        str,
+        typer.Option(
+            help="Address to bind. The default is this machine alone; any other lets whoever reaches it use the page."
+        ),
+    ] = "127.0.0.1",
+) -> None:
+    """A page in the browser, with a knob for every number: friction, models, surfaces and studies of a case, drawn anew as they
+    turn.
+
+    Nothing leaves this machine, and no network is needed. The address of the page holds the case: who gets it sees the same.
+    Uploads are kept in a temporary folder, and deleted with the page. Ctrl-C ends it.
+    """
+    if find_spec("nicegui") is None:
+        raise InputError("serve", "without NiceGUI", "an installation with it: pip install 'stiction[web]'")
+    with busy("Starting"):
+        from stiction.web.server import check_port, question_of
+        from stiction.web.server import serve as run
+
+        check_port(host, port)
+        question = question_of(case)
+    if host not in _LOOPBACK:
+        print(
+            f"stiction: bound to {host}: everybody who reaches this address can use the page, there is no password and no "
+            "encryption, and they see the case that is served",
+            file=sys.stderr,
+        )
+    shown = f"[{host}]" if ":" in host else host
+    print(f"stiction: http://{shown}:{port}/ (Ctrl-C ends it)", flush=True)
+    run(question, host, port)

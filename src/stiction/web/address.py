@@ -1,0 +1,72 @@
+"""The state of the page as text in its address: the tables of a case, packed. All else is refused in a line."""
+
+import base64
+import binascii
+import tomllib
+import zlib
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from stiction.quantities.errors import InputError
+from stiction.studies.case_text import as_toml
+
+__all__ = ["files_named", "packed", "refuse_other_files", "unpacked"]
+
+_LONGEST = 20_000  # characters of an address
+_LARGEST = 200_000  # bytes of the case in it
+_STATE = "a case, as this page writes it into its address"
+
+
+def packed(tables: Mapping[str, Any]) -> str:
+    """The tables as text for an address; "" where they are too many for one."""
+    text = base64.urlsafe_b64encode(zlib.compress(as_toml(tables).encode(), 9)).decode().rstrip("=")
+    return text if len(text) <= _LONGEST else ""
+
+
+def unpacked(text: str) -> dict[str, Any]:
+    """The tables in the text of an address. Raises InputError, one line, for any other text, and never takes more memory than
+    the largest case there is."""
+    if len(text) > _LONGEST:
+        raise InputError("address", f"{len(text)} characters", f"{_LONGEST} at most")
+    try:
+        raw = base64.b64decode(text + "=" * (-len(text) % 4), altchars=b"-_", validate=True)
+        unzipping = zlib.decompressobj()
+        content = unzipping.decompress(raw, _LARGEST)
+        if unzipping.unconsumed_tail or not unzipping.eof:
+            raise InputError("address", "a state that is cut off or too large", _STATE)
+        return tomllib.loads(content.decode())
+    except InputError:
+        raise
+    except (binascii.Error, zlib.error, ValueError, RecursionError):  # no base 64, not packed, no UTF-8, no TOML
+        raise InputError("address", text[:40], _STATE) from None
+
+
+def files_named(tables: Mapping[str, Any]) -> list[str]:
+    """The files that the tables of a case name: of materials, of scans, of samples and of measured series."""
+    found = [tables["materials"]] if isinstance(tables.get("materials"), str) else []
+    contact = tables.get("contact")
+    rough = contact.get("roughness") if isinstance(contact, Mapping) else None
+    if isinstance(rough, Mapping):
+        found += [rough[body] for body in ("first", "second") if isinstance(rough.get(body), str)]
+    return [*found, *_files_in(tables)]
+
+
+def _files_in(value: Any) -> Iterator[str]:
+    """What stands under the keys by which a table in a case names a file, at any depth."""
+    if isinstance(value, Mapping):
+        yield from (str(value[key]) for key in ("file", "samples", "data") if isinstance(value.get(key), str))
+        for one in value.values():
+            yield from _files_in(one)
+    elif isinstance(value, list):
+        for one in value:
+            yield from _files_in(one)
+
+
+def refuse_other_files(tables: Mapping[str, Any], allowed: Iterable[str]) -> None:
+    """InputError where the tables name a file that is neither of the case that is served nor was uploaded: an address is
+    written by anybody, and may not ask for the files of this machine."""
+    known = set(allowed)
+    for name in files_named(tables):
+        if name not in known:
+            told = ", ".join(sorted(known)) or "none"
+            raise InputError("file", name, f"a file of the case that is served, or one that was uploaded here (now: {told})")

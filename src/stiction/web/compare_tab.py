@@ -1,0 +1,112 @@
+"""The tab Compare: every model on this contact, families apart, which one to trust and why."""
+
+from typing import Any
+
+from nicegui import ui
+
+from stiction.laws.overview import models
+from stiction.laws.validity import read_doubts
+from stiction.web.asked import Comparison, compared
+from stiction.web.charts import comparison_chart
+from stiction.web.drawn import Picture, attributes
+from stiction.web.explorer import Explorer
+from stiction.web.studying import Study
+
+__all__ = ["CompareTab"]
+
+_COLUMNS = [
+    {"name": name, "label": label, "field": name, "align": "left", "sortable": True}
+    for name, label in (
+        ("model", "model"),
+        ("mu", "mu"),
+        ("family", "its friction rests on"),
+        ("grade", "grade"),
+        ("doubts", "doubts"),
+    )
+]
+
+
+class CompareTab:
+    """Asked when the tab is opened, and again by its button."""
+
+    def __init__(self, explorer: Explorer):
+        self._explorer = explorer
+        self._data: Any = None
+        self._asked: Any = None
+        self._study = Study("Compare all models at this load", self._work, self._show)
+        self._advice = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
+        self._more = ui.label().classes("text-sm")
+        self._picture = Picture("friction by model", "620px")
+        self._picture.show(None)
+        self._picture.element.on_point_click(lambda event: self._open(str(self._names()[event.value[1]])))
+        self._table = (
+            ui.table(columns=_COLUMNS, rows=[], row_key="model").classes("w-full models").props("dense flat wrap-cells")
+        )
+        self._table.set_visibility(False)
+        self._table.on("rowClick", lambda event: self._open(event.args[1]["model"]))
+        self._pages = ui.row().classes("w-full gap-2")
+        explorer.listen(self._again)
+
+    async def opened(self) -> None:
+        """The tab is seen: compare, if the case is another one than last time."""
+        if self._asked is not self._explorer.good:
+            await self._study.start()
+
+    def _again(self) -> None:
+        if self._data is not None and self._explorer.view.dark != self._dark:
+            self._draw()
+
+    def _work(self, progress: Any) -> Comparison:
+        answer = self._asked = self._explorer.good
+        load = float(answer.curve["load"].values.reshape(-1)[self._explorer.here])
+        return compared(answer.question, load if load > 0.0 else None, progress)
+
+    def _show(self, found: Comparison) -> None:
+        if found.error is not None or found.data is None:
+            self._advice.set_text(str(found.error))
+            return
+        self._data = data = found.data
+        said = data.attrs
+        best = said.get("recommended", "none")
+        told = f"Recommended: {best}." if best != "none" else "No model is recommended."
+        self._advice.set_text(f"{told} {said.get('reason', '')}")
+        ends = [f"{end:.4g}" for end in said.get("spread", [])]
+        parts = [f"All models: mu {' to '.join(ends)}." if ends else "", said.get("advice", ""), said.get("set_aside", "")]
+        self._more.set_text(" ".join(filter(None, parts)))
+        self._draw()
+        self._table.rows = [self._row(at) for at in range(data.sizes["model"])]
+        self._table.set_visibility(True)
+
+    def _draw(self) -> None:
+        self._dark = self._explorer.view.dark
+        self._picture.show(comparison_chart(self._data, self._dark))
+
+    def _names(self) -> list[str]:
+        options = self._picture.element.options
+        return list(options["yAxis"]["data"])
+
+    def _row(self, at: int) -> dict[str, Any]:
+        one = self._data.isel(model=at)
+        mu = float(one["friction_coefficient_at_load"])
+        doubts = [doubt.short for doubt in read_doubts(one["doubts"].item())]
+        return {
+            "model": str(one["model"].item()), "mu": f"{mu:.4g}" if mu == mu else one["why_not"].item() or "-",
+            "family": one["family_of_curve"].item(), "grade": one["grade"].item(), "doubts": "; ".join(doubts) or "none",
+        }  # fmt: skip
+
+    def _open(self, name: str) -> None:
+        """The page of a model: equations, source, grade, check numbers."""
+        key = name.partition(" + ")[0].partition(" (")[0]
+        row = models([key])[0]
+        with attributes(ui.dialog(), aria_label=key) as dialog, ui.card().classes("w-full").style("max-width: 860px"):
+            ui.label(row["title"]).classes("text-xl")
+            ui.label(f"{row['key']}, {row['kind']}, grade {row['grade']}: {row['verified']}")
+            for source in row["source"]:
+                ui.label(f"Source: {source}").classes("text-sm")
+            ui.markdown(row["text"])
+            for text in (row["notes"], *row["validity"], *row["limits"]):
+                if text:
+                    ui.label(str(text)).classes("text-sm")
+            ui.button("Close", on_click=dialog.close)
+        dialog.on("hide", dialog.delete)
+        dialog.open()

@@ -1,0 +1,103 @@
+"""The tab Contact: friction, load and area of the case, asperities by their state, and what is doubtful beside the number."""
+
+from typing import Any
+
+from nicegui import ui
+
+from stiction.web.charts import curve_chart, share_chart, stacks
+from stiction.web.drawn import Picture, attributes
+from stiction.web.explorer import Explorer
+from stiction.web.words import doubt_in_words, headline, remarks
+
+__all__ = ["ContactTab"]
+
+_ICONS = {
+    "impossible": "block",
+    "effect": "warning",
+    "assumption": "help_outline",
+    "fit": "straighten",
+    "statistics": "scatter_plot",
+}
+
+
+class ContactTab:
+    """Drawn anew with every answer."""
+
+    def __init__(self, explorer: Explorer):
+        self._explorer = explorer
+        self._headline()
+        with ui.row().classes("w-full items-center gap-4"):
+            ui.toggle({"load": "against load", "mean_separation": "against separation"}, value="load",
+                      on_change=self._against).props("dense no-caps")  # fmt: skip
+            self._point = ui.slider(min=0, max=1, value=0).classes("grow").style("min-width: 160px")
+            self._point.props('dense aria-label="point of the curve that is told in words"')
+            self._point.on("update:model-value", self._moved, throttle=0.05)
+        with ui.grid().classes("charts w-full"):
+            self._mu = Picture("friction coefficient")
+            self._shares = Picture("shares")
+            self._area = Picture("contact area")
+            self._load = Picture("load")
+        self._stack = ui.select([], label="shares of", on_change=self._stacked).classes("w-64").props("dense outlined")
+        explorer.listen(self.show)
+        self.show()
+
+    def _headline(self) -> None:
+        with ui.row().classes("w-full items-start gap-6 no-wrap-wide"):
+            with ui.column().classes("gap-0").props('role="status" aria-live="polite"'):
+                self._number = ui.label().classes("text-3xl font-bold")
+                self._where = ui.label().classes("text-sm")
+                self._old = ui.label("Of the last case that could be solved: see the field in red.").classes("text-negative")
+            self._doubts = ui.column().classes("gap-1 grow text-sm").props('aria-label="what is doubtful"')
+        with ui.expansion("What was computed").classes("w-full").props("dense"):
+            self._remarks = ui.column().classes("gap-1 text-sm")
+
+    def _against(self, event: Any) -> None:
+        self._explorer.view.against = event.value
+        self._explorer.redraw()
+
+    def _moved(self, event: Any) -> None:
+        self._explorer.view.here = int(event.args)
+        self._explorer.redraw()
+
+    def _stacked(self, event: Any) -> None:
+        self._explorer.view.stack = event.value or ""
+        self._draw()
+
+    def show(self) -> None:
+        """The newest answer; where it is an error, what was right before, and that it is old."""
+        answer, here = self._explorer.good, self._explorer.here
+        number, where = headline(answer, here)
+        self._number.set_text(number)
+        self._where.set_text(where)
+        self._old.set_visibility(self._explorer.answer.error is not None)
+        self._tell()
+        last = answer.curve["load"].size - 1
+        attributes(self._point, max=last, aria_valuetext=where)
+        self._point.set_value(here)
+        self._draw()
+
+    def _tell(self) -> None:
+        answer = self._explorer.good
+        self._doubts.clear()
+        with self._doubts:
+            for kind, text in answer.doubts() or [("", "")]:
+                with ui.row().classes("items-start gap-2 no-wrap"):
+                    ui.icon(_ICONS.get(kind, "check_circle")).props('aria-hidden="true"')
+                    ui.label(doubt_in_words(kind, text) if kind else "Within the ranges that the authors of its laws claim.")
+        self._remarks.clear()
+        with self._remarks:
+            for one in remarks(answer):
+                ui.label(one)
+
+    def _draw(self) -> None:
+        curve, view, here = self._explorer.good.curve, self._explorer.view, self._explorer.here
+        against = view.against if view.against in curve else "load"
+        for picture, name in ((self._mu, "friction_coefficient"), (self._area, "contact_area"), (self._load, "load")):
+            other = "mean_separation" if name == "load" and "mean_separation" in curve else against
+            picture.show(curve_chart(curve, name, other, here, view.dark) if name in curve and other != name else None)
+        known = stacks(curve)
+        stack = view.stack if view.stack in known else next(iter(known), "")
+        if self._stack.options != list(known):
+            self._stack.set_options(list(known), value=stack or None)
+        self._stack.set_visibility(bool(known))
+        self._shares.show(share_chart(curve, stack, against, view.dark) if stack else None)

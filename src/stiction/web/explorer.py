@@ -1,0 +1,98 @@
+"""What one visitor has before them: a case, its answer, how it is shown. Every visitor has their own, and nothing in common."""
+
+import tempfile
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from stiction.web.address import files_named, packed
+from stiction.web.asked import Answer, Question, solved
+from stiction.web.fields import dropped, placed
+from stiction.web.working import Latest
+
+__all__ = ["Explorer", "View"]
+
+
+@dataclass
+class View:
+    """How the answer is shown. against: "load" or "mean_separation"; stack: what is drawn as shares; here: the point told in
+    words, None for the middle one; dark: whether the page is dark."""
+
+    against: str = "load"
+    stack: str = ""
+    here: int | None = None
+    dark: bool = False
+
+
+class Explorer:
+    """The case of one visitor, and whoever wants to know when it has a new answer."""
+
+    def __init__(self, question: Question, answer: Answer):
+        self.question, self.answer = question, answer
+        self.good = answer  # the newest without an error
+        self.view = View()
+        self.rebuild: Callable[[], None] = lambda: None  # makes the form anew, where the case gets other fields
+        self._listeners: list[Callable[[], None]] = []
+        self._latest = Latest(solved, self._show)
+        self._uploads: tempfile.TemporaryDirectory[str] | None = None
+
+    def listen(self, listener: Callable[[], None]) -> None:
+        """Call this after every new answer."""
+        self._listeners.append(listener)
+
+    def redraw(self) -> None:
+        """The same answer, shown anew."""
+        for listener in self._listeners:
+            listener()
+
+    def _show(self, answer: Answer) -> None:
+        self.answer = answer
+        if answer.error is None:
+            self.good = answer
+        self.redraw()
+
+    async def ask(self, tables: Mapping[str, Any]) -> None:
+        """Solve these tables, and show what comes out."""
+        self.question = self.question.with_tables(tables)
+        await self._latest.ask(self.question)
+
+    async def put(self, path: tuple[str, ...], value: Any) -> None:
+        """Solve the case with another value at a place of its tables; None takes it away."""
+        tables = self.question.tables
+        await self.ask(dropped(tables, path) if value is None else placed(tables, path, value))
+
+    @property
+    def here(self) -> int:
+        """The point that is told in words."""
+        count = self.good.curve["load"].size
+        middle = self.good.middle()
+        return middle if self.view.here is None else min(self.view.here, count - 1)
+
+    @property
+    def address(self) -> str:
+        """The address that opens this page again. What was uploaded is not in it."""
+        return f"/?s={packed(self.question.tables)}"
+
+    @property
+    def files(self) -> list[str]:
+        """Files that the case names, which an address does not carry."""
+        return files_named(self.question.tables)
+
+    def upload(self, name: str, content: bytes) -> str:
+        """Keep a file that was uploaded in a folder of this visitor, and say its name there: that of its ending only, so that
+        it cannot be a path."""
+        if self._uploads is None:
+            self._uploads = tempfile.TemporaryDirectory(prefix="stiction-")
+        ending = "".join(letter for letter in Path(name).suffix.lower() if letter.isalnum())[:12]
+        path = Path(self._uploads.name) / (f"upload.{ending}" if ending else "upload")
+        path.write_bytes(content)
+        self.question = Question(self.question.tables, self.question.folder, self.question.files | {str(path)})
+        return str(path)
+
+    def close(self) -> None:
+        """Forget the visitor and delete what they uploaded."""
+        self._listeners.clear()
+        if self._uploads is not None:
+            self._uploads.cleanup()
+            self._uploads = None

@@ -1,0 +1,15 @@
+"""The case that the page begins with, and what a part has where it is added."""
+
+import tomllib
+from importlib import resources
+from typing import Any
+
+__all__ = ["OPTIONAL_PARTS", "first_case"]
+
+# What the switch of a part that may be left out puts there.
+OPTIONAL_PARTS: dict[str, dict[str, Any]] = {"coating": {"material": "silver", "thickness": "200 nm", "bodies": "first"}}
+
+
+def first_case() -> dict[str, Any]:
+    """The tables of the case of a page that was asked for none: a soft film on hardened steel."""
+    return tomllib.loads(resources.files("stiction.web").joinpath("first.toml").read_text(encoding="utf-8"))

@@ -1,0 +1,166 @@
+"""The form: fields and sliders made from the records of a case. What is wrong is said beside the field."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from nicegui import ui
+
+from stiction.quantities.errors import InputError
+from stiction.web.asked import CHOSEN_BY_KEY, law_keys, model_names, option_values
+from stiction.web.drawn import attributes
+from stiction.web.explorer import Explorer
+from stiction.web.fields import Choices, MaterialPart, Number, Part, got, parts_of
+from stiction.web.points import points_fields
+
+__all__ = ["Form"]
+
+_OWN = "numbers of its own"
+_NONE = "the model's own"
+_ENDINGS = {"first": "first body", "second": "second body"}
+
+
+class Form:
+    """The form of one visitor; made anew where the case gets other fields, and else left as it is while a knob moves."""
+
+    def __init__(self, explorer: Explorer):
+        self._explorer = explorer
+        self._inputs: dict[tuple[str, ...], Any] = {}
+        self.other = ui.label().classes("text-negative").props('role="alert"')  # an error of no field
+        self.other.set_visibility(False)
+        self._column = ui.column().classes("w-full gap-1")
+        self.build()
+        explorer.rebuild = self.build
+        explorer.listen(self.show)
+
+    def build(self) -> None:
+        """All fields, from the tables of the case."""
+        self._inputs.clear()
+        self._column.clear()
+        with self._column:
+            self._model()
+            points_fields(self._explorer, self._inputs, self.build)
+            for part in parts_of(self._explorer.question.tables):
+                self._part(part)
+
+    def show(self) -> None:
+        """Errors of the newest answer, beside their fields."""
+        error = self._explorer.answer.error
+        for path, one in self._inputs.items():
+            wrong = error is not None and _is_of(error, path)
+            one.error = str(error) if wrong else None
+        told = any(getattr(one, "error", None) for one in self._inputs.values())
+        self.other.set_text("" if error is None or told else str(error))
+        self.other.set_visibility(error is not None and not told)
+
+    def _model(self) -> None:
+        tables = self._explorer.question.tables
+        solve = tables.get("solve", {})
+        with ui.expansion("Model and laws", value=True).classes("w-full").props("dense"):
+            given = str(solve.get("model", "soft_coating_2015"))
+            names = model_names(self._explorer.good.case)
+            self._select("model", [*names, *([] if given in names else [given])], given, ("solve", "model"), None)
+            with ui.expansion("Other laws than its own").classes("w-full").props("dense"):
+                for keyword in CHOSEN_BY_KEY:
+                    keys = [*law_keys(keyword), *(["none"] if keyword == "tangential" else [])]
+                    chosen = str(solve.get(keyword, _NONE))
+                    self._select(keyword, [_NONE, *keys], chosen, ("solve", keyword), _NONE)
+            for name, values in option_values(self._explorer.good.data).items():
+                here = ("solve", "options", name) if name in solve.get("options", {}) else ("solve", name)
+                self._select(name.replace("_", " "), list(values), str(got(tables, here) or values[0]), here, None)
+
+    def _select(self, label: str, values: list[str], value: str, path: tuple[str, ...], nothing: str | None) -> None:
+        async def chosen(event: Any) -> None:
+            await self._explorer.put(path, None if event.value == nothing else event.value)
+            self.build()
+
+        known = values if value in values else [*values, value]
+        one = ui.select(known, value=value, label=label, on_change=chosen).classes("w-full")
+        self._inputs[path] = attributes(one.props("dense outlined options-dense"), aria_label=label)
+
+    def _part(self, part: Part) -> None:
+        tables = self._explorer.question.tables
+        given = got(tables, part.path)
+        title = " ".join(_ENDINGS.get(one, one.replace("_", " ")) for one in part.path[1:]) or part.path[0]
+        with ui.expansion(title.capitalize(), value=len(part.path) < 3).classes("w-full").props("dense"):
+            if part.optional:
+                there = f"there is a {title}"
+                switch = ui.switch(there, value=given is not None, on_change=lambda event: self._switched(part, event.value))
+                attributes(switch, aria_label=there)
+            if isinstance(given, Mapping) and given.keys() & {"first", "second"} and part.path[-1] == "roughness":
+                ui.label("measured: see the tab Surface").classes("text-sm")
+                return
+            if given is None and part.optional:
+                return
+            for one in part.fields:
+                if isinstance(one, Number):
+                    self._number(one)
+                elif isinstance(one, MaterialPart):
+                    self._material(one)
+                else:
+                    self._choices(one)
+
+    async def _switched(self, part: Part, there: bool) -> None:
+        from stiction.web.first import OPTIONAL_PARTS
+
+        await self._explorer.put(part.path, OPTIONAL_PARTS.get(part.path[-1]) if there else None)
+        self.build()
+
+    def _choices(self, one: Choices) -> None:
+        value = got(self._explorer.question.tables, one.path) or one.default
+        self._select(one.path[-1], list(one.values), str(value), one.path, None)
+
+    def _material(self, part: MaterialPart) -> None:
+        tables = self._explorer.question.tables
+        preset = part.preset(tables)
+        label = _ENDINGS.get(part.path[-1], part.path[-1])
+
+        async def chosen(event: Any) -> None:
+            await self._explorer.put(part.path, {} if event.value == _OWN else event.value)
+            self.build()
+
+        names = [_OWN, *dict.fromkeys([*part.names(tables), *([preset] if preset else [])])]
+        one = ui.select(names, value=preset or _OWN, label=label, on_change=chosen, with_input=True).classes("w-full")
+        self._inputs[part.path] = attributes(one.props("dense outlined options-dense"), aria_label=f"material of the {label}")
+        with ui.expansion(f"numbers of the {label}", value=not preset).classes("w-full").props("dense"):
+            for number in part.numbers:
+                self._number(number, part.of_preset(tables, number))
+
+    def _number(self, one: Number, otherwise: str = "") -> None:
+        """A text and, where it holds one number, a slider. otherwise: what holds where the text is empty."""
+        given = got(self._explorer.question.tables, one.path)
+        value = one.si(given if given is not None else otherwise or None)
+        text = ui.input(one.label, value="" if given is None else str(given), placeholder=otherwise)
+        attributes(text.props("dense outlined debounce=300").classes("w-full"), hint=one.help, aria_label=one.label)
+        self._inputs[one.path] = text
+        slider = None
+        if value is not None:
+            knob = one.knob(value)
+            slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value))
+            slider.props("dense").classes("w-full px-2")
+            attributes(slider, aria_label=f"{one.label}, slider", aria_valuetext=one.text(value))
+
+        async def typed(_: Any) -> None:
+            wanted = str(text.value or "").strip()
+            if wanted == str(got(self._explorer.question.tables, one.path) or ""):
+                return  # it was the slider that wrote it
+            await self._explorer.put(one.path, one.written(wanted) if wanted else None)
+
+        text.on_value_change(typed)
+        if slider is None:
+            return
+
+        async def moved(event: Any) -> None:
+            at = one.text(one.knob(value).value(float(event.args)))  # type: ignore[arg-type]  # there is a value
+            attributes(slider, aria_valuetext=at)
+            put = self._explorer.put(one.path, one.written(at))
+            text.set_value(at)
+            await put
+
+        slider.on("update:model-value", moved, throttle=0.05, leading_events=True)
+
+
+def _is_of(error: InputError, path: tuple[str, ...]) -> bool:
+    """Whether an error is of the field at a place of the tables."""
+    where = error.field.removeprefix("contact.").removeprefix("indices.").removeprefix("solve.")
+    here = ".".join(path[1:])
+    return where == here or error.field == here

@@ -1,0 +1,71 @@
+"""What stands before the server: requests that are too long, uploads that are too large, callers from other pages."""
+
+from collections.abc import Awaitable, Callable, MutableMapping
+from typing import Any
+from urllib.parse import urlsplit
+
+__all__ = ["LARGEST_UPLOAD", "MOST_VISITORS", "Guard"]
+
+LARGEST_UPLOAD = 64 * 2**20  # bytes
+MOST_VISITORS = 200  # pages open at once
+_LONGEST_ADDRESS = 24_000
+_LOOPBACK = frozenset({"127.0.0.1", "localhost", "::1"})
+Scope = MutableMapping[str, Any]
+
+
+class Guard:
+    """An ASGI application before another. names: host names under which the server may be called; None for any."""
+
+    def __init__(
+        self, app: Callable[..., Awaitable[None]], names: frozenset[str] | None = None, visitors: Callable[[], int] = int
+    ):
+        self._app, self._names, self._visitors = app, names, visitors
+
+    async def __call__(self, scope: Scope, receive: Any, send: Any) -> None:
+        if scope["type"] not in ("http", "websocket"):
+            await self._app(scope, receive, send)
+            return
+        status, why = self._refusal(scope)
+        if not why:
+            await self._app(scope, receive, send)
+        elif scope["type"] == "websocket":
+            await send({"type": "websocket.close", "code": 1008, "reason": why})
+        else:
+            body = why.encode()
+            head = [(b"content-type", b"text/plain; charset=utf-8"), (b"content-length", str(len(body)).encode())]
+            await send({"type": "http.response.start", "status": status, "headers": [*head, (b"connection", b"close")]})
+            await send({"type": "http.response.body", "body": body})
+
+    def _refusal(self, scope: Scope) -> tuple[int, str]:
+        """The status and the sentence with which a request is refused; no sentence for one that is let through."""
+        heads = {key.lower(): value.decode("latin-1") for key, value in scope.get("headers", [])}
+        host = heads.get(b"host", "")
+        if self._names is not None and _name(host) not in self._names:
+            return 421, "Refused: this server answers under its own name only."
+        if (origin := heads.get(b"origin")) and urlsplit(origin).netloc != host:
+            return 403, "Refused: the request comes from another page."
+        if len(scope.get("query_string", b"")) + len(scope["path"]) > _LONGEST_ADDRESS:
+            return 414, f"Refused: an address has {_LONGEST_ADDRESS} characters at most."
+        if scope["type"] == "http" and scope["path"] == "/" and self._visitors() >= MOST_VISITORS:
+            return 503, f"Refused: {MOST_VISITORS} pages are open. Try again in a minute."
+        return self._too_large(scope, heads)
+
+    def _too_large(self, scope: Scope, heads: dict[bytes, str]) -> tuple[int, str]:
+        if scope["type"] != "http" or scope["method"] not in ("POST", "PUT", "PATCH"):
+            return 200, ""
+        length = heads.get(b"content-length", "")
+        if not length.isdigit():
+            return 411, "Refused: an upload has to say its length."
+        if int(length) > LARGEST_UPLOAD:
+            return 413, f"Refused: an upload has {LARGEST_UPLOAD} bytes at most; stiction surface reads larger scans."
+        return 200, ""
+
+
+def names_for(host: str) -> frozenset[str] | None:
+    """The names under which a server that is bound to this host is called: of this machine only, or any."""
+    return _LOOPBACK if host in _LOOPBACK else None
+
+
+def _name(host: str) -> str:
+    """The name in a Host header, without its port."""
+    return urlsplit(f"//{host}").hostname or ""

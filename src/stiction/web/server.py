@@ -1,0 +1,64 @@
+"""The server of the page: one process, bound to this machine unless it is told otherwise."""
+
+import socket
+from pathlib import Path
+from typing import Any
+
+from nicegui import Client, app, ui
+
+from stiction.quantities.errors import InputError
+from stiction.studies.case import read_content
+from stiction.web.address import files_named
+from stiction.web.asked import Question, solved
+from stiction.web.first import first_case
+from stiction.web.guard import Guard, names_for
+from stiction.web.page import make_page
+from stiction.web.working import QUICK
+
+_MOST_CONNECTIONS = 1000
+_PATIENCE = 600.0  # seconds for a page: on a new installation kernels are compiled first
+
+__all__ = ["check_port", "question_of", "serve", "set_up"]
+
+
+def question_of(case: Path | None) -> Question:
+    """The case that is served, by its file, or the one that the page begins with. Raises InputError."""
+    if case is None:
+        return Question(first_case())
+    tables = read_content(case)
+    question = Question(tables, case.resolve().parent, frozenset(files_named(tables)))
+    answer = solved(question)  # what is wrong with the file is said at once
+    if answer.error is not None:
+        raise answer.error
+    return question
+
+
+def check_port(host: str, port: int) -> None:
+    """Raise InputError for an address that cannot be bound."""
+    try:
+        family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]
+        with socket.socket(family, socket.SOCK_STREAM) as trial:
+            trial.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            trial.bind((host, port))
+    except (OSError, OverflowError) as error:
+        why = getattr(error, "strerror", None) or str(error)
+        raise InputError("--port", port, f"a port of {host} that is free, 1024 to 65535 ({why})") from None
+
+
+def set_up(question: Question, host: str) -> None:
+    """The page of a case, with its guard, in the application of this process."""
+    app.add_middleware(Guard, names=names_for(host), visitors=lambda: len(Client.instances))
+
+    @ui.page("/", title="stiction", response_timeout=_PATIENCE)
+    async def page(s: str = "") -> None:
+        await make_page(question, s)()
+
+
+def serve(question: Question, host: str, port: int) -> None:
+    """Serve the page until it is interrupted."""
+    set_up(question, host)
+    app.on_startup(lambda: QUICK.submit(solved, question) and None)  # kernels are compiled before somebody waits for them
+    looks: dict[str, Any] = {"title": "stiction", "dark": None, "language": "en-US", "show": False}
+    bounds: dict[str, Any] = {"limit_concurrency": _MOST_CONNECTIONS, "h11_max_incomplete_event_size": 2**16}
+    server: dict[str, Any] = {"reload": False, "reconnect_timeout": 10.0, "uvicorn_logging_level": "warning"}
+    ui.run(host=host, port=port, show_welcome_message=False, **looks, **bounds, **server)

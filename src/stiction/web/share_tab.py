@@ -1,0 +1,39 @@
+"""The tab Share: the address of this page, and files of it."""
+
+from nicegui import ui
+
+from stiction.studies.case_text import as_toml
+from stiction.web.downloads import KINDS, content
+from stiction.web.drawn import attributes
+from stiction.web.explorer import Explorer
+from stiction.web.working import run
+
+__all__ = ["ShareTab"]
+
+
+class ShareTab:
+    """The case as text, as an address and as files."""
+
+    def __init__(self, explorer: Explorer):
+        self._explorer = explorer
+        ui.label("The address of this page holds the whole case: copied and pasted, it opens the same page on any machine "
+                 "that runs stiction serve.").classes("text-sm")  # fmt: skip
+        self._files = ui.label().classes("text-sm text-negative")
+        with ui.row().classes("gap-2"):
+            for name in KINDS:
+                button = ui.button(name, on_click=lambda _, name=name: self._download(name)).props("no-caps")
+                attributes(button, aria_label=f"download {name}")
+        ui.label("The same numbers, to the last digit, on the command line: stiction run case.toml").classes("text-sm")
+        self._text = ui.code("", language="toml").classes("w-full")
+        explorer.listen(self.show)
+        self.show()
+
+    async def _download(self, name: str) -> None:
+        data = await run(content, self._explorer.good, name)
+        ui.download.content(data, name)
+
+    def show(self) -> None:
+        """The newest case."""
+        self._text.set_content(as_toml(self._explorer.good.question.tables))
+        files = ", ".join(self._explorer.files)
+        self._files.set_text(f"Not in the address: {files}. Who opens it has to have these files." if files else "")

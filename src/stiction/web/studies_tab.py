@@ -1,0 +1,228 @@
+"""The tab Studies: how sure, what to measure better, design for a wish, calibration; those that take less than a minute."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from nicegui import ui
+
+from stiction.quantities.errors import InputError
+from stiction.studies.case import case_in
+from stiction.web.asked import Question, case_asked
+from stiction.web.drawn import attributes
+from stiction.web.explorer import Explorer
+from stiction.web.fields import MaterialPart, Number, got, parts_of, placed
+from stiction.web.pictures import image_of, show_image, text_of
+from stiction.web.studying import Study
+from stiction.web.working import Progress
+
+__all__ = ["Result", "StudiesTab", "calibrated", "designed", "how_sure", "what_matters"]
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a study shows: text as of the terminal, and pictures with what they show."""
+
+    text: str
+    pictures: tuple[tuple[str, str], ...] = ()
+
+
+def how_sure(question: Question, ranges: bool, progress: Progress) -> Result:
+    """The bands of what is uncertain, and what friction differs by. Raises InputError."""
+    from stiction.report.uncertainty_pictures import spread_figure, uncertainty_figure
+    from stiction.report.uncertainty_tables import band_table, spread_table, uncertain_notes
+    from stiction.studies.uncertainty import uncertainty
+
+    data = uncertainty(_with_ranges(question, ranges), progress=progress)
+    parts: list[Any] = []
+    pictures = []
+    if "friction_coefficient_quantile" in data:
+        parts += [band_table(data), *uncertain_notes(data)]
+        pictures.append((image_of(uncertainty_figure(data)), "friction with its band"))
+    if "spread_factor" in data:
+        parts.append(spread_table(data))
+    if "spread_factor" in data and not pictures:  # with a band they are beside it
+        pictures.append((image_of(spread_figure(data)), "what friction differs by: inputs, methods, models"))
+    return Result(text_of(parts), tuple(pictures))
+
+
+def what_matters(question: Question, ranges: bool, progress: Progress) -> Result:
+    """Which input should be measured better. Raises InputError."""
+    from stiction.report.sensitivity_pictures import sensitivity_figure
+    from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes
+    from stiction.studies.sensitivity import sensitivity
+
+    data = sensitivity(_with_ranges(question, ranges), progress=progress)
+    tables = [indices_table(data)] if "input" in data.dims else []
+    text = text_of([*tables, elasticities_table(data), *sensitivity_notes(data)])
+    return Result(text, ((image_of(sensitivity_figure(data)), "inputs by what they change"),))
+
+
+def _with_ranges(question: Question, ranges: bool) -> Any:
+    case_asked(question)  # refuses what is too large
+    tables = question.tables
+    if ranges:
+        tables = {**tables, "uncertainty": {**tables.get("uncertainty", {}), "ranges": True}}
+    return case_in(tables, question.folder)
+
+
+def designed(
+    question: Question, load: str | float, wish: float, free: dict[tuple[str, ...], Any], progress: Progress
+) -> Result:
+    """The numbers, between their ends, at which the friction coefficient is next to a wish at a load. Raises InputError."""
+    from stiction.report.design_pictures import design_figure
+    from stiction.report.design_tables import design_notes, design_table
+    from stiction.studies.design import run_design
+    from stiction.studies.design_plan import make_design_plan
+
+    case_asked(question)
+    solve = {name: one for name, one in question.tables.get("solve", {}).items() if name not in ("load", "separation")}
+    table = {
+        "wish": {"target": "friction_coefficient", "value": wish},
+        "choose": _nested(free),
+        "validity": "possible",
+        "effort": 30,
+    }
+    tables = {**question.tables, "solve": {**solve, "load": [load]}, "design": table}
+    data = run_design(make_design_plan(tables, question.folder), progress.tell).data()
+    text = text_of([design_table(data, "design"), *design_notes(data)])
+    return Result(text, ((image_of(design_figure(data)), "designs by how near they come to the wish"),))
+
+
+def calibrated(question: Question, data: Path, free: dict[tuple[str, ...], Any], progress: Progress) -> Result:
+    """Numbers of the case, fitted to measured series. Raises InputError."""
+    from stiction.report.fit_pictures import fit_figure
+    from stiction.report.fit_tables import fit_notes, parameter_table
+    from stiction.studies.fit import run_fit
+    from stiction.studies.fit_plan import make_fit_plan
+
+    case_asked(question)
+    if find_spec("lmfit") is None:
+        raise InputError("calibration", "without lmfit", "an installation with it: pip install 'stiction[fit]'")
+    plan = make_fit_plan({**question.tables, "fit": {"free": _nested(free)}}, data, question.folder)
+    found = run_fit(plan, progress).data()
+    return Result(text_of([parameter_table(found), *fit_notes(found)]), ((image_of(fit_figure(found)), "measured and fitted"),))
+
+
+def _nested(free: dict[tuple[str, ...], Any]) -> dict[str, Any]:
+    """Tables as [design.choose] and [fit.free] have them: places without the name of the subject."""
+    tables: dict[str, Any] = {}
+    for path, ends in free.items():
+        tables = placed(tables, path[1:], ends)
+    return tables
+
+
+class StudiesTab:
+    """A card for each study."""
+
+    def __init__(self, explorer: Explorer):
+        self._explorer = explorer
+        self._data: Path | None = None
+        ui.label("A study that takes more than a minute ends here; the command line beside it does all of it.").classes(
+            "text-sm"
+        )
+        self._sure()
+        self._design()
+        self._calibration()
+
+    def _card(self, title: str, command: str) -> Any:
+        card = ui.card().classes("w-full")
+        with card:
+            ui.label(title).classes("text-lg")
+            ui.label(command).classes("text-sm font-mono")
+        return card
+
+    def _study(self, label: str, work: Callable[[Progress], Result]) -> None:
+        Study(label, work, lambda found: self._show(below, found))
+        below = ui.column().classes("w-full")
+
+    @staticmethod
+    def _show(below: Any, found: Result) -> None:
+        below.clear()
+        with below:
+            ui.label(found.text).classes("font-mono text-xs w-full overflow-auto").style("white-space: pre").props("tabindex=0")
+            for source, told in found.pictures:
+                show_image(source, told)
+
+    def _sure(self) -> None:
+        with self._card("How sure, and what to measure better", "stiction run case.toml; stiction sensitivity case.toml"):
+            vary = "numbers of materials vary within their ranges"
+            ranges = attributes(ui.switch(vary, value=True), aria_label=vary)
+            self._study("Uncertainty", lambda progress: how_sure(self._explorer.good.question, ranges.value, progress))
+            self._study("Sensitivity", lambda progress: what_matters(self._explorer.good.question, ranges.value, progress))
+
+    def _places(self) -> dict[str, Number]:
+        """The single numbers of the case by their names."""
+        tables = self._explorer.good.question.tables
+        found = {}
+        for part in parts_of(tables):
+            for one in part.fields:
+                for number in one.numbers if isinstance(one, MaterialPart) else (one,):
+                    if isinstance(number, Number) and number.si(got(tables, number.path)) is not None:
+                        found[".".join(number.path[1:])] = number
+        return found
+
+    def _choice(self) -> tuple[Any, Any, Any]:
+        """Which number is free, between which ends."""
+        names = list(self._places())
+        with ui.row().classes("items-center gap-2 w-full"):
+            which = ui.select(names, value=names[0] if names else None, label="free number").classes("w-72")
+            low, high = (ui.input(label).classes("w-28") for label in ("from", "to"))
+            for one in (which, low, high):
+                one.props("dense outlined")
+
+        def filled() -> None:
+            number = self._places().get(which.value)
+            if number is not None:
+                value = number.si(got(self._explorer.good.question.tables, number.path)) or 0.0
+                low.set_value(number.text(value / 3.0))
+                high.set_value(number.text(min(3.0 * value, 0.99 * number.quantity.upper)))
+
+        which.on_value_change(filled)
+        filled()
+        return which, low, high
+
+    def _ends(self, choice: tuple[Any, Any, Any]) -> dict[tuple[str, ...], Any]:
+        which, low, high = choice
+        number = self._places().get(which.value)
+        if number is None:
+            raise InputError("free number", which.value, "a number of the case")
+        return {number.path: {"low": number.written(str(low.value)), "high": number.written(str(high.value))}}
+
+    def _design(self) -> None:
+        with self._card("Design for a friction coefficient", "stiction design case.toml, with a table [design]"):
+            wish = ui.number("wished mu", value=0.1, min=0.0, format="%.4g").props("dense outlined")
+            choice = self._choice()
+
+            def work(progress: Progress) -> Result:
+                answer = self._explorer.good
+                if wish.value is None:
+                    raise InputError("wished mu", None, "a number above 0")
+                load: Any = float(answer.curve["load"].values.reshape(-1)[self._explorer.here])
+                load = load if "indices" in answer.question.tables else f"{load!r} N"
+                return designed(answer.question, load, float(wish.value), self._ends(choice), progress)
+
+            self._study("Design", work)
+
+    def _calibration(self) -> None:
+        with self._card("Calibration on measured series", "stiction fit case.toml --data measured.csv, with a table [fit]"):
+            said = ui.label().classes("text-sm").props('role="status"')
+
+            async def uploaded(event: Any) -> None:
+                self._data = Path(self._explorer.upload(event.file.name, await event.file.read()))
+                said.set_text(f"{event.file.name} is here, until the page is closed")
+
+            upload = ui.upload(
+                label="measured series, .csv", auto_upload=True, max_files=1, max_file_size=2**21, on_upload=uploaded
+            )
+            upload.props('accept=".csv" flat bordered')
+            choice = self._choice()
+
+            def work(progress: Progress) -> Result:
+                if self._data is None:
+                    raise InputError("measured series", None, "a .csv file with load and what was measured at it")
+                return calibrated(self._explorer.good.question, self._data, self._ends(choice), progress)
+
+            self._study("Calibrate", work)

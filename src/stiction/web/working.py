@@ -1,0 +1,87 @@
+"""Work beside the loop that talks to the browser: threads for what is quick, one for studies, and only the newest question."""
+
+import asyncio
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Executor, ThreadPoolExecutor
+from functools import partial
+from typing import Any, Generic, TypeVar
+
+__all__ = ["QUICK", "STUDIES", "Latest", "Progress", "run"]
+
+_T = TypeVar("_T")
+LONGEST = 60.0  # seconds of a study
+# Nothing is shared between users but these threads. Two do the work of two cores; what waits is asked anew when it is its turn.
+QUICK: Executor = ThreadPoolExecutor(2, thread_name_prefix="quick")
+STUDIES: Executor = ThreadPoolExecutor(1, thread_name_prefix="study")
+
+
+async def run(work: Callable[..., _T], *arguments: Any, pool: Executor = QUICK) -> _T:
+    """The result of some work, done in a thread."""
+    return await asyncio.get_running_loop().run_in_executor(pool, partial(work, *arguments))
+
+
+class Latest(Generic[_T]):
+    """Asks for some work, one at a time: of questions that come while it is under way only the newest is asked.
+
+    work: what is done, in a thread; show: what is done with the result, in the loop.
+    """
+
+    def __init__(self, work: Callable[..., _T], show: Callable[[_T], None]):
+        self._work, self._show = work, show
+        self._waiting: tuple[Any, ...] | None = None
+        self._running = False
+
+    async def ask(self, *arguments: Any) -> None:
+        """Answer this question, or leave it to whoever answers one already."""
+        self._waiting = arguments
+        if self._running:
+            return
+        self._running = True
+        try:
+            while self._waiting is not None:
+                question, self._waiting = self._waiting, None
+                self._show(await run(self._work, *question))
+        finally:
+            self._running = False
+
+
+class Progress:
+    """How far a study is, and how it is stopped: what the studies take as `progress` and as `tell`. After so many seconds it is
+    stopped by itself."""
+
+    def __init__(self, seconds: float = LONGEST) -> None:
+        self._end = time.monotonic() + seconds
+        self.text = ""
+        self.share = 0.0
+        self.too_long = False
+        self._stop = threading.Event()
+
+    def stop(self) -> None:
+        """End the study at its next step."""
+        self._stop.set()
+
+    def check(self) -> None:
+        """KeyboardInterrupt, as of a user at a terminal, where it is to be stopped."""
+        self.too_long = time.monotonic() > self._end
+        if self._stop.is_set() or self.too_long:
+            raise KeyboardInterrupt
+
+    def __call__(self, text: str) -> Callable[[Iterable], Iterator]:
+        """A wrapper of a list of steps."""
+
+        def wrapped(steps: Iterable) -> Iterator:
+            listed = list(steps)
+            for at, one in enumerate(listed):
+                self.check()
+                self.text, self.share = text, at / len(listed)
+                yield one
+            self.share = 1.0
+
+        return wrapped
+
+    def tell(self, count: int, text: str) -> None:
+        """Told how many designs were asked, and the best so far."""
+        self.check()
+        self.text, self.share = f"{count} designs asked: {text}", 0.0

@@ -1,0 +1,65 @@
+"""The form follows the records: every number is asked, and every place of a slider is allowed."""
+
+import pytest
+
+from stiction.contact.contact import Contact, Indices, Roughness
+from stiction.contact.materials import Material
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import to_si
+from stiction.web.fields import MaterialPart, Number, dropped, got, parts_of, placed
+from stiction.web.first import first_case
+
+
+def _numbers(tables):
+    for part in parts_of(tables):
+        for one in part.fields:
+            yield from one.numbers if isinstance(one, MaterialPart) else [one] if isinstance(one, Number) else []
+
+
+@pytest.mark.parametrize(
+    ("tables", "record", "path"),
+    [
+        (first_case(), Contact, ("contact",)),
+        (first_case(), Roughness, ("contact", "roughness")),
+        (first_case(), Material, ("contact", "coating", "material")),
+        ({"indices": {}}, Indices, ("indices",)),
+    ],
+)
+def test_every_number_of_a_record_is_asked(tables, record, path):
+    asked = {one.path[-1] for one in _numbers(tables) if one.path[:-1] == path}
+    assert asked == {name for name in record.model_fields if name in QUANTITIES}
+
+
+def test_a_field_that_a_record_gets_is_asked_by_itself(monkeypatch):
+    import stiction.web.fields as fields
+
+    class More(Contact):
+        equilibrium_distance: float | None = None
+
+    monkeypatch.setattr(fields, "Contact", More)
+    assert ("contact", "equilibrium_distance") in {one.path for one in _numbers(first_case())}
+
+
+@pytest.mark.parametrize("tables", [first_case(), {"indices": {}}], ids=["contact", "indices"])
+def test_every_end_of_a_slider_is_allowed(tables):
+    for one in _numbers(tables):
+        value = one.si(one.quantity.example)
+        knob = one.knob(value)
+        assert knob.low < knob.place(value) < knob.high or one.quantity.name in ("n_f", "films", "coated_share", "peeling")
+        for place in (knob.low, knob.high):
+            written = one.written(one.text(knob.value(place)))
+            assert to_si(written, one.quantity.name) == pytest.approx(knob.value(place), rel=1e-3, abs=1e-12)
+
+
+def test_text_and_slider_mean_the_same():
+    sigma = next(one for one in _numbers(first_case()) if one.path[-1] == "asperity_height_deviation")
+    assert sigma.written(sigma.text(48e-9)) == "48 nm" and sigma.si("48 nm") == 48e-9 and sigma.si("48") is None
+
+
+def test_what_stands_at_a_place():
+    tables = {"contact": {"first": "silver", "roughness": {"asperity_radius": "1 um"}}}
+    changed = placed(tables, ("contact", "first", "hardness"), "1 GPa")
+    assert changed["contact"]["first"] == {"preset": "silver", "hardness": "1 GPa"} and tables["contact"]["first"] == "silver"
+    assert got(changed, ("contact", "first", "hardness")) == "1 GPa" and got(tables, ("contact", "first", "hardness")) is None
+    assert dropped(changed, ("contact", "first", "hardness"))["contact"]["first"] == {"preset": "silver"}
+    assert dropped(tables, ("solve", "load", "start")) == tables

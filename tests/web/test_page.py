@@ -1,0 +1,137 @@
+"""The page, by users who are simulated: no browser is needed."""
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from contextlib import asynccontextmanager
+from pathlib import Path
+
+import pytest
+from nicegui import ui
+from nicegui.testing import User, user_simulation
+
+from stiction.web.address import packed
+from stiction.web.first import first_case
+
+MAIN = Path(__file__).parent / "simulated.py"
+# Libraries of the server warn of each other.
+pytestmark = pytest.mark.filterwarnings("default")
+
+
+def in_a_loop(test: Callable[[], Awaitable[None]]) -> Callable[[], None]:
+    """A test that waits, as one that pytest runs."""
+
+    def run() -> None:
+        asyncio.run(test())
+
+    run.__name__, run.__doc__ = test.__name__, test.__doc__
+    return run
+
+
+@asynccontextmanager
+async def _page(state=""):
+    async with user_simulation(main_file=MAIN) as user:
+        await user.open(f"/?s={state}" if state else "/")
+        yield user
+
+
+def _texts(user: User) -> list[str]:
+    with user:
+        return [one.text for one in user.current_layout.descendants() if isinstance(one, ui.label)]
+
+
+def _input(user: User, label: str):
+    with user:
+        return next(
+            one for one in user.current_layout.descendants() if isinstance(one, ui.input) and one.props.get("label") == label
+        )
+
+
+async def _until(user: User, wanted) -> None:
+    for _ in range(200):
+        if wanted():
+            return
+        await asyncio.sleep(0.05)
+    raise AssertionError(_texts(user))
+
+
+def _mu(user: User) -> str:
+    return next(text for text in _texts(user) if text.startswith("mu "))
+
+
+@in_a_loop
+async def test_the_first_screen_shows_an_answer_with_its_doubts():
+    async with _page() as user:
+        assert _mu(user) == "mu = 0.04562"
+        assert any("claimed is" in text and text.startswith("Leaves out what matters here") for text in _texts(user))
+
+
+@in_a_loop
+async def test_a_knob_that_moves_changes_the_number():
+    async with _page() as user:
+        before = _mu(user)
+        _input(user, "work of adhesion gamma").set_value("0.3 J/m^2")
+        await _until(user, lambda: _mu(user) != before)
+
+
+@in_a_loop
+async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays():
+    async with _page() as user:
+        before, field = _mu(user), _input(user, "asperity tip radius R")
+        field.set_value("50")
+        await _until(user, lambda: field.error)
+        assert field.error.startswith("contact.roughness.asperity_radius: '50'; allowed: a number with its unit")
+        assert _mu(user) == before and "Of the last case that could be solved: see the field in red." in _texts(user)
+        field.set_value("40 um")
+        await _until(user, lambda: not field.error and _mu(user) != before)
+
+
+@in_a_loop
+async def test_the_address_holds_the_case():
+    tables = first_case()
+    tables["contact"]["work_of_adhesion"] = "0.3 J/m^2"
+    async with _page(packed(tables)) as user:
+        assert _input(user, "work of adhesion gamma").value == "0.3 J/m^2" and _mu(user) != "mu = 0.04562"
+
+
+@in_a_loop
+async def test_an_address_that_holds_nothing_is_told_and_the_first_case_shown():
+    async with _page("garbage") as user:
+        assert _mu(user) == "mu = 0.04562"
+        assert any(text.startswith("The address was not used: address: 'garbage'") for text in _texts(user))
+
+
+@in_a_loop
+async def test_an_address_cannot_ask_for_a_file():
+    tables = first_case()
+    tables["contact"]["roughness"] = {"first": {"file": "/etc/passwd"}}
+    async with _page(packed(tables)) as user:
+        assert any("The address was not used: file: '/etc/passwd'" in text for text in _texts(user)), _texts(user)[:6]
+
+
+@in_a_loop
+async def test_a_title_is_text():
+    tables = first_case() | {"title": "<script>window.broken = 1</script>"}
+    async with _page(packed(tables)) as user:
+        assert tables["title"] in _texts(user)  # of a label, which a browser writes as text
+
+
+@in_a_loop
+async def test_dimensionless_groups_and_several_numbers_have_a_page():
+    groups = {"theta": 40, "lam": 10, "n_E": [0.5, 1.5], "n_H": 0.5, "tau": 2}
+    async with _page(packed({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:
+        assert any(text.startswith("numbers are several along n_E") for text in _texts(user))
+        assert _input(user, "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2)) theta").value == "40"
+
+
+@in_a_loop
+async def test_what_one_visitor_does_no_other_sees():
+    import httpx
+    from nicegui import core
+
+    async with _page() as one:
+        other = User(httpx.AsyncClient(transport=httpx.ASGITransport(core.app), base_url="http://test"))
+        await other.open("/")
+        before = _mu(one)
+        _input(other, "work of adhesion gamma").set_value("0.1 J/m^2")
+        await _until(other, lambda: _mu(other) != before)
+        assert _mu(one) == before and _input(one, "work of adhesion gamma").value == "1 J/m^2"

@@ -1,0 +1,77 @@
+"""The page and the command line say the same, to the last digit: the case file that the page gives away is run."""
+
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+from stiction.web.asked import Question, compared, solved
+from stiction.web.downloads import KINDS, content
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
+
+
+def _rows(text: str) -> list[str]:
+    return [line for line in text.splitlines() if not line.startswith("#")]
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_a_case_file_of_the_page_gives_the_same_numbers_on_the_command_line(path, tmp_path):
+    answer = solved(Question(tomllib.loads(path.read_text(encoding="utf-8")), path.parent))
+    assert answer.error is None
+    (tmp_path / "case.toml").write_bytes(content(answer, "case.toml"))
+    command = [sys.executable, "-m", "stiction", "run", "case.toml", "--out", "out"]
+    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=600)
+    assert _rows(content(answer, "curve.csv").decode()) == _rows((tmp_path / "out" / "curve.csv").read_text(encoding="utf-8"))
+    (tmp_path / "page.nc").write_bytes(content(answer, "curve.nc"))
+    with xarray.open_dataset(tmp_path / "page.nc") as page, xarray.open_dataset(tmp_path / "out" / "curve.nc") as run:
+        xarray.testing.assert_equal(page, run)
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_the_models_are_compared_as_on_the_command_line(path):
+    from stiction import compare_case, read_case
+
+    question = Question(tomllib.loads(path.read_text(encoding="utf-8")), path.parent)
+    load = float(np.max(solved(question).data["load"]))
+    found = compared(question, load, lambda text: iter)
+    xarray.testing.assert_equal(found.data, compare_case(read_case(path), load=load))
+
+
+def test_pictures_are_pictures():
+    answer = solved(Question(tomllib.loads(EXAMPLES[-1].read_text(encoding="utf-8"))))
+    assert content(answer, "curve.png").startswith(b"\x89PNG") and b"<svg" in content(answer, "curve.svg")
+    assert set(KINDS) == {"case.toml", "curve.csv", "curve.nc", "curve.svg", "curve.png"}
+
+
+def test_the_first_case_is_that_of_the_examples():
+    from stiction.web.first import first_case
+
+    assert first_case() == tomllib.loads((ROOT / "examples" / "silver_on_steel.toml").read_text(encoding="utf-8"))
+
+
+def test_a_case_that_is_too_large_for_a_page_is_refused():
+    from stiction.web.first import first_case
+
+    tables = first_case()
+    tables["solve"] = {"load": {"start": "1 mN", "stop": "1 N", "count": 90_000}}
+    error = solved(Question(tables)).error
+    assert error is not None and "stiction run" in str(error)
+    tables = first_case()
+    tables["contact"]["work_of_adhesion"] = {"low": "0.1 J/m^2", "high": "1 J/m^2"}
+    tables["uncertainty"] = {"count": 2**20}
+    assert solved(Question(tables)).error.field == "uncertainty.count"
+
+
+def test_questions_about_numbers_are_in_the_answer_and_no_warning():
+    from stiction.web.first import first_case
+
+    tables = first_case()
+    tables["contact"]["roughness"] |= {"asperity_height_deviation": "50 um", "asperity_radius": "48 nm"}
+    answer = solved(Question(tables))
+    assert answer.questions or answer.error is not None
