@@ -23,7 +23,7 @@ import numpy as np
 
 CASE = Path(__file__).parent / "seven_inputs.toml"
 CONTACTS = 1048576
-STATISTICS = 'statistics = ["count", "mean", "standard_deviation", "least", "most"]\n'
+STATISTICS = 'statistics = ["count", "mean", "standard_deviation", "percentile_5", "median", "percentile_95"]\n'
 COMMAND = [sys.executable, "-c", "from stiction.cli import main; main()", "sweep"]
 UNITS = {
     "work_of_adhesion": "J/m^2", "interfacial_shear_strength": "Pa", "asperity_height_deviation": "m", "asperity_radius": "m",
