@@ -375,11 +375,12 @@ def test_the_command_shows_how_far_it_is_and_what_is_doubtful(tmp_path):
 
 def test_a_cluster_does_the_same(tmp_path):
     distributed = pytest.importorskip("distributed")
-    sweep(DRAWN, tmp_path / "one")
+    many = changed(DRAWN, sweep={"block": 6})  # more blocks than wait for workers at once
+    sweep(many, tmp_path / "one")
     with distributed.LocalCluster(
         n_workers=1, threads_per_worker=1, host="127.0.0.1", dashboard_address=None, processes=False, protocol="tcp"
     ) as cluster:
-        sweep(DRAWN, tmp_path / "two", scheduler=cluster.scheduler_address)
+        sweep(many, tmp_path / "two", scheduler=cluster.scheduler_address)
     assert same(tmp_path / "one", tmp_path / "two")
 
 

@@ -100,6 +100,7 @@ class Store:
 
     def finish(self) -> None:
         """When all blocks are done: the statistics of all together, and no file that an interruption left."""
+        assert not self.left(), "blocks that nobody has done"
         for name in self._results if self.plan.sweep.statistics else ():
             whole = merged(_each_row(self.group[_PARTS][name]))
             wanted = _percentiles(self.plan)

@@ -1,6 +1,9 @@
 """Who does the blocks of a sweep: this process, several on this machine, or the workers of a dask.distributed cluster."""
 
+import pickle
 from collections.abc import Iterator
+from functools import lru_cache
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
@@ -103,22 +106,29 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
     except (OSError, ValueError) as error:
         raise InputError("--scheduler", address, f"the address of a scheduler, e.g. tcp://host:8786 ({error})") from None
     with client:
-        shared = client.scatter(store, broadcast=True)
-        rest = iter(blocks)
+        given, rest = pickle.dumps(store), iter(blocks)
+
+        def submitted(block: int) -> Any:
+            return client.submit(_do_there, given, block, pure=False)
+
         ahead = max(8, _AHEAD * sum(client.nthreads().values()))
-        first = [client.submit(_do_there, shared, block, pure=False) for block, _ in zip(rest, range(ahead), strict=False)]
-        running = as_completed(first)
+        running = as_completed([submitted(block) for block in islice(rest, ahead)])
         try:
             for future in running:
                 yield future.result()
-                block = next(rest, None)
-                if block is not None:
-                    running.add(client.submit(_do_there, shared, block, pure=False))
+                for block in islice(rest, 1):
+                    running.add(submitted(block))
         except KilledWorker:
             raise InputError(
                 "--scheduler", address, "workers that live: they die again and again, for want of memory?"
             ) from None
 
 
-def _do_there(store: "Store", block: int) -> int:
-    return store.do(block)
+def _do_there(given: bytes, block: int) -> int:
+    return _opened(given).do(block)
+
+
+@lru_cache(maxsize=1)
+def _opened(given: bytes) -> "Store":
+    """A store, opened once by a worker. It comes with every block: what is sent to workers once is lost with them."""
+    return pickle.loads(given)
