@@ -69,7 +69,7 @@ class Plan:
 
     content: the tables of the case without [sweep], several: its numbers that are several, sweep: what is computed and kept.
     dims: name -> length of the dimensions of the contacts, in the order of results; tile: of the contacts of a block along each
-    of them; points: of a contact. Only `make_plan` makes one.
+    of them; points: of a contact. scans: what was done to those that say the roughness, if any do. Only `make_plan` makes one.
     """
 
     content: Mapping[str, Any]
@@ -78,6 +78,7 @@ class Plan:
     dims: Mapping[str, int] = field(default_factory=dict)
     tile: Mapping[str, int] = field(default_factory=dict)
     points: int = 1
+    scans: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def blocks(self) -> int:
@@ -169,7 +170,7 @@ def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
 
 def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
-    from stiction.studies.case import case_of, check_scans, opened
+    from stiction.studies.case import case_of, opened
 
     require_names(content)
     content, several = opened(content, folder)
@@ -177,14 +178,25 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     plain: Mapping[str, Any] = {key: value for key, value in content.items() if key != "sweep"}
     if any(isinstance(one, Uncertain) for one in several.values()):
         plain = expanded(plain)
-    plan = Plan(plain, several, sweep)
+    plain, scans = _without_scans(plain)
+    plan = Plan(plain, several, sweep, scans=scans)
     lengths = _lengths(plan)
     first = replace(plan, dims=lengths).case({dim: slice(0, 1) for dim in lengths})
-    check_scans(first.subject)
     case_of(plain, {path: one.array(one.values[:1]) for path, one in several.items()})
     points = first.load if first.load is not None else first.separation
     size = int(np.size(points)) if not hasattr(points, "dims") else points.sizes["separation"]
     return _cut(replace(plan, points=size), lengths)
+
+
+def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[str, str]]:
+    """The tables with the numbers of the method that stands for the surface alone, where scans say the roughness: maps are not
+    for every worker; and what was done to the scans."""
+    contact = content.get("contact")
+    rough = contact.get("roughness") if isinstance(contact, Mapping) else None
+    if getattr(rough, "measured", None) is None:
+        return content, {}
+    assert isinstance(contact, Mapping)
+    return {**content, "contact": {**contact, "roughness": rough.as_numbers()}}, rough.measured.attributes()
 
 
 def _sweep(table: Any) -> Sweep:

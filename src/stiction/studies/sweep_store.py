@@ -237,7 +237,12 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     more = {"results": json.dumps(layout), "points": json.dumps(points), "identity": plan.identity()}
     versions = {name: version(name) for name in _PACKAGES}
     group.attrs.update(
-        said | dict(attributes) | more | _of_sample(plan) | {"program": f"stiction {__version__}", "versions": versions}
+        said
+        | dict(attributes)
+        | more
+        | dict(plan.scans)
+        | _of_sample(plan)
+        | {"program": f"stiction {__version__}", "versions": versions}
     )
     assert set(order) == set(plan.dims)
     sizes = dict(plan.dims) | points
