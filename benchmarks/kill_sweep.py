@@ -71,7 +71,7 @@ def cluster():
     """Words of a sweep by two workers of a cluster on this machine, and which of them to kill."""
     from distributed import LocalCluster
 
-    with LocalCluster(n_workers=2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None) as made:
+    with LocalCluster(n_workers=2, threads_per_worker=1, host="127.0.0.1", dashboard_address="127.0.0.1:0") as made:
         pids = (nanny.pid for _ in iter(int, 1) for nanny in made.workers.values())
         yield ["--scheduler", made.scheduler_address], lambda process: next(pid for pid in pids if pid is not None)
 

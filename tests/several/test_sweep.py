@@ -378,7 +378,7 @@ def test_a_cluster_does_the_same(tmp_path):
     many = changed(DRAWN, sweep={"block": 6})  # more blocks than wait for workers at once
     sweep(many, tmp_path / "one")
     with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=1, host="127.0.0.1", dashboard_address=None, processes=False, protocol="tcp"
+        n_workers=1, threads_per_worker=1, host="127.0.0.1", dashboard_address="127.0.0.1:0", processes=False, protocol="tcp"
     ) as cluster:
         sweep(many, tmp_path / "two", scheduler=cluster.scheduler_address)
     assert same(tmp_path / "one", tmp_path / "two")
