@@ -108,7 +108,7 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
         raise InputError("--scheduler", address, f"the address of a scheduler, e.g. tcp://host:8786 ({error})") from None
     with client:
         given, rest = pickle.dumps(store), iter(blocks)
-        waiting: dict[str, int] = {}
+        waiting: dict[Any, int] = {}
 
         def submitted(count: int) -> list[Any]:
             some = list(islice(rest, count))
