@@ -53,7 +53,8 @@ def of_samples(
 ) -> Asperities:  # fmt: skip
     """Asperities from what was found: heights (n,) [m] and curvatures (n,) [1/m], positive downwards.
 
-    remedy: what would find more. places: (n, 2), row and column of each, None where they are not known. InputError if there are fewer than two, or if they do not, on average, curve down.
+    remedy: what would find more. places: (n, 2), row and column of each, None where they are not known. InputError if
+    there are fewer than two, or if they do not, on average, curve down.
     """
     if len(heights) < 2:
         raise InputError(f"asperities by {method}", f"{len(heights)} found", f"2 or more: {remedy}")

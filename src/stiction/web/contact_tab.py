@@ -32,12 +32,12 @@ class ContactTab:
             self._point = ui.slider(min=0, max=1, value=0).classes("grow").style("min-width: 160px")
             self._point.props('dense aria-label="point of the curve that is told in words"')
             self._point.on("update:model-value", self._moved, throttle=0.05)
+            self._stack = ui.select([], label="shares of", on_change=self._stacked).classes("w-64").props("dense outlined")
         with ui.grid().classes("charts w-full"):
             self._mu = Picture("friction coefficient")
             self._shares = Picture("shares")
             self._area = Picture("contact area")
             self._load = Picture("load")
-        self._stack = ui.select([], label="shares of", on_change=self._stacked).classes("w-64").props("dense outlined")
         explorer.listen(self.show)
         self.show()
 

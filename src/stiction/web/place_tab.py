@@ -115,6 +115,7 @@ def _plane_chart(place: Place | None, share: tuple[str, np.ndarray] | None, dark
     points = [] if place is None else [place.bodies, *([place.film] if place.film else [])]
     ends = [(min([low, *(p[at] for p in points)]), max([high, *(p[at] for p in points)]))
             for at, (low, high) in enumerate(((THETA[0], THETA[-1]), (LAM[0], LAM[-1])))]  # fmt: skip
+    ends = [(10.0 ** np.floor(np.log10(low)), 10.0 ** np.ceil(np.log10(high))) for low, high in ends]
     theta = np.geomspace(*ends[0], 60)
     series = [
         line("below this theta adhesion matters", [ADHESION_MATTERS["theta"]] * 2, ends[1], 0),
@@ -129,7 +130,7 @@ def _plane_chart(place: Place | None, share: tuple[str, np.ndarray] | None, dark
         one["showSymbol"] = False
     meanings = {"theta": "elastic adhesion index", "lam": "plastic adhesion index"}
     axes = [{"type": "log", "name": f"{meanings[name]} {QUANTITIES[name].symbol}",
-             "min": 10.0 ** np.floor(np.log10(low)), "max": 10.0 ** np.ceil(np.log10(high))}
+"min": low, "max": high}
             for name, (low, high) in zip(("theta", "lam"), ends, strict=True)]  # fmt: skip
     options = chart("plane of the adhesion indices", axes[0], axes[1], series, dark)
     options["tooltip"]["trigger"] = "item"
