@@ -226,9 +226,9 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
     series = [one for one in series if one["data"]]
     options = chart("static friction coefficient by each model", {"type": "log", "name": "static friction coefficient mu"},
                     {"type": "category", "data": names,
-                     "axisLabel": {"color": _INK[dark], "width": 236, "overflow": "break"}},
+                     "axisLabel": {"color": _INK[dark], "width": 260, "overflow": "break", "lineHeight": 14}},
                     series, dark)  # fmt: skip
-    options["grid"] |= {"left": 252, "top": 70}
+    options["grid"] |= {"left": 276, "top": 70}
     options["legend"] |= {"type": "plain", "top": 0}
     options["tooltip"]["trigger"] = "item"
     return options

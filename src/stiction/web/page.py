@@ -32,8 +32,9 @@ _STYLE = """
 @media (max-width: 800px) { .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap }
   .q-page { padding: 4px } .frame > .results { order: -1 } .knobs { position: static; max-height: none }
   .wide > * { min-width: 640px } .models table { min-width: 860px } }
-.body--light .text-negative { color: #b00020 !important } .body--dark .text-negative { color: #ff8a80 !important }
-.body--dark .text-primary { color: #90caf9 !important } .body--dark .q-btn.bg-primary { color: white !important }
+/* the colours of the library are important in a layer, which nothing after it outranks: so its variables are changed */
+.body--light .text-negative { --q-negative: #b00020 } .body--dark .text-negative { --q-negative: #ff8a80 }
+.body--dark .text-primary { --q-primary: #90caf9 }
 .q-tabs { max-width: 100% } .q-tabs__content { flex-wrap: wrap }
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """

@@ -12,7 +12,7 @@ from stiction.studies.paper_claims import CLAIMS, LAM, READINGS, THETA, ClaimMap
 from stiction.studies.paper_figures import PANELS, PanelCurves, panel_curves
 from stiction.studies.place import ADHESION_MATTERS, PLASTICITY, Place, place_of, plasticity_line
 from stiction.web.charts import COLOURS, axis_name, cells, chart, line
-from stiction.web.drawn import Picture
+from stiction.web.drawn import Picture, wide
 from stiction.web.explorer import Explorer
 from stiction.web.studying import Study
 from stiction.web.working import run
@@ -42,7 +42,8 @@ class PlaceTab:
             self._claim.classes("w-80").props("dense outlined")
             self._reading = ui.toggle(list(READINGS), value=READINGS[0], on_change=self._again).props("dense no-caps")
         self._study = Study("Judge the claims in the plane", self._judged, lambda _: self.show())
-        self._plane = Picture("plane of the adhesion indices", "460px")
+        with wide("plane of the adhesion indices"):
+            self._plane = Picture("plane of the adhesion indices", "460px")
         ui.label("Figures of the 2015 paper").classes("text-lg")
         with ui.row().classes("items-center gap-3"):
             self._figure = ui.select({at: one.figure for at, one in enumerate(PANELS)}, value=0, on_change=self._again)

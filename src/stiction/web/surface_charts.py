@@ -16,7 +16,7 @@ __all__ = ["MARGINS", "solid_chart", "spectrum_chart", "wavevectors"]
 MARGINS = (74, 18)  # pixels from the left and the right edge of a chart to its axes
 _SHOWN = 96  # points along a side of the map in three dimensions
 _SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]
-_DECADES = 12.0  # of the spectrum; a filter leaves rounding below
+_DECADES = 10  # of the spectrum; a filter leaves rounding below
 
 
 def wavevectors(surface: HeightMap) -> tuple[float, float]:
@@ -29,7 +29,8 @@ def spectrum_chart(
 ) -> dict[str, Any]:
     """The spectrum as it was and of what is kept, between the ends [rad/m]; shaded where waves are taken out."""
     most = float(np.max(whole.density))
-    limits = [10.0 ** math.floor(math.log10(most) - _DECADES), 10.0 ** math.ceil(math.log10(most))]
+    top = math.ceil(math.log10(most))
+    limits = [10.0 ** (top - _DECADES), 10.0**top]
     left_out = []
     if band.longest is not None:
         left_out.append((ends[0], 2.0 * math.pi / band.longest, f"longer than {show(band.longest, 'scan_size', 3)}"))
@@ -66,7 +67,7 @@ def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
     ink = ink_of(dark)
     look = {"axisLine": {"lineStyle": {"color": ink}}, "axisLabel": {"color": ink}, "nameTextStyle": {"color": ink}}
     axes = {
-        f"{name}Axis3D": {"type": "value", "name": said, "nameGap": 26, **look}
+        f"{name}Axis3D": {"type": "value", "name": said, "nameGap": 30, "splitNumber": 3, **look}
         for name, said in (("x", "x [um]"), ("y", "y [um]"), ("z", "z [nm]"))
     }
     return axes | {

@@ -1,6 +1,7 @@
 """The tab Surface: a scan, its spectrum with the cutoffs, its asperities by each method, and what all that does to friction."""
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -112,7 +113,7 @@ class SurfaceTab:
 
     async def _read(self, path: str, told: dict[str, str], name: str) -> None:
         try:
-            surface = await run(read_bounded, Path(path), told)
+            surface = replace(await run(read_bounded, Path(path), told), name=name)
         except InputError as error:
             self._said.set_text(str(error).replace(path, name))
             return
@@ -143,14 +144,15 @@ class SurfaceTab:
         return Band(int(self._form.value), found["shortest"], found["longest"])
 
     async def _ask(self) -> None:
-        """Spectrum and friction of the band."""
+        """Spectrum and friction of the band: each of the newest, as the handles may have moved while the other was asked."""
         if self._scan is None:
             return
-        band, explorer = self._wanted(), self._explorer
-        await self._spectra.ask(self._scan.surface, band)
+        explorer = self._explorer
+        await self._spectra.ask(self._scan.surface, self._wanted())
         load = float(explorer.good.curve["load"].values.reshape(-1)[explorer.here])
         if load > 0.0:
-            await self._friction.ask(explorer.question.with_tables(explorer.good.question.tables), self._scan, band, load)
+            question = explorer.question.with_tables(explorer.good.question.tables)
+            await self._friction.ask(question, self._scan, self._wanted(), load)
         else:
             self._mu.set_text("Friction with this surface: at a load above 0; choose a point of the tab Contact that presses.")
 
@@ -159,11 +161,10 @@ class SurfaceTab:
         if self._scan is None:
             return
         await self._ask()
-        band = self._wanted()
         if self._used.value and "contact" in self._explorer.question.tables:
-            await self._explorer.put(("contact", "roughness"), self._scan.roughness(band))
+            await self._explorer.put(("contact", "roughness"), self._scan.roughness(self._wanted()))
             self._explorer.rebuild()
-        await self._pictures.ask(self._scan.surface, band, self._method.value)
+        await self._pictures.ask(self._scan.surface, self._wanted(), self._method.value)
 
     def _show_spectrum(self, found: BinnedSpectrum | InputError) -> None:
         if isinstance(found, InputError):
