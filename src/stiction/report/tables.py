@@ -193,6 +193,8 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
     if used.get("area_by"):
         notes.append(f"contact area: {used['area_by']}")
+    if used.get("change_by_junctions"):
+        notes.append(used["change_by_junctions"])
     if used.get("measured_error_in_words"):
         notes.append(f"measured error: {used['measured_error_in_words']}")
     notes += [one.say("--") for one in unused_of(data)]
