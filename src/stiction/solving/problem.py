@@ -75,6 +75,10 @@ class Sum(Problem):
         """Net load per asperity (regimes, k) at pairs (k,) of separation and law."""
         return self._scattered(h, law)[..., _LOAD]
 
+    def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """Slip-limited and yield-limited tangential force per asperity (2, k) at pairs (k,) of separation and law."""
+        return self._scattered(h, law)[..., [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
+
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
 
