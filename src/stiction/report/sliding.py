@@ -93,6 +93,6 @@ def _losses(axes: Axes, rows: list["xarray.Dataset"]) -> None:
         lost = row["energy_loss"].values[moved]
         largest = np.concatenate([largest, lost])
         axes.plot(row["displacement"].values[moved], lost, color=COLOURS[at % len(COLOURS)], label=_named(row))
-    along(axes, "x", "displacement", rows[0]["displacement"].values[moved])
     along(axes, "y", "energy_loss", largest[largest > 0.0])
+    along(axes, "x", "displacement", rows[0]["displacement"].values[moved])
     axes.set_xlabel(f"amplitude: {axes.get_xlabel()}")

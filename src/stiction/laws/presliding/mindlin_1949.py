@@ -40,7 +40,7 @@ of one asperity, which is [mindlin_deresiewicz_1953]'s. *Check*, one asperity:
 | $s$ | 0.1 | 0.5 | 0.9 | 1 |
 |---|---|---|---|---|
 | $F/T_m$ | 0.146185 | 0.646447 | 0.968377 | 1 |
-| $\Delta W/(T_m\delta_f)$ | 0.0005131 | 0.0727922 | 0.5239631 | 0.8 |
+| $\Delta W/(T_m\delta_f)$ | 0.0005131 | 0.0727922 | 0.5239613 | 0.8 |
 
 Elastic asperities under Coulomb's law: $F(\delta)=f\,[P(h)-P(h+\delta/m)]$ with $m=\tfrac3{16}fK\beta$ ([jager_1998]), so that
 with exponential heights $F=fP\,(1-e^{-\delta/m})$.
