@@ -1,0 +1,121 @@
+"""The pictures of a report, each with a caption and with words for those who do not see it."""
+
+import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stiction.report.inline_pictures import inline
+from stiction.report.pictures import panel_of_curve, panels
+from stiction.report.report_answer import value_in_words
+from stiction.report.several_tables import shown_quantity
+from stiction.studies.findings import Findings
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+__all__ = ["Picture", "pictures_of_comparison", "pictures_of_curve", "pictures_of_scan", "pictures_of_uncertainty"]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """content: HTML; wide: it needs a line for itself, and scrolls where there is little room."""
+
+    content: str
+    caption: str
+    wide: bool = False
+
+
+def _picture(make: "Callable[[], Figure]", name: str, caption: str, words: str = "", wide: bool = False) -> Picture:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # letters that the font of a picture has not are boxes there
+        return Picture(inline(make(), name, words or caption), caption, wide)
+
+
+def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
+    """What a line does: from where to where."""
+    x, y = (np.asarray(data[name].values, dtype=float) for name in (against, what))
+    known = np.flatnonzero(np.isfinite(x) & np.isfinite(y) & ((x > 0.0) | (against != "load")))
+    if not known.size:
+        return "Nothing is drawn: nothing presses here."
+    first, last = known[np.argmin(x[known])], known[np.argmax(x[known])]
+    ends = [(value_in_words(data[against], x[at]), value_in_words(data[what], y[at])) for at in (first, last)]
+    return f"At {ends[0][0]} it is {ends[0][1]}, at {ends[1][0]} it is {ends[1][1]}."
+
+
+def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
+    """Friction, area and force against load, load against separation, and what bears them; of numbers that are several one
+    picture of what varies."""
+    # Doubts stand in words on the page, and not below every picture.
+    data = findings.answer.data.assign_attrs(doubts="[]", outside_validity="")
+    if findings.case.is_several:
+        from stiction.report.several_pictures import several_figure
+
+        name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
+        yield _picture(lambda: several_figure(data), "several", f"The {name} over what varies.", wide=True)
+        return
+    titles = {"friction_coefficient": "Static friction coefficient against load", "contact_area": "Real contact area against load",
+              "load": "Load against mean separation", "friction_force": "Friction force against load"}  # fmt: skip
+    for what, against in panels(data):
+        words = f"{titles[what]}. {_in_words(data, what, against)}"
+        yield _picture(lambda what=what, against=against: panel_of_curve(data, what, against), f"p-{what}", f"{titles[what]}.", words)
+    from stiction.report.share_pictures import part_in_words, share_figure, stacks
+
+    for at, (what, (total, parts)) in enumerate(stacks(data).items()):
+        said = ", ".join(part_in_words(name, total) for name in parts)
+        tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
+        words = f"Shares of the {what}, over the load: {said}" + (", of their sizes: some pull." if tension else ".")
+        yield _picture(lambda what=what: share_figure(data, what), f"share{at}", words)
+
+
+def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
+    """Every model at the working load, and along the loads."""
+    told = findings.answer.told
+    if told is None:
+        return
+    from stiction.report.comparison_pictures import comparison_figure
+    from stiction.report.model_pictures import models_figure
+
+    best = told.attrs.get("recommended", "none")
+    words = f"Friction coefficient by each model at the working load; recommended: {best}. The table below has the numbers."
+    yield _picture(lambda: models_figure(told), "models", "Friction at the working load by every model; the recommended one "
+                   "shaded, its name bold.", words)  # fmt: skip
+    caption = "Friction against load by every model, families apart; faint where a model is outside its range."
+    yield _picture(lambda: comparison_figure(told, " "), "compared", caption, wide=True)
+
+
+def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
+    """The band over the inputs, and what friction differs by: three colours."""
+    data = findings.answer.data
+    from stiction.report.uncertainty_pictures import spread_figure, uncertainty_figure
+
+    if "spread_factor" in data and np.isfinite(data["spread_factor"].values).any():
+        caption = "What friction at the working load differs by: inputs, methods and models, each by itself."
+        yield _picture(lambda: spread_figure(data, " "), "spread", caption)
+    if "friction_coefficient_quantile" in data and not findings.case.is_several:
+        plain = data.drop_vars([name for name in data.variables if str(name).startswith("spread")])
+        caption = "The friction coefficient with its band over what is uncertain of the inputs."
+        yield _picture(lambda: uncertainty_figure(plain), "band", caption)
+    if "friction_coefficient_by_method" in data:
+        from stiction.report.surface_pictures import method_spread_figure
+
+        plain = data.assign_attrs(doubts="[]")
+        caption = "Friction against load after every way of finding asperities in the scans."
+        yield _picture(lambda: method_spread_figure(plain), "methods", caption, wide=True)
+
+
+def pictures_of_scan(findings: Findings, body: str) -> Iterator[Picture]:
+    """Heights, spectrum and asperities of the scan of one body."""
+    from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
+
+    found = findings.analyses[body]
+    surface = replace(found.surface, name="")
+    yield _picture(lambda: map_figure(surface, " "), f"map-{body}", f"Heights of the {body} body as prepared, and their histogram.",
+                   wide=True)  # fmt: skip
+    yield _picture(lambda: spectrum_figure(found.spectrum, " "), f"spectrum-{body}", f"Power spectrum of the {body} body.")
+    if found.asperities:
+        yield _picture(lambda: asperity_figure(found.asperities.values(), surface, " "), f"asperities-{body}",
+                       f"Asperities that each method finds in the {body} body.", wide=True)  # fmt: skip

@@ -1,0 +1,199 @@
+"""What the sections of a report say, as plain text and tables: the template sets it, and escapes all of it."""
+
+import json
+import platform
+import shlex
+from importlib.metadata import PackageNotFoundError, version
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.laws.claims import KINDS_OF_DOUBT
+from stiction.laws.registry import GRADES
+from stiction.laws.validity import Doubt, doubts_of
+from stiction.quantities.table import QUANTITIES
+from stiction.report.html_tables import Table, of_printed
+from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
+from stiction.report.tables import comparison_table, curve_table, doubts, run_notes
+from stiction.studies.findings import Findings
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["compared", "comparison_lines", "curve_rows", "doubt_table", "here_rows", "model_lines", "notes", "scan_parts",
+           "spread_table_of", "uncertainty_lines", "versions"]  # fmt: skip
+
+_RESULTS = ("friction_coefficient", "friction_force", "contact_area", "area_fraction", "nominal_pressure", "mean_separation",
+            "touching_asperities", "pull_off_force")  # fmt: skip
+_PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotlib")
+
+
+def _doubt_in_words(doubt: Doubt) -> str:
+    return f"{KINDS_OF_DOUBT[doubt.kind].capitalize()}: {doubt}"
+
+
+def here_rows(findings: Findings) -> list[tuple[str, str, str, list[str]]]:
+    """Results at the working load: meaning, symbol, value, and the doubts that are of this quantity; those of no quantity in
+    the list stand beside the first."""
+    here = findings.answer.here
+    if here is None:
+        return []
+    names = [name for name in _RESULTS if name in here]
+    every, rows = doubts_here(findings), []
+    for at, name in enumerate(names):
+        mine = [_doubt_in_words(one) for one in every if one.quantity == name or (at == 0 and one.quantity not in names)]
+        row = QUANTITIES[name]
+        rows.append((row.meaning, row.symbol, value_in_words(here[name], float(here[name]), 4), mine))
+    return rows
+
+
+def model_lines(findings: Findings) -> list[str]:
+    """By which model and laws, and how well these are founded."""
+    used = findings.answer.data.attrs
+    laws = [f"{kind} law {used[kind]}" for kind in ("asperity", "tangential", "film") if used.get(kind, "none") != "none"]
+    options = [f"{name.replace('_', ' ')}: {used[name]}" for name in used["options"].split()]
+    words = ", ".join([used["model"], *laws, *options, f"{used['heights']} heights"])
+    return [f"Model {words}.", f"Grade {used['grade']}: {GRADES[used['grade']]}."]
+
+
+def curve_rows(findings: Findings) -> Table:
+    """Some points of the curve, or of the numbers that are several."""
+    data = findings.answer.data
+    if findings.case.is_several:
+        from stiction.report.several_tables import several_table
+
+        return of_printed(several_table(data), "Some of the combinations")
+    return of_printed(curve_table(data), "Some points of the curve")
+
+
+def compared(findings: Findings) -> Table | None:
+    """Every model at the working load."""
+    told = findings.answer.told
+    if told is None:
+        return None
+    table = of_printed(comparison_table(told), "Every model at the working load, from the least friction up")
+    known = {"mu": "μ", "error": "measured error of the area"}
+    return Table(table.caption, [known.get(head, head) for head in table.heads], table.rows, table.numbers, table.marked)
+
+
+def comparison_lines(findings: Findings) -> dict[str, Any]:
+    """What is recommended and why, what counts for nothing, what each doubt of the table is, what is left out."""
+    told, best = findings.answer.told, best_of(findings)
+    if told is None:
+        return {}
+    used, lines = told.attrs, []
+    if best is not None:
+        low, high = used["recommended_range"]
+        lines.append(f"Recommended: {best['model'].item()}; {used['reason']}.")
+        lines.append(f"Two thirds of the weight of its family: μ = {low:.3g} to {high:.3g}." if low < high else
+                     "It is one opinion, and no range.")  # fmt: skip
+        words = str(best["measured_error_in_words"].item())
+        lines.append(f"Its measured error: {words}." if words else "Its error was not measured near this contact.")
+    elif used.get("reason"):
+        lines.append(f"No model is recommended: {used['reason']}.")
+    lines += [f"What would have to change: {used['advice']}."] if used.get("advice") else []
+    lines += [f"Set aside: {line}." for line in used.get("set_aside", "").splitlines()]
+    lines += [f"{line}." for line in used["criteria"].splitlines()]
+    return {"lines": lines, "doubts": doubts(told), "left_out": used["left_out"].splitlines()}
+
+
+def spread_table_of(findings: Findings) -> Table | None:
+    """What friction at the working load differs by, each by itself."""
+    found: list[Spread] = spreads(findings)
+    if not found:
+        return None
+    rows = [[one.words, *((f"{one.low:.3g}", f"{one.high:.3g}") if one.known else ("not known", "not known")),
+             f"{one.factor:.3g}" if np.isfinite(one.factor) else "not known"] for one in found]  # fmt: skip
+    heads = ["μ differs by", "from", "to", "a factor of"]
+    return Table("What is known of the error of μ at the working load", heads, rows, [False, True, True, True], [""] * len(rows))
+
+
+def uncertainty_lines(findings: Findings) -> list[str]:
+    """What is uncertain, how it was drawn, and what is not known."""
+    used = findings.answer.data.attrs
+    if "uncertain_inputs" not in used:
+        return ["No input of the case is uncertain, so that nothing is known of what their errors do to μ."]
+    lines = [f"Uncertain: {line}." for line in used["uncertain_inputs"].splitlines()]
+    lines += [f"Drawn: {used['uncertainty']}."] if "uncertainty" in used else []
+    return lines + [f"In {share:.1%} of the points drawn: {text}." for text, share in
+                    json.loads(used.get("doubts_of_points", "{}")).items()]  # fmt: skip
+
+
+def doubt_table(findings: Findings) -> Table | None:
+    """Every doubt of the whole curve: the quantity, its value, what is claimed, and what that means."""
+    found = doubts_of(findings.answer.data)
+    if not found:
+        return None
+    rows = [_doubt_row(one) for one in found]
+    heads = ["what is doubtful", "it is", "claimed is", "at", "why, and what that means"]
+    return Table("Where the result leaves what the authors of its laws claim", heads, rows, [False] * 5, [""] * len(rows))
+
+
+def _doubt_row(doubt: Doubt) -> list[str]:
+    if not doubt.quantity:
+        return ["the result", "", "", "", f"{doubt.why} ({KINDS_OF_DOUBT[doubt.kind]})"]
+    row = QUANTITIES[doubt.quantity]
+    unit = f" {row.unit}" if row.unit else ""
+    ends = " to ".join(dict.fromkeys((f"{doubt.least:.3g}", f"{doubt.most:.3g}")))
+    low, high = (f"{end:g}{unit}" if np.isfinite(end) else "" for end in (doubt.low, doubt.high))
+    claimed = f"{low} to {high}" if low and high else f"{low} or more" if low else f"{high} or less"
+    at = f"{doubt.outside} of {doubt.points} points" if doubt.points > 1 else "the point"
+    return [f"{row.meaning} ({row.symbol})", ends + unit, claimed, at, f"{doubt.why} ({KINDS_OF_DOUBT[doubt.kind]})"]
+
+
+def notes(findings: Findings) -> list[str]:
+    """What else is to be known of the result: measured errors, inputs that change nothing, what mu means."""
+    questioned = [f"Questioned: {one}" for one in findings.questions]
+    return [*questioned, *(f"{one[0].upper()}{one[1:]}." for one in run_notes(findings.answer.data))]
+
+
+def scan_parts(findings: Findings) -> list[tuple[str, list[tuple[str, str]], Table, list[str]]]:
+    """Of each scan its title, facts, asperities by every method, and notes."""
+    from stiction.report.surface_tables import asperity_table, surface_notes, surface_summary
+
+    parts = []
+    for body, found in findings.analyses.items():
+        summary = of_printed(surface_summary(found), "")
+        told = [(row[0], row[1]) for row in summary.rows]
+        table = of_printed(asperity_table(found), f"Asperities of the {body} body by every method")
+        parts.append((f"{body.capitalize()} body", told, table, [one.plain for one in surface_notes(found)]))
+    return parts
+
+
+def versions() -> list[tuple[str, str]]:
+    """What computed this: programs with their versions, no place on any machine."""
+    rows = [("stiction", version("stiction")), ("Python", platform.python_version())]
+    for name in _PACKAGES:
+        try:
+            rows.append((name, version(name)))
+        except PackageNotFoundError:  # pragma: no cover - all of them are required
+            continue
+    return [*rows, ("system", f"{platform.system()} {platform.machine()}")]
+
+
+def command(name: str, load: Any, ranges: bool | None) -> str:
+    """The command line that makes the report again."""
+    words = ["stiction", "report", name, "--out", "report.html"]
+    words += ["--load", str(load)] if load is not None else []
+    words += [] if ranges is None else ["--ranges" if ranges else "--no-ranges"]
+    return shlex.join(words)
+
+
+def measured_table(findings: Findings) -> Table | None:
+    """sigma, R and N of a measured surface by every method, with the friction that follows."""
+    if findings.case.measured is None:
+        return None
+    from stiction.report.surface_tables import roughness_table
+
+    found = roughness_table(findings.case.measured, findings.answer.data)
+    return of_printed(found, "The roughness of both bodies together by every method; the one taken is bold")
+
+
+def sources_of(findings: Findings) -> tuple[list[str], list[str]]:
+    """Keys of the bibliography: what the answer used, and what only the models compared with it did."""
+    measured = findings.case.measured
+    own = dict.fromkeys(findings.answer.data.attrs["sources"].split())
+    own |= dict.fromkeys([] if measured is None else measured.sources())
+    told = findings.answer.told
+    others = [] if told is None else [key for key in told.attrs["sources"].split() if key not in own]
+    return list(own), others
