@@ -14,10 +14,13 @@ from stiction.laws.overview import cite
 from stiction.quantities.errors import InputError
 from stiction.report import report_sections as say
 from stiction.report.honest_digits import rounded
+from stiction.report.html_tables import FORMULAS
+from stiction.report.html_words import formula
 from stiction.report.printed_sources import printed
 from stiction.report.report_answer import answer_in_words, beside_headline, best_of, doubts_here, headline, question, spreads
-from stiction.report.report_inputs import groups_of_inputs
+from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
 from stiction.report.report_pictures import (
+    all_of_one,
     pictures_of_comparison,
     pictures_of_curve,
     pictures_of_scan,
@@ -70,7 +73,8 @@ def as_html(findings: Findings, name: str, again: str, progress: Progress = lamb
     templates = jinja2.Environment(
         loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    own, others = say.sources_of(findings)
+    templates.filters["formula"] = formula
+    own, of_materials, others = say.sources_of(findings)
     style = resources.files("stiction.report").joinpath("templates/report.css").read_text(encoding="utf-8")
     pictures = dict(_pictures(findings, progress))
     return templates.get_template("report.html").render(
@@ -83,16 +87,18 @@ def as_html(findings: Findings, name: str, again: str, progress: Progress = lamb
         beside=beside_headline(findings),
         answer=answer_in_words(findings),
         say=say,
-        inputs=groups_of_inputs(findings),
+        inputs=[*groups_of_inputs(findings), *groups_of_groups(findings)],
+        formulas=FORMULAS,
+        all_of_one=all_of_one(findings),
         pictures=pictures,
         comparison=say.comparison_lines(findings),
         sources=printed(own),
+        material_sources=printed(of_materials),
         other_sources=printed(others),
-        bibtex=_as_link(cite([*own, *others])),
+        bibtex=_as_link(cite([*own, *of_materials, *others])),
         name=name,
         again=again,
         case_link=_as_link(findings.text) if findings.text else "",
-        groups=_groups(findings),
     )
 
 
@@ -114,15 +120,6 @@ def _pictures(findings: Findings, progress: Progress) -> Iterable[tuple[str, lis
         yield name, list(sections[name]())
 
 
-def _groups(findings: Findings) -> list[tuple[str, str, str]]:
-    """The dimensionless groups: meaning, symbol, value; of several their ends."""
-    from stiction.quantities.table import QUANTITIES
-    from stiction.report.tables import group_in_words
-
-    found = findings.case.subject.all_groups().items()
-    return [(QUANTITIES[name].meaning, QUANTITIES[name].symbol, group_in_words(value)) for name, value in found]
-
-
 def report_record(findings: Findings) -> dict[str, Any]:
     """The answer as numbers and words, for JSON."""
     data, here, best = findings.answer.data, findings.answer.here, best_of(findings)
@@ -130,6 +127,7 @@ def report_record(findings: Findings) -> dict[str, Any]:
     known = [end for one in found if one.known for end in (one.low, one.high)]
     mu = None if here is None or "friction_coefficient" not in here else float(here["friction_coefficient"])
     unit = data["load"].attrs.get("units", "1")
+    own, of_materials, _ = say.sources_of(findings)
     return {
         "title": findings.case.title,
         "question": question(findings),
@@ -146,7 +144,7 @@ def report_record(findings: Findings) -> dict[str, Any]:
         "doubts": [one.as_data() for one in doubts_here(findings)],
         "measured_error": json.loads(findings.result.attrs.get("measured_error", "null")),
         "not_compared": findings.not_compared,
-        "sources": say.sources_of(findings)[0],
+        "sources": [*own, *of_materials],
         "versions": dict(say.versions()),
     }
 

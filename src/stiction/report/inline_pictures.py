@@ -1,4 +1,4 @@
-"""A figure as part of a page of HTML: drawn by the page itself, in its colours; or, where it is too much of that, as an image."""
+"""A figure as part of a page of HTML: drawn by the page itself, in its colours; or, where that is too much, as an image."""
 
 import base64
 import html
@@ -21,8 +21,8 @@ _COLOURS = {"#000000": "currentColor", "#ffffff": "var(--paper)"}
 
 
 def inline(figure: "Figure", name: str, words: str) -> str:
-    """HTML of a figure. name: letters, unique on the page; words: what it shows, for those who do not see it. Black and white are
-    the colours of the page; the same figure gives the same text."""
+    """HTML of a figure, the same for the same figure. name: letters, unique on the page; words: what it shows, for those who do
+    not see it. Black and white become the colours of the page."""
     drawn = io.StringIO()
     figure.savefig(drawn, format="svg", transparent=True)
     text = drawn.getvalue()

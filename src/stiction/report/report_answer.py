@@ -18,7 +18,17 @@ from stiction.studies.findings import Findings
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Spread", "answer_in_words", "beside_headline", "best_of", "doubts_here", "headline", "question", "spreads", "value_in_words"]
+__all__ = [
+    "Spread",
+    "answer_in_words",
+    "beside_headline",
+    "best_of",
+    "doubts_here",
+    "headline",
+    "question",
+    "spreads",
+    "value_in_words",
+]
 
 _MU = "friction_coefficient"
 
@@ -124,7 +134,11 @@ def beside_headline(findings: Findings) -> str:
     mu = float(best[f"{_MU}_at_load"])
     if abs(mu - float(here[_MU])) <= 1e-9 * abs(mu):
         return ""
-    return f"by the model of the case; the recommended one says {rounded(mu, [])}"
+    said = rounded(mu, [])
+    agrees = said == rounded(float(here[_MU]), [])
+    return (
+        "by the model of the case; the recommended one agrees" if agrees else f"by the model of the case; recommended: {said}"
+    )
 
 
 def _alike(low: float, high: float) -> str:
@@ -168,11 +182,12 @@ def _error_in_words(findings: Findings) -> str:
     """What is known of the error, and what is not: from one sentence to the next."""
     known = {one.name: one for one in spreads(findings) if one.known and one.high > one.low}
     said = {
-        "inputs": "within what is uncertain of the inputs it is anywhere from {} to {}",
+        "inputs": "with what is uncertain of the inputs it is {} to {} in {:.0%} of the draws",
         "methods": "by other ways of finding asperities in the scans it is {} to {}",
-        "models": "the models that count here say {} to {}",
+        "models": "the models that count here say {} to {} ({:.0%} of their weight)",
     }
-    parts = [text.format(*(rounded(end, []) for end in (known[name].low, known[name].high)))
+    share = findings.case.uncertainty.coverage
+    parts = [text.format(*(rounded(end, []) for end in (known[name].low, known[name].high)), share)
              for name, text in said.items() if name in known]  # fmt: skip
     silent = [] if "inputs" in known else ["the case states no errors of its inputs, so what they do is not known"]
     if "models" not in known:

@@ -1,16 +1,16 @@
 """The inputs of a case for a report: what each is called, its value with its unit, how well it is known, and where it is from."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from stiction.contact.contact import Contact
 from stiction.contact.materials import Material
 from stiction.contact.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
+from stiction.report.html_tables import Table
+from stiction.report.tables import group_in_words
 from stiction.studies.findings import Findings, places_in
 
-__all__ = ["Group", "Row", "groups_of_inputs", "plain_name", "with_powers"]
+__all__ = ["groups_of_groups", "groups_of_inputs", "plain_name", "with_powers"]
 
 _PARTS = {
     "first": "First body",
@@ -23,23 +23,7 @@ _PARTS = {
 _NOT_NUMBERS = {"bodies": "which body carries the film", "height_distribution": "distribution of asperity heights"}
 
 
-@dataclass(frozen=True)
-class Row:
-    """One input. known: how well, in words; source: where it comes from."""
-
-    meaning: str
-    symbol: str
-    value: str
-    known: str
-    source: str
-
-
-@dataclass(frozen=True)
-class Group:
-    """The inputs of one part of a contact."""
-
-    title: str
-    rows: list[Row]
+_HEADS = ["quantity", "symbol", "value", "how well it is known", "source"]
 
 
 def plain_name(name: str) -> str:
@@ -52,12 +36,12 @@ def with_powers(text: str) -> str:
     return text.replace("m^2", "m²").replace("m^3", "m³")
 
 
-def groups_of_inputs(findings: Findings) -> list[Group]:
+def groups_of_inputs(findings: Findings) -> list[Table]:
     """The inputs of a case, part by part, in the order in which a reader asks for them."""
     subject, places = findings.case.subject, places_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
     known = {".".join(one.path[1:]): _drawn(one) for one in findings.case.uncertain}
-    grouped: dict[str, list[Row]] = {part: [] for part in _PARTS}
+    grouped: dict[str, list[list[str]]] = {part: [] for part in _PARTS}
     for dotted, text in subject.listed():
         part, name = _split(dotted)
         if name == "name":
@@ -66,8 +50,20 @@ def groups_of_inputs(findings: Findings) -> list[Group]:
         here = (table, *dotted.split("."))
         source = _source_of_material(material, name, here, places) if material else _source(findings, dotted, here, places)
         meaning, symbol = _meaning(name)
-        grouped[part].append(Row(meaning, symbol, with_powers(text), known.get(dotted) or _range(material, name), source))
-    return [Group(_title(subject, part), rows) for part, rows in grouped.items() if rows]
+        grouped[part].append([meaning, symbol, with_powers(text), known.get(dotted) or _range(material, name), source])
+    numbers = [False, False, True, False, False]
+    return [Table(_title(subject, part), _HEADS, rows, numbers, stacked=True) for part, rows in grouped.items() if rows]
+
+
+def groups_of_groups(findings: Findings) -> list[Table]:
+    """The dimensionless groups that follow from the bodies; none where they are what was given."""
+    subject = findings.case.subject
+    if not isinstance(subject, Contact):
+        return []
+    rows = [
+        [QUANTITIES[name].meaning, QUANTITIES[name].symbol, group_in_words(one)] for name, one in subject.all_groups().items()
+    ]
+    return [Table("Dimensionless groups that follow", ["group", "symbol", "value"], rows, [False, False, True], stacked=True)]
 
 
 def _drawn(one: Any) -> str:
@@ -120,8 +116,3 @@ def _title(subject: Any, part: str) -> str:
         return "Dimensionless groups"
     material = _material(subject, part)
     return _PARTS[part] + (f": {plain_name(material.name)}" if material else "")
-
-
-def doubtful_numbers(groups: list[Group]) -> Iterator[Row]:
-    """Inputs that are known within a range only, and are not counted as uncertain."""
-    return (row for group in groups for row in group.rows if row.known.endswith("not counted"))

@@ -17,7 +17,16 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-__all__ = ["Picture", "pictures_of_comparison", "pictures_of_curve", "pictures_of_scan", "pictures_of_uncertainty"]
+__all__ = [
+    "Picture",
+    "all_of_one",
+    "pictures_of_comparison",
+    "pictures_of_curve",
+    "pictures_of_scan",
+    "pictures_of_uncertainty",
+]
+
+_NEARLY_ALL = 0.995  # a share above which the other parts could not be seen
 
 
 @dataclass(frozen=True)
@@ -61,14 +70,37 @@ def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
               "load": "Load against mean separation", "friction_force": "Friction force against load"}  # fmt: skip
     for what, against in panels(data):
         words = f"{titles[what]}. {_in_words(data, what, against)}"
-        yield _picture(lambda what=what, against=against: panel_of_curve(data, what, against), f"p-{what}", f"{titles[what]}.", words)
+        yield _picture(
+            lambda what=what, against=against: panel_of_curve(data, what, against), f"p-{what}", f"{titles[what]}.", words
+        )
     from stiction.report.share_pictures import part_in_words, share_figure, stacks
 
     for at, (what, (total, parts)) in enumerate(stacks(data).items()):
+        if _the_one(data, parts):
+            continue  # said in words
         said = ", ".join(part_in_words(name, total) for name in parts)
         tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
         words = f"Shares of the {what}, over the load: {said}" + (", of their sizes: some pull." if tension else ".")
         yield _picture(lambda what=what: share_figure(data, what), f"share{at}", words)
+
+
+def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
+    """The part that is nearly all of its stack wherever something presses; "" where there is none."""
+    from stiction.report.share_pictures import shares_of
+
+    shares = shares_of(data, parts)[:, np.asarray(data["load"].values) > 0.0]
+    return next((name for name, one in zip(parts, shares, strict=True) if one.size and np.nanmin(one) > _NEARLY_ALL), "")
+
+
+def all_of_one(findings: Findings) -> list[str]:
+    """What a picture of shares would be of one colour for."""
+    from stiction.report.share_pictures import part_in_words, stacks
+
+    data, lines = findings.answer.data, []
+    for what, (total, parts) in stacks(data).items() if not findings.case.is_several else ():
+        if name := _the_one(data, parts):
+            lines.append(f"Shares of the {what}: {part_in_words(name, total)} for more than {_NEARLY_ALL:.1%} at every load.")
+    return lines
 
 
 def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
@@ -82,9 +114,14 @@ def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
     best = told.attrs.get("recommended", "none")
     words = f"Friction coefficient by each model at the working load; recommended: {best}. The table below has the numbers."
     yield _picture(lambda: models_figure(told), "models", "Friction at the working load by every model; the recommended one "
-                   "shaded, its name bold.", words)  # fmt: skip
-    caption = "Friction against load by every model, families apart; faint where a model is outside its range."
-    yield _picture(lambda: comparison_figure(told, " "), "compared", caption, wide=True)
+                   "shaded, its name bold.", words, wide=True)  # fmt: skip
+    families = dict.fromkeys(str(one) for one in told["family_of_curve"].values if one)
+    for at, family in enumerate(families):
+        some = told.isel(model=np.flatnonzero(told["family_of_curve"].values == family)).assign_attrs(
+            reason="why is said above"
+        )
+        caption = f"Friction against load by every model, {family}; faint where a model is outside its range."
+        yield _picture(lambda some=some: comparison_figure(some, " "), f"compared{at}", caption, wide=True)
 
 
 def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:

@@ -2,7 +2,9 @@
 
 import json
 import platform
+import re
 import shlex
+from dataclasses import replace
 from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING, Any
 
@@ -10,17 +12,21 @@ import numpy as np
 
 from stiction.laws.claims import KINDS_OF_DOUBT
 from stiction.laws.registry import GRADES
-from stiction.laws.validity import Doubt, doubts_of
+from stiction.laws.sources import bibliography
+from stiction.laws.validity import Doubt, doubts_of, read_doubts
 from stiction.quantities.table import QUANTITIES
 from stiction.report.html_tables import Table, of_printed
 from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
+from stiction.report.report_inputs import groups_of_inputs, with_powers
 from stiction.report.tables import comparison_table, curve_table, doubts, run_notes
 from stiction.studies.findings import Findings
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["compared", "comparison_lines", "curve_rows", "doubt_table", "here_rows", "model_lines", "notes", "scan_parts",
+    from stiction.studies.uncertain import Uncertain
+
+__all__ = ["compared", "comparison_lines", "curve_rows", "doubt_table", "here_table", "model_lines", "notes", "scan_parts",
            "spread_table_of", "uncertainty_lines", "versions"]  # fmt: skip
 
 _RESULTS = ("friction_coefficient", "friction_force", "contact_area", "area_fraction", "nominal_pressure", "mean_separation",
@@ -32,19 +38,22 @@ def _doubt_in_words(doubt: Doubt) -> str:
     return f"{KINDS_OF_DOUBT[doubt.kind].capitalize()}: {doubt}"
 
 
-def here_rows(findings: Findings) -> list[tuple[str, str, str, list[str]]]:
-    """Results at the working load: meaning, symbol, value, and the doubts that are of this quantity; those of no quantity in
-    the list stand beside the first."""
+def here_table(findings: Findings) -> Table | None:
+    """Results at the working load, each with the doubts that are of this quantity; those of no quantity in the list stand
+    beside the first."""
     here = findings.answer.here
     if here is None:
-        return []
+        return None
     names = [name for name in _RESULTS if name in here]
     every, rows = doubts_here(findings), []
     for at, name in enumerate(names):
-        mine = [_doubt_in_words(one) for one in every if one.quantity == name or (at == 0 and one.quantity not in names)]
+        mine: Any = [_doubt_in_words(one) for one in every if one.quantity == name or (at == 0 and one.quantity not in names)]
         row = QUANTITIES[name]
-        rows.append((row.meaning, row.symbol, value_in_words(here[name], float(here[name]), 4), mine))
-    return rows
+        if at == 0 and not every:
+            mine = "none: within the ranges that are claimed"
+        rows.append([row.meaning, row.symbol, value_in_words(here[name], float(here[name]), 4), mine])
+    caption = "Results to four digits, as computed, so that they can be compared; the answer has the digits that count"
+    return Table(caption, ["quantity", "symbol", "value", "doubts"], rows, [False, False, True, False], stacked=True)
 
 
 def model_lines(findings: Findings) -> list[str]:
@@ -72,8 +81,8 @@ def compared(findings: Findings) -> Table | None:
     if told is None:
         return None
     table = of_printed(comparison_table(told), "Every model at the working load, from the least friction up")
-    known = {"mu": "μ", "error": "measured error of the area"}
-    return Table(table.caption, [known.get(head, head) for head in table.heads], table.rows, table.numbers, table.marked)
+    known = {"error": "measured error of the area"}
+    return replace(table, heads=[known.get(head, head) for head in table.heads])
 
 
 def comparison_lines(findings: Findings) -> dict[str, Any]:
@@ -84,17 +93,28 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
     used, lines = told.attrs, []
     if best is not None:
         low, high = used["recommended_range"]
-        lines.append(f"Recommended: {best['model'].item()}; {used['reason']}.")
+        mu = float(best["friction_coefficient_at_load"])
+        lines.append(f"Recommended: {best['model'].item()}, which says μ = {mu:.3g}.")
+        lines += [f"Why: {one}." for one in used["reason"].split("; ")]
         lines.append(f"Two thirds of the weight of its family: μ = {low:.3g} to {high:.3g}." if low < high else
                      "It is one opinion, and no range.")  # fmt: skip
         words = str(best["measured_error_in_words"].item())
-        lines.append(f"Its measured error: {words}." if words else "Its error was not measured near this contact.")
+        lines += [f"Its measured error: {words}."] if words and "measured error" not in used["reason"] else []
     elif used.get("reason"):
         lines.append(f"No model is recommended: {used['reason']}.")
     lines += [f"What would have to change: {used['advice']}."] if used.get("advice") else []
     lines += [f"Set aside: {line}." for line in used.get("set_aside", "").splitlines()]
     lines += [f"{line}." for line in used["criteria"].splitlines()]
-    return {"lines": lines, "doubts": doubts(told), "left_out": used["left_out"].splitlines()}
+    return {"lines": lines, "doubts": _numbered_doubts(told), "left_out": used["left_out"].splitlines()}
+
+
+def _numbered_doubts(told: "xarray.Dataset") -> list[str]:
+    """The doubts of the table, in its order, with what their symbols mean."""
+    every = [one for text in told["doubts"].values for one in read_doubts(str(text))]
+    meant = {
+        one.rule: f"{QUANTITIES[one.quantity].meaning} ({QUANTITIES[one.quantity].symbol})" for one in every if one.quantity
+    }
+    return [f"{meant[rule]} {rule[rule.index('is not') :]}" if rule in meant else rule for rule in doubts(told)]
 
 
 def spread_table_of(findings: Findings) -> Table | None:
@@ -105,7 +125,7 @@ def spread_table_of(findings: Findings) -> Table | None:
     rows = [[one.words, *((f"{one.low:.3g}", f"{one.high:.3g}") if one.known else ("not known", "not known")),
              f"{one.factor:.3g}" if np.isfinite(one.factor) else "not known"] for one in found]  # fmt: skip
     heads = ["μ differs by", "from", "to", "a factor of"]
-    return Table("What is known of the error of μ at the working load", heads, rows, [False, True, True, True], [""] * len(rows))
+    return Table("What is known of the error of μ at the working load", heads, rows, [False, True, True, True], stacked=True)
 
 
 def uncertainty_lines(findings: Findings) -> list[str]:
@@ -113,10 +133,25 @@ def uncertainty_lines(findings: Findings) -> list[str]:
     used = findings.answer.data.attrs
     if "uncertain_inputs" not in used:
         return ["No input of the case is uncertain, so that nothing is known of what their errors do to μ."]
-    lines = [f"Uncertain: {line}." for line in used["uncertain_inputs"].splitlines()]
-    lines += [f"Drawn: {used['uncertainty']}."] if "uncertainty" in used else []
-    return lines + [f"In {share:.1%} of the points drawn: {text}." for text, share in
-                    json.loads(used.get("doubts_of_points", "{}")).items()]  # fmt: skip
+    lines = [f"Uncertain: {_unknown(some)}." for some in findings.case.unknowns.values()]
+    lines.append(
+        "What follows ± is one standard deviation, a factor is one of the logarithm, and between two ends all is alike."
+    )
+    lines += [f"Drawn: {used['uncertainty']} (Sobol's sequence, scrambled)."] if "uncertainty" in used else []
+    shares: dict[str, float] = json.loads(used.get("doubts_of_points", "{}"))
+    return lines + [f"In {share:.1%} of the points drawn: {_with_meaning(text)}." for text, share in shares.items()]
+
+
+def _unknown(some: "list[Uncertain]") -> str:
+    """Numbers that are drawn together: what they are, where they stand, and what is known of them."""
+    names = dict.fromkeys(QUANTITIES[one.quantity].meaning for one in some)
+    places = ", ".join(one.where for one in some)
+    return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"
+
+
+def _with_meaning(text: str) -> str:
+    name = re.match(r"\w+", text)
+    return text if name is None or name[0] not in QUANTITIES else QUANTITIES[name[0]].meaning + text.removeprefix(name[0])
 
 
 def doubt_table(findings: Findings) -> Table | None:
@@ -126,7 +161,7 @@ def doubt_table(findings: Findings) -> Table | None:
         return None
     rows = [_doubt_row(one) for one in found]
     heads = ["what is doubtful", "it is", "claimed is", "at", "why, and what that means"]
-    return Table("Where the result leaves what the authors of its laws claim", heads, rows, [False] * 5, [""] * len(rows))
+    return Table("Where the result leaves what the authors of its laws claim", heads, rows, stacked=True)
 
 
 def _doubt_row(doubt: Doubt) -> list[str]:
@@ -189,11 +224,15 @@ def measured_table(findings: Findings) -> Table | None:
     return of_printed(found, "The roughness of both bodies together by every method; the one taken is bold")
 
 
-def sources_of(findings: Findings) -> tuple[list[str], list[str]]:
-    """Keys of the bibliography: what the answer used, and what only the models compared with it did."""
+def sources_of(findings: Findings) -> tuple[list[str], list[str], list[str]]:
+    """Keys of the bibliography: what the answer used, what the numbers of its materials are from, and what only the models
+    compared with it did."""
     measured = findings.case.measured
     own = dict.fromkeys(findings.answer.data.attrs["sources"].split())
     own |= dict.fromkeys([] if measured is None else measured.sources())
+    known = bibliography()
+    said = " ".join(str(row[-1]) for table in groups_of_inputs(findings) for row in table.rows)
+    of_materials = [key for key in dict.fromkeys(re.findall(r"\[(\w+)\]", said)) if key in known and key not in own]
     told = findings.answer.told
-    others = [] if told is None else [key for key in told.attrs["sources"].split() if key not in own]
-    return list(own), others
+    others = [] if told is None else [key for key in told.attrs["sources"].split() if key not in (*own, *of_materials)]
+    return list(own), of_materials, others
