@@ -6,6 +6,7 @@ import json
 import os
 import tempfile
 from collections.abc import Callable, Iterable
+from functools import partial
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -115,7 +116,7 @@ def _pictures(findings: Findings, progress: Progress) -> Iterable[tuple[str, lis
         "uncertainty": lambda: pictures_of_uncertainty(findings),
     }
     for body in findings.analyses:
-        sections[f"{body.capitalize()} body"] = lambda body=body: pictures_of_scan(findings, body)
+        sections[f"{body.capitalize()} body"] = partial(pictures_of_scan, findings, body)
     for name in progress("Drawing")(list(sections)):
         yield name, list(sections[name]())
 

@@ -16,7 +16,8 @@ class Table:
     """A table of a page. The first cell of a row is its head, and a cell may be a list of lines.
 
     numbers: of each column whether it stands at the right; marked: of each row its look, "" or "best" or "faint". Cells under
-    FORMULAS are of the table of quantities. stacked: where there is little room, cells stand below one another, each beside the head of its column.
+    FORMULAS are of the table of quantities. stacked: where there is little room, cells stand below one another, each beside
+    the head of its column.
     """
 
     caption: str

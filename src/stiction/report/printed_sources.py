@@ -13,7 +13,7 @@ _ENTRY = re.compile(r"^@(\w+)\{([^,\s]+),$(.*?)^\}$", re.MULTILINE | re.DOTALL)
 _FIELD = re.compile(r"^\s*(\w+)\s*=\s*\{(.*)\},?$", re.MULTILINE)
 _ACCENTS = {'"': "\u0308", "'": "\u0301", "`": "\u0300", "^": "\u0302", "~": "\u0303", "v": "\u030c", "c": "\u0327"}
 _ACCENT = re.compile(r"""\\(["'`^~]|[vc]\s)\s*\{?\\?([A-Za-z])\}?""")
-_LETTERS = {r"\kappa": "κ", r"\ss": "ß", r"\o": "ø", r"\&": "&", "--": "–", "~": " "}
+_LETTERS = {r"\kappa": "κ", r"\ss": "ß", r"\o": "ø", r"\&": "&", "---": " – ", "--": "–", "~": " "}
 _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 

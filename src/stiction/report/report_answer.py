@@ -10,7 +10,7 @@ from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.honest_digits import rounded
 from stiction.report.report_inputs import plain_name, with_powers
-from stiction.report.several_tables import of_point, points_dimension, shown_quantity, varied
+from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
 from stiction.report.tables import shown
 from stiction.report.uncertainty_tables import MEANINGS
 from stiction.studies.findings import Findings
@@ -31,6 +31,8 @@ __all__ = [
 ]
 
 _MU = "friction_coefficient"
+_FAR = 1.5  # a factor between two models' friction that a reader has to be told of
+_COUNTED = {2: "two", 3: "three", 4: "four", 5: "five"}
 
 
 @dataclass(frozen=True)
@@ -157,8 +159,9 @@ def answer_in_words(findings: Findings) -> str:
     if here is None:
         return f"{_along(findings)} by the model {model}{_trusted(findings)}."
     if _MU not in here:
-        text = f"The model {model} is of contact only: under {_load_in_words(findings)} the bodies touch on "
-        return f"{text}{value_in_words(here['contact_area'], float(here['contact_area']))}{_trusted(findings)}."
+        area = value_in_words(here["contact_area"], float(here["contact_area"]))
+        text = f"Under {_load_in_words(findings)} the bodies touch on {area} by the model {model}{_trusted(findings)}"
+        return f"{text}; it is of contact only, and says nothing of friction."
     value = headline(findings).removeprefix("μ ≈ ")
     if value == headline(findings):
         return f"Pressed together with {_load_in_words(findings)}, {value}{_trusted(findings)}."
@@ -169,13 +172,21 @@ def answer_in_words(findings: Findings) -> str:
 def _along(findings: Findings) -> str:
     """What there is to say of a curve, or of numbers that are several, without a working load."""
     data = findings.answer.data
-    dim, dims = points_dimension(data), varied(data)
-    ends = [of_point(data, at) for at in (0, -1)] if dim else []
-    over = f"from {ends[0]} to {ends[1]}" if ends else "at the point of the case"
-    several = f" and over {' and '.join(name.replace('_', ' ') for name in dims)}" if dims else ""
+    dim = points_dimension(data)
+    ends = list(dict.fromkeys(of_point(data, at) for at in (0, -1))) if dim else []
+    over = f"from {ends[0]} to {ends[1]}" if len(ends) > 1 else f"at {ends[0]}" if ends else "at the point of the case"
+    names = [name for each in varied(data) for name in coordinates_along(data, each)]
+    several = f", with {' and '.join(_span(data, name) for name in names)}," if names else ""
     text = headline(findings).replace("μ ≈ ", "the static friction coefficient is about ")
     text = text.replace("μ", "the static friction coefficient")
     return f"{text[0].upper()}{text[1:]} {over}{several}"
+
+
+def _span(data: "xarray.Dataset", name: str) -> str:
+    """What a quantity goes through: "thickness = 100 nm to 1 µm"."""
+    quantity = name.rpartition(".")[2]
+    symbol = QUANTITIES[quantity].symbol if quantity in QUANTITIES else name
+    return f"{symbol} = {of_value(data, name, 0)} to {of_value(data, name, -1)}"
 
 
 def _error_in_words(findings: Findings) -> str:
@@ -205,7 +216,7 @@ def _trusted(findings: Findings) -> str:
     if any(one.kind == "impossible" for one in doubts):
         return ", but what it says cannot be so (see Validity), and this is no answer"
     if doubts:
-        respects = "one respect" if len(doubts) == 1 else f"{len(doubts)} respects"
+        respects = "one respect" if len(doubts) == 1 else f"{_COUNTED.get(len(doubts), len(doubts))} respects"
         return f", which is used outside its range of validity in {respects}"
     return ", within the range that its authors claim"
 
@@ -228,4 +239,6 @@ def _recommended(findings: Findings) -> str:
     here = float(findings.result[_MU])
     if abs(mu - here) <= 1e-9 * abs(mu):
         return " It is what the comparison of all models recommends."
-    return f" The comparison of all models recommends {best['model'].item()} in its place, which says {rounded(mu, [])}."
+    apart = max(mu, here) / min(mu, here) if min(mu, here) > 0.0 else np.inf
+    warned = f": the two differ by a factor of {apart:.2g}" if apart > _FAR else ""
+    return f" The comparison of all models recommends {best['model'].item()} in its place, which says {rounded(mu, [])}{warned}."

@@ -1,4 +1,4 @@
-"""The inputs of a case for a report: what each is called, its value with its unit, how well it is known, and where it is from."""
+"""The inputs of a case for a report: name, value with its unit, how well it is known, and where it comes from."""
 
 from typing import Any
 

@@ -3,6 +3,7 @@
 import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,6 +27,12 @@ __all__ = [
     "pictures_of_uncertainty",
 ]
 
+_TITLES = {
+    "friction_coefficient": "Static friction coefficient against load",
+    "contact_area": "Real contact area against load",
+    "load": "Load against mean separation",
+    "friction_force": "Friction force against load",
+}
 _NEARLY_ALL = 0.995  # a share above which the other parts could not be seen
 
 
@@ -66,13 +73,10 @@ def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
         name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
         yield _picture(lambda: several_figure(data), "several", f"The {name} over what varies.", wide=True)
         return
-    titles = {"friction_coefficient": "Static friction coefficient against load", "contact_area": "Real contact area against load",
-              "load": "Load against mean separation", "friction_force": "Friction force against load"}  # fmt: skip
     for what, against in panels(data):
-        words = f"{titles[what]}. {_in_words(data, what, against)}"
-        yield _picture(
-            lambda what=what, against=against: panel_of_curve(data, what, against), f"p-{what}", f"{titles[what]}.", words
-        )
+        title = _TITLES[what]
+        make = partial(panel_of_curve, data, what, against)
+        yield _picture(make, f"p-{what}", f"{title}.", f"{title}. {_in_words(data, what, against)}")
     from stiction.report.share_pictures import part_in_words, share_figure, stacks
 
     for at, (what, (total, parts)) in enumerate(stacks(data).items()):
@@ -81,7 +85,7 @@ def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
         said = ", ".join(part_in_words(name, total) for name in parts)
         tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
         words = f"Shares of the {what}, over the load: {said}" + (", of their sizes: some pull." if tension else ".")
-        yield _picture(lambda what=what: share_figure(data, what), f"share{at}", words)
+        yield _picture(partial(share_figure, data, what), f"share{at}", words)
 
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
@@ -117,11 +121,10 @@ def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
                    "shaded, its name bold.", words, wide=True)  # fmt: skip
     families = dict.fromkeys(str(one) for one in told["family_of_curve"].values if one)
     for at, family in enumerate(families):
-        some = told.isel(model=np.flatnonzero(told["family_of_curve"].values == family)).assign_attrs(
-            reason="why is said above"
-        )
+        mine = np.flatnonzero(told["family_of_curve"].values == family)
+        some = told.isel(model=mine).assign_attrs(reason="why is said above")
         caption = f"Friction against load by every model, {family}; faint where a model is outside its range."
-        yield _picture(lambda some=some: comparison_figure(some, " "), f"compared{at}", caption, wide=True)
+        yield _picture(partial(comparison_figure, some, " "), f"compared{at}", caption, wide=True)
 
 
 def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
@@ -150,8 +153,8 @@ def pictures_of_scan(findings: Findings, body: str) -> Iterator[Picture]:
 
     found = findings.analyses[body]
     surface = replace(found.surface, name="")
-    yield _picture(lambda: map_figure(surface, " "), f"map-{body}", f"Heights of the {body} body as prepared, and their histogram.",
-                   wide=True)  # fmt: skip
+    caption = f"Heights of the {body} body as prepared, and their histogram."
+    yield _picture(lambda: map_figure(surface, " "), f"map-{body}", caption, wide=True)
     yield _picture(lambda: spectrum_figure(found.spectrum, " "), f"spectrum-{body}", f"Power spectrum of the {body} body.")
     if found.asperities:
         yield _picture(lambda: asperity_figure(found.asperities.values(), surface, " "), f"asperities-{body}",

@@ -72,7 +72,8 @@ def curve_rows(findings: Findings) -> Table:
         from stiction.report.several_tables import several_table
 
         return of_printed(several_table(data), "Some of the combinations")
-    return of_printed(curve_table(data), "Some points of the curve")
+    table = of_printed(curve_table(data), "Some points of the curve")
+    return replace(table, heads=["touching asperities" if head == "touching" else head for head in table.heads])
 
 
 def compared(findings: Findings) -> Table | None:
@@ -95,7 +96,7 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
         low, high = used["recommended_range"]
         mu = float(best["friction_coefficient_at_load"])
         lines.append(f"Recommended: {best['model'].item()}, which says μ = {mu:.3g}.")
-        lines += [f"Why: {one}." for one in used["reason"].split("; ")]
+        lines += [f"{one[0].upper()}{one[1:]}." for one in re.split(r"; (?![^()]*\))", used["reason"])]
         lines.append(f"Two thirds of the weight of its family: μ = {low:.3g} to {high:.3g}." if low < high else
                      "It is one opinion, and no range.")  # fmt: skip
         words = str(best["measured_error_in_words"].item())
@@ -123,9 +124,16 @@ def spread_table_of(findings: Findings) -> Table | None:
     if not found:
         return None
     rows = [[one.words, *((f"{one.low:.3g}", f"{one.high:.3g}") if one.known else ("not known", "not known")),
-             f"{one.factor:.3g}" if np.isfinite(one.factor) else "not known"] for one in found]  # fmt: skip
+             _factor(one)] for one in found]  # fmt: skip
     heads = ["μ differs by", "from", "to", "a factor of"]
     return Table("What is known of the error of μ at the working load", heads, rows, [False, True, True, True], stacked=True)
+
+
+def _factor(one: Spread) -> str:
+    """What the two ends differ by; one model is no range."""
+    if not np.isfinite(one.factor):
+        return "not known"
+    return "one alone: no range" if one.name == "models" and one.high == one.low else f"{one.factor:.3g}"
 
 
 def uncertainty_lines(findings: Findings) -> list[str]:

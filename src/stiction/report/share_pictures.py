@@ -1,7 +1,7 @@
 """What bears load, area and friction: the parts of a result as stacked shares."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -63,7 +63,7 @@ def share_figure(curve: "xarray.Dataset", what: str, size: tuple[float, float] =
         return figure
     edges = np.vstack([np.zeros(drawn.size), np.cumsum(shares[:, drawn], axis=0)])
     for at, name in enumerate(parts):
-        look = {"color": _COLOURS[at % 5], "hatch": _HATCHES[at % 5], "alpha": 0.8, "linewidth": 0.0}
+        look: dict[str, Any] = {"facecolor": _COLOURS[at % 5], "hatch": _HATCHES[at % 5], "edgecolor": "white", "linewidth": 0.0}
         axes.fill_between(load[drawn], edges[at], edges[at + 1], label=part_in_words(name, total), **look)
     axes.set(xscale="log", ylim=(0.0, 1.0), xlim=(load[drawn][0], load[drawn][-1]))
     finish(axes)

@@ -1,6 +1,5 @@
-"""Charts for the page: a result in, the options of an ECharts chart out. Nothing is computed but shares."""
+"""Charts for the page: a result in, the options of an ECharts chart out. Nothing is computed."""
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
