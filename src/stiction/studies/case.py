@@ -22,7 +22,7 @@ from stiction.solving.choice import LAWS, Choice, without_old_names
 from stiction.studies.design_plan import Design
 from stiction.studies.fit_plan import Fit
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
-from stiction.studies.own_materials import with_own_materials
+from stiction.studies.own_materials import telling_the_file, with_materials_of_file, with_own_materials
 from stiction.studies.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
 from stiction.studies.sweep_plan import Sweep
 from stiction.studies.uncertain import (
@@ -258,10 +258,14 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...
     place; and the numbers that are several. Raises InputError."""
     _refuse_bare_numbers(content, "")
     numbers: dict[tuple[str, ...], Several] = dict(several_numbers(content))
-    found = uncertain_numbers(content, folder)
-    used = {one.path: one for one in placed(found, content)}
-    nominal = {path: float(one.values[0]) for path, one in (numbers | found).items()}
-    content = _measured(with_own_materials(with_values(content, nominal), folder, _tables), folder)
+    with telling_the_file(content):
+        file = content.get("materials")
+        content = with_materials_of_file(content, folder, _tables)
+        found = uncertain_numbers(content, folder, (folder / file).parent if isinstance(file, str) else folder)
+        used = {one.path: one for one in placed(found, content)}
+        nominal = {path: float(one.values[0]) for path, one in (numbers | found).items()}
+        content = with_own_materials(with_values(content, nominal))
+    content = _measured(content, folder)
     _refuse_uncertain_scans(content, used)
     if wants_ranges(content):
         used |= {one.path: one for one in with_ranges(content, [*numbers, *used])}
