@@ -151,7 +151,10 @@ def test_errors_far_too_small_change_no_value(series):
 
 def test_a_model_that_is_not_near_the_data_is_said_so(series):
     free = {STRENGTH: {"low": "1 Pa", "high": "2 Pa"}}
-    assert "the model is not near the data: what is left is 107% of the values" in fit(case(free=free), series(exact())).attrs["verdict"]
+    assert (
+        "the model is not near the data: what is left is 107% of the values"
+        in fit(case(free=free), series(exact())).attrs["verdict"]
+    )
     assert "not near" not in fit(case(), series(exact() * np.linspace(0.9, 1.1, 8))).attrs["verdict"]
 
 
@@ -344,6 +347,11 @@ def test_files_of_values_are_named_from_where_the_case_goes(tmp_path):
         ({}, "fit.free: not given"),
     ],
 )
+def test_what_is_told_is_a_function(series):
+    with pytest.raises(InputError, match="progress: 3; allowed: a function"):
+        fit(case(), series(exact()), progress=3)
+
+
 def test_one_line_about_a_bad_table(series, table, said):
     with pytest.raises(InputError, match=said) as caught:
         fit({**case(), "fit": table}, series(exact(), 0.01))
@@ -435,7 +443,9 @@ def test_as_many_values_as_numbers_need_errors(tmp_path):
     """With errors the interval is that of the one value; without them nothing says how wide it is."""
     one = exact(loads=np.array([0.1]))
     free = {STRENGTH: {"low": "1 MPa", "high": "400 MPa", "spacing": "linear"}}
-    with pytest.raises(InputError, match="'1 values without errors'; allowed: at least 2, one more than there are free numbers"):
+    with pytest.raises(
+        InputError, match="'1 values without errors'; allowed: at least 2, one more than there are free numbers"
+    ):
         fit(case(free=free), written(tmp_path / "a.csv", {"load [N]": [0.1], "friction_coefficient": one}))
     columns = {"load [N]": [0.1], "friction_coefficient": one, "friction_coefficient_error": 0.05 * one}
     found = fit(case(free=free), written(tmp_path / "b.csv", columns))

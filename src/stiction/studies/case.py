@@ -20,6 +20,7 @@ from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
 from stiction.studies.design_plan import Design
+from stiction.studies.distribution import Distribution, is_law
 from stiction.studies.fit_plan import Fit
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
 from stiction.studies.own_materials import telling_the_file, with_materials_of_file, with_own_materials
@@ -365,10 +366,11 @@ def _refuse_bare_numbers(table: Mapping, path: str) -> None:
 
 
 def _is_text(value: Any, path: str) -> bool:
-    """Text, or the two ends of a range as text; of a number that is several each is asked where it is read."""
+    """Text, or the two ends of a range as text; of a number that is several each is asked where it is read; a distribution in
+    Python is in SI units."""
     if isinstance(value, list):
         return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)
-    return isinstance(value, str)
+    return isinstance(value, str | Distribution) or is_law(value)
 
 
 def _as_text(key: str) -> str:

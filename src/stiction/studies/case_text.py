@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.table import QUANTITIES
+from stiction.studies.distribution import Distribution, is_law
 from stiction.studies.places import with_numbers
+from stiction.studies.uncertain import read_distribution
 
 __all__ = ["as_toml", "case_text", "show_exactly", "with_written"]
 
@@ -31,8 +33,8 @@ def show_exactly(value: float, name: str) -> Any:
 
 
 def case_text(content: Mapping, comments: list[str], folder: Path, out: Path) -> str:
-    """The tables as TOML, after comments. What is named from a folder, scans, files of values and of materials, is named from where
-    the text goes."""
+    """The tables as TOML, after comments. What is named from a folder (scans, files of values, of materials) is named from
+    where the text goes."""
     return "".join(f"# {line}\n" for line in comments) + as_toml(_moved(content, folder, out))
 
 
@@ -83,9 +85,16 @@ def _write(table: Mapping, path: tuple[str, ...], lines: list[str]) -> None:
     plain = {key: value for key, value in table.items() if key not in inner and value is not None}
     if path and (plain or not inner):
         lines += ["", f"[{'.'.join(map(_key, path))}]"]
-    lines += [f"{_key(key)} = {_value(value)}" for key, value in plain.items()]
+    lines += [f"{_key(key)} = {_value(_written(key, value))}" for key, value in plain.items()]
     for key, value in inner.items():
         _write(value, (*path, str(key)), lines)
+
+
+def _written(key: str, value: Any) -> Any:
+    """A distribution that a file cannot say as the number that stands for it."""
+    if isinstance(value, Distribution) or is_law(value):
+        return show_exactly(read_distribution(value, key, key).nominal, key)
+    return value
 
 
 def _key(key: Any) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 
 from stiction import __version__
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.case_text import case_text, with_written
 from stiction.studies.fit_answer import Fitted, fitted, verdicts
@@ -62,6 +63,7 @@ def fit(case: Any, data: Any, *, progress: Progress = lambda text: iter) -> "xar
     and the numbers of [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Raises
     InputError.
     """
+    require_callable(progress, "progress")
     return run_fit(plan_of_fit(case, data), progress, keep_on_interrupt=False).data()
 
 
@@ -71,7 +73,9 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
 
     if find_spec("lmfit") is None:
         raise InputError("fit", "without lmfit", "an installation with it: pip install 'stiction[fit]'")
-    plan = make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)
+    plan = (
+        make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)
+    )
     check_predicted(plan)
     return plan
 

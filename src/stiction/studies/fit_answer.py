@@ -80,7 +80,9 @@ def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
 def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
     """The best fit. Where errors are far smaller than the values it is found with larger ones in the same proportion, which
     give the same numbers: over the errors themselves all that is not next to the best would be equally far off."""
-    sizes = {name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities}
+    sizes = {
+        name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities
+    }
     share = errors / np.array([sizes[name] or 1.0 for name in forward.data.quantity])
     larger = max(1.0, _SMALL / float(share.min()))
     best = search(_residuals(forward, larger * errors), start)

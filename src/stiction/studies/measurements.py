@@ -220,7 +220,7 @@ def _number(cell: str, column: _Column, where: str) -> float:
 
 
 def _check_errors(measured: Measurements) -> None:
-    """Errors of a quantity are given for all its values, or for none, and no value is known to more digits than a number has."""
+    """Errors of a quantity are given for all its values, or for none, and no value has more digits than a number."""
     for quantity in measured.quantities:
         of = np.array([one == quantity for one in measured.quantity])
         there = np.isfinite(measured.error[of])

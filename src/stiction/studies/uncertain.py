@@ -148,7 +148,10 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
     if isinstance(given, _Samples):
         return of_samples(quantity, _values(given, quantity, where, folder), ordered=given.along is None)
     if isinstance(given, _Factor):
-        return within_factor(quantity, number_of(given.median, quantity, f"{where}.median"), given.factor, where, entry)
+        median = number_of(given.median, quantity, f"{where}.median")
+        if not median > 0.0:
+            raise InputError(f"{where}.median", given.median, "above 0")
+        return within_factor(quantity, median, given.factor, where, entry)
     assert isinstance(given, _Between)
     low, high = (number_of(getattr(given, end), quantity, f"{where}.{end}") for end in ("low", "high"))
     if not low < high:
