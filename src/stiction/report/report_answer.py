@@ -241,4 +241,6 @@ def _recommended(findings: Findings) -> str:
         return " It is what the comparison of all models recommends."
     apart = max(mu, here) / min(mu, here) if min(mu, here) > 0.0 else np.inf
     warned = f": the two differ by a factor of {apart:.2g}" if apart > _FAR else ""
-    return f" The comparison of all models recommends {best['model'].item()} in its place, which says {rounded(mu, [])}{warned}."
+    return (
+        f" The comparison of all models recommends {best['model'].item()} in its place, which says {rounded(mu, [])}{warned}."
+    )
