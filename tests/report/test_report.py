@@ -5,15 +5,16 @@ import json
 import re
 import tomllib
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
-from cases import STEEL_ON_STEEL
-from report.page import Page
 from typer.testing import CliRunner
 
 import stiction as st
+from cases import STEEL_ON_STEEL
+from report.page import Page
 from stiction.cli import app
 from stiction.laws.sources import bibliography
 from stiction.quantities.errors import InputError
@@ -59,7 +60,7 @@ def check_form(html, page):
     assert all(one.get("scope") in ("row", "col") for one in page.named("th"))
     levels = [int(name[1]) for name, _ in page.elements if re.fullmatch(r"h[1-6]", name)]
     assert levels[0] == 1 and levels.count(1) == 1
-    assert all(later - earlier <= 1 for earlier, later in zip(levels, levels[1:], strict=False))
+    assert all(later - earlier <= 1 for earlier, later in pairwise(levels))
 
 
 def test_a_page_holds_all_of_itself(reported):
@@ -143,7 +144,8 @@ def test_the_same_case_gives_the_same_page(tmp_path):
 def test_nothing_that_was_written_is_run(tmp_path):
     hostile = f"</title></pre>-->{SCRIPT}<img src=x onerror=alert(1)>$\\\\frac{{"
     text = SEVERAL.replace('first = "hardened_steel_52100"', 'first = "evil"', 1)
-    text = f'title = "{hostile}"  # {SCRIPT}\n{text}\n[materials.evil]\npreset = "silver"\nname = "{hostile}"\nsource = "{hostile}"\n'
+    own = f'[materials.evil]\npreset = "silver"\nname = "{hostile}"\nsource = "{hostile}"\n'
+    text = f'title = "{hostile}"  # {SCRIPT}\n{text}\n{own}'
     text += 'hardness = "0.3 GPa"\n'
     case = small(tmp_path, text, "<b onclick=alert(1)>.toml")
     write_report(case, tmp_path / "report.html")
@@ -204,7 +206,7 @@ def test_tables_and_cases_in_python(tmp_path):
 @pytest.mark.parametrize("name", ["report.toml", "report", "folder.html", "missing/../case.toml"])
 def test_a_place_where_no_report_can_be(tmp_path, name):
     (tmp_path / "folder.html").mkdir()
-    with pytest.raises(InputError, match="ends in .html"):
+    with pytest.raises(InputError, match=r"ends in \.html"):
         write_report(small(tmp_path), tmp_path / name)
 
 
