@@ -20,6 +20,7 @@ __all__ = [
     "chart",
     "comparison_chart",
     "curve_chart",
+    "ink_of",
     "line",
     "numbers",
     "share_chart",
@@ -38,6 +39,11 @@ _SHORT = (
     "value => value !== 0 && (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5) "
     "? value.toExponential(0) : String(+value.toPrecision(4))"
 )
+
+
+def ink_of(dark: bool) -> str:
+    """The colour of what is written."""
+    return _INK[dark]
 
 
 def numbers(values: Any) -> list[float | None]:
@@ -102,6 +108,7 @@ def cells(name: str, points: list[list[float]], x: tuple[str, str], y: tuple[str
         "name": name,
         "type": "custom",
         ":renderItem": draw,
+        "progressive": 0,  # all at once: a picture in parts says something else
         "data": points,
         "clip": True,
         "z": 1,
@@ -193,9 +200,9 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
     series = [one for one in series if one["data"]]
     options = chart("static friction coefficient by each model", {"type": "log", "name": "static friction coefficient mu"},
                     {"type": "category", "data": names,
-                     "axisLabel": {"color": _INK[dark], "width": 210, "overflow": "truncate"}},
+                     "axisLabel": {"color": _INK[dark], "width": 260, "overflow": "break", "lineHeight": 14}},
                     series, dark)  # fmt: skip
-    options["grid"] |= {"left": 226, "top": 70}
+    options["grid"] |= {"left": 276, "top": 70}
     options["legend"] |= {"type": "plain", "top": 0}
     options["tooltip"]["trigger"] = "item"
     return options
