@@ -179,7 +179,8 @@ def _along(findings: Findings) -> str:
     several = f", with {' and '.join(_span(data, name) for name in names)}," if names else ""
     text = headline(findings).replace("μ ≈ ", "the static friction coefficient is about ")
     text = text.replace("μ", "the static friction coefficient")
-    return f"{text[0].upper()}{text[1:]} {over}{several}"
+    why = ", where nothing presses," if "not defined" in text else ""
+    return f"{text[0].upper()}{text[1:]} {over}{why}{several}"
 
 
 def _span(data: "xarray.Dataset", name: str) -> str:
