@@ -12,7 +12,7 @@ from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import Regime
 from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
-from stiction.laws.registry import RoughSurface, find, select_options
+from stiction.laws.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
@@ -75,6 +75,10 @@ class Sum(Problem):
         """Net load per asperity (regimes, k) at pairs (k,) of separation and law."""
         return self._scattered(h, law)[..., LOAD]
 
+    def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """Slip-limited and yield-limited tangential force per asperity (2, k) at pairs (k,) of separation and law."""
+        return self._scattered(h, law)[..., [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
+
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
 
@@ -91,12 +95,19 @@ class Sum(Problem):
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
         results = self._by_name(np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1))
+        if (published := self._as_published()) is not None:
+            friction = totals_on_grid(published.regimes, h, self.heights, threads=self.threads)[:, 2]
+            results |= _published(results["load"], friction)
         return self._with_stiffness(results, np.tile(h, (len(self.groups), 1)))
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
         law = np.repeat(np.arange(len(h)), h.shape[1])
         sums = self._scattered(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5)
-        return self._with_stiffness(self._by_name(sums), h)
+        results = self._by_name(sums)
+        if (published := self._as_published()) is not None:
+            friction = published._scattered(h.reshape(-1), law).sum(axis=0)[:, [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=1)
+            results |= _published(results["load"], friction.reshape(h.shape))
+        return self._with_stiffness(results, h)
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """The sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
@@ -114,6 +125,12 @@ class Sum(Problem):
 
     def _scattered(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         return scattered(self.regimes, h, self.heights, law, self.threads)
+
+    def _as_published(self) -> "Sum | None":
+        """The same with its tangential law as it is published, where another one is taken for junctions that have yielded."""
+        if self.options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS:
+            return None
+        return replace(self, chosen=self.chosen.with_option(JUNCTIONS, NO_JUNCTIONS))
 
     def _with_stiffness(self, results: dict[str, np.ndarray], h: np.ndarray) -> dict[str, np.ndarray]:
         return results if self.chosen.presliding is None else results | {"tangential_stiffness": self.stiffness(h)}
@@ -259,6 +276,11 @@ def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
 def _states(regimes: list[Regime]) -> list[str]:
     """Elastic and plastic, and whatever else there is."""
     return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
+
+
+def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
+    """The friction coefficient of these forces, under the name of what the law says as it is published."""
+    return {"friction_coefficient_published": with_coefficient(load, friction)["friction_coefficient"]}
 
 
 def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
