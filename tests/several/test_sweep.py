@@ -365,7 +365,11 @@ def test_the_command_shows_how_far_it_is_and_what_is_doubtful(tmp_path):
     )  # fmt: skip
     result = CliRunner().invoke(cli.app, ["sweep", str(case), "--out", str(tmp_path / "store")])
     assert result.exit_code == 0, (result.output, result.exception)
-    assert result.stderr.startswith("Reading the case") and "0 of 8 points" in result.stderr and "8 points, 8 of them computed now" in result.stdout
+    assert (
+        result.stderr.startswith("Reading the case")
+        and "0 of 8 points" in result.stderr
+        and "8 points, 8 of them computed now" in result.stdout
+    )
     again = CliRunner().invoke(cli.app, ["sweep", str(case), "--out", str(tmp_path / "store"), "--json"])
     said = json.loads(again.stdout)
     assert (said["points"], said["computed_now"], said["dims"]) == (8, 0, {"sample": 8})
