@@ -14,7 +14,7 @@ from stiction.laws.tangential.shared.turns import turns
 __all__ = ["Force", "lesser_of"]
 
 # Turns that are looked for: where the forces cross or yield leaves nothing; where its root ends; where it is not smooth.
-_CROSSINGS, _ENDS = 6, 2
+_CROSSINGS, _ENDS = 6, 4
 
 
 class Force(NamedTuple):
