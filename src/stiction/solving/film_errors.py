@@ -28,7 +28,8 @@ def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dic
 
     law; against: what; error: lowest and highest relative error of the area at given load over the results, load_error: of the
     load at given approach; rms: of ln(area), on rough surfaces; near: ends of what the errors were looked up by; outside: what
-    leaves the solved set, at some of the results; why_not: why there is no error, where there is none. Nothing for a contact without a film.
+    leaves the solved set, at some of the results; why_not: why there is no error, where there is none. Nothing for a contact
+    without a film.
     """
     law = _law(problem)
     if law is None:

@@ -96,7 +96,7 @@ RECORD = TangentialLaw(
     verified="the lesser of two laws, each checked by other means; closed limits",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     takes=("peeling",),
-    accuracy=1e-3,
-    notes="`peeling` 0 is yield alone. A film law that takes film and body as two half-spaces gets the lesser force of each. The "
-    "counterbody is taken not to yield.",
+    accuracy=5e-3,
+    notes="`peeling` 0 is yield alone. A film law that takes film and body as two half-spaces gets the lesser force of each. "
+    "The counterbody is taken not to yield.",
 )

@@ -20,8 +20,8 @@ _MOST = 5
 class Force(NamedTuple):
     """A formula of (u, load, area, row), and the columns (n,) of its row.
 
-    Peeling gives the force. Yield gives a number that is 0 or more as far as its force is real, the force, which counts where it
-    is above 0, and a number that changes its sign where the force has a kink of its own.
+    Peeling gives the force. Yield gives a number that is 0 or more as far as its force is real, the force, which counts where
+    it is above 0, and a number that changes its sign where the force has a kink of its own.
     """
 
     formula: Callable
