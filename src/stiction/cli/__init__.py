@@ -15,6 +15,7 @@ from stiction.cli import (  # noqa: F401
     design,
     compare,
     film,
+    report,
     validate,
     surface,
     figures,

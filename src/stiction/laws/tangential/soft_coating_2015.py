@@ -22,7 +22,9 @@ That a film may yield inside or at its interface before is not asked:
 [`layered_peeling_or_yield`](#layered_peeling_or_yield) does. *Limit*: the law itself without a film, for a film like its body,
 and in the film's groups for $t\to\infty$.
 
-$\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. *Reconstructed*: the seven
+$\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. With `plastic_junctions` asperities
+that have yielded resist as another law says; the paper's is `none`, and results then say by how much mu differs from it.
+*Reconstructed*: the seven
 coefficients of the paper's yield condition, eq. (11), which it does not print (departure D12).
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
@@ -33,11 +35,12 @@ import math
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import TangentialLaw
+from stiction.laws.registry import NO_JUNCTIONS, TangentialLaw
 from stiction.laws.sources import Source
 from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
 from stiction.laws.tangential.shared.edge_yield import lesser, yield_resistance
 from stiction.laws.tangential.shared.lesser import Force, lesser_of
+from stiction.laws.tangential.shared.plastic_junctions import LAWS, of_whole_piece
 from stiction.laws.tangential.shared.slip_or_yield import kinks_of
 
 
@@ -57,11 +60,15 @@ def resistance_printed(u, w, load, area, *row):
     return lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
+def tangential_resistance(
+    piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
+) -> TangentialResistance | None:
     """On a JKR asperity in the coordinate u = x^(1/4); with a film and its body as one, by the stiffness and the stresses of
     the two."""
+    if piece.state != "elastic":
+        return of_whole_piece(plastic_junctions, piece, groups)
     if groups.n_E is not None:
-        return _on_a_film(piece, groups) if piece.state == "elastic" else None
+        return _on_a_film(piece, groups)
     return _grip(piece, groups, resistance, printed=False)
 
 
@@ -105,5 +112,7 @@ RECORD = TangentialLaw(
     verified="independent evaluation at 30 digits",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     takes=("peeling",),
-    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic.",
+    junctions=LAWS,
+    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic; plastic_junctions names "
+    "another law for these.",
 )
