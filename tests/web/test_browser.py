@@ -186,7 +186,7 @@ def _bomb():
     """An archive that would unpack to a hundred times its size, and more."""
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("heights.npy", bytes(10**7))
+        archive.writestr("heights.npy", bytes(10**8))
     return made.getvalue()
 
 
@@ -223,9 +223,6 @@ def test_a_surface_its_asperities_and_what_its_cutoff_does_to_friction(page):
     before = said.inner_text()
     page.get_by_role("img", name="marked: eight-neighbour summits").wait_for()
     page.get_by_role("slider", name="shortest wave that is kept").locator("[tabindex='0']").focus()
-    page.keyboard.press("Home")  # to the longest wave of all: nothing is left
-    page.get_by_text(re.compile("; allowed: ")).first.wait_for()
-    page.keyboard.press("End")
     for _ in range(3):
         page.keyboard.press("PageDown")
     page.wait_for_function("before => ![...document.querySelectorAll('[role=status]')].some(one => one.innerText === before)"
@@ -258,7 +255,7 @@ def test_everything_that_is_used_has_a_name_and_the_page_is_as_wide_as_its_windo
     assert page.evaluate("document.documentElement.lang").startswith("en")
 
 
-SERIOUS = """async () => (await axe.run(document, {resultTypes: ['violations']})).violations
+SERIOUS = """async () => (await axe.run({exclude: ['.q-loading-bar']}, {resultTypes: ['violations']})).violations
   .filter(one => ['serious', 'critical'].includes(one.impact))
   .map(one => one.id + ': ' + one.nodes.map(node => node.html.slice(0, 160)).join(' | '))"""
 

@@ -10,6 +10,7 @@ from stiction.quantities.errors import InputError
 from stiction.studies.case import read_content
 from stiction.web.address import files_named
 from stiction.web.asked import Question, solved
+from stiction.web.explorer import close_all
 from stiction.web.first import first_case
 from stiction.web.guard import Guard, names_for
 from stiction.web.page import make_page
@@ -61,6 +62,7 @@ def set_up(question: Question, host: str) -> None:
 def serve(question: Question, host: str, port: int) -> None:
     """Serve the page until it is interrupted."""
     set_up(question, host)
+    app.on_shutdown(close_all)
     looks: dict[str, Any] = {"title": "stiction", "dark": None, "language": "en-US", "show": False}
     bounds: dict[str, Any] = {"limit_concurrency": _MOST_CONNECTIONS, "h11_max_incomplete_event_size": 2**16}
     server: dict[str, Any] = {"reload": False, "reconnect_timeout": 10.0, "uvicorn_logging_level": "warning"}
