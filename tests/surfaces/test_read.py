@@ -248,7 +248,7 @@ def test_blanks_with_decimal_commas_and_a_first_row_that_is_missing(tmp_path):
 def test_an_npz_file_with_something_else_than_an_array_is_refused(tmp_path):
     with zipfile.ZipFile(tmp_path / "a.npz", "w") as archive:
         archive.writestr("heights.npy", b"no array at all")
-    with pytest.raises(InputError, match="an undamaged .npz file"):
+    with pytest.raises(InputError, match=r"an undamaged \.npz file"):
         read_scan(tmp_path / "a.npz", **SMALL)
 
 
