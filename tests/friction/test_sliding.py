@@ -29,17 +29,21 @@ def coulomb(**more):
 # One asperity -----------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("s", "share", "lost"), [(0.1, 0.146185, 0.0005131), (0.5, 0.646447, 0.0727922), (0.9, 0.968377, 0.5239613)])
+@pytest.mark.parametrize(
+    ("s", "share", "lost"), [(0.1, 0.146185, 0.0005131), (0.5, 0.646447, 0.0727922), (0.9, 0.968377, 0.5239613)]
+)
 def test_the_table_of_the_docstring(s, share, lost):
     assert slip_share(s) == pytest.approx(share, abs=5.1e-7) and loss_share(s) == pytest.approx(lost, abs=5.1e-8)
-    assert force(s * 0.25, 1.0, 1.0, 1.0 / 6.0, 8.0) * 6.0 == pytest.approx(share, abs=5.1e-7)  # slides at 3 f P beta/(16 a) = 1/4
+    assert force(s * 0.25, 1.0, 1.0, 1.0 / 6.0, 8.0) * 6.0 == pytest.approx(
+        share, abs=5.1e-7
+    )  # slides at 3 f P beta/(16 a) = 1/4
     assert loss_share(1.0) == pytest.approx(0.8) and loss_share(3.0) == pytest.approx(0.8 + 4.0 * 2.0)
 
 
 @pytest.mark.parametrize("s", ["1e-9", "0.001", "0.0999", "0.1001", "0.3", "0.77", "0.9999"])
 def test_energy_of_a_cycle_of_one_asperity(s):
-    """Mindlin & Deresiewicz 1953: (9 f^2 P^2 beta/(80 a)) {1 - (1-q)^(5/3) - (5/6) q [1 + (1-q)^(2/3)]} between forces of
-    +-q f P with beta = 1/G*, here over f P times the sliding displacement 3 f P beta/(16 a); and Masing's loop by quadrature."""
+    """Mindlin & Deresiewicz 1953: (9 f^2 P^2 beta/(80 a)) {1 - (1-q)^(5/3) - (5/6) q [1 + (1-q)^(2/3)]} between forces
+    of +-q f P with beta = 1/G*, here over f P times the sliding displacement 3 f P beta/(16 a); and Masing's loop."""
     mp.dps = 40
     s = mpf(s)
     q = 1 - (1 - s) ** mpf("1.5")
@@ -113,7 +117,9 @@ def test_sums_written_out(asperity, tangential, kept):
     """Cattaneo and Mindlin's curve of every asperity with the strength of its law, by trapezoids that know no kinks."""
     given = st.Indices(theta=30.0, lam=50.0, shear_strength=0.1, nu=0.25)
     moved = np.array([0.02, 0.15, 0.6])
-    found = st.slide(given, separation=0.4, displacement=moved, kept=kept, model=PLAIN, asperity=asperity, tangential=tangential)
+    found = st.slide(
+        given, separation=0.4, displacement=moved, kept=kept, model=PLAIN, asperity=asperity, tangential=tangential
+    )
     flat, expected = Groups.of(given)[0], np.zeros(3)
     for piece in find(asperity, AsperityLaw).pieces(flat, **options_of(asperity, AsperityLaw)):
         law = find(tangential, TangentialLaw).tangential_resistance(piece, flat, **options_of(tangential, TangentialLaw))
@@ -214,13 +220,13 @@ def test_several_contacts_at_several_loads():
 @pytest.mark.parametrize(
     ("change", "laws", "why"),
     [
-        ({"coating": st.Coating(material="silver", thickness="200 nm")}, {}, "bare contact"),
+        ({"coating": st.Coating(material="silver", thickness="200 nm")}, {"film": "sequential"}, "bare contact"),
         ({}, {"model": "persson_2001"}, "single asperities"),
         ({}, {"tangential": "none"}, "tangential law"),
         ({}, {"model": "soft_coating_2015", "tangential": None, "reading": "published"}, "corrected"),
         ({}, {"kept": 1.5}, "from 0 to 1"),
         ({}, {"kept": math.nan}, "from 0 to 1"),
-        ({}, {"displacement": "-1 nm"}, "0 or more"),
+        ({}, {"displacement": "-1 nm"}, ">= 0 m"),
         ({}, {"displacement": []}, "at least one"),
         ({}, {"separation": "48 nm"}, "exactly one"),
         ({"interfacial_shear_strength": 0.0}, {}, "no friction"),
@@ -230,6 +236,11 @@ def test_refused_in_one_line(change, laws, why):
     with pytest.raises(InputError, match=why) as caught:
         st.slide(st.Contact(**STEEL | change), **{"load": "1 N"} | INTERFACE | laws)
     assert "\n" not in str(caught.value)
+
+
+def test_a_displacement_of_groups_is_not_negative():
+    with pytest.raises(InputError, match="0 or more"):
+        st.slide(coulomb(), separation=1.0, displacement=[0.1, -0.1], **COULOMB)
 
 
 def test_without_friction_the_curve_is_nothing():

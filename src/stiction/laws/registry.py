@@ -89,8 +89,9 @@ class TangentialLaw(Record):
     tangential_resistance(piece, groups, **own options) -> TangentialResistance, or None for a piece that resists nothing.
     wants: trait of the asperity law that it cannot do without -> why. interfacial: it shears the interface, wherever that is:
     of a coated asperity, the whole load and the outer contact area count, whichever body answers. layered: it knows a film and
-    its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. junctions: keys
-    of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where its own gives them nothing.
+    its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. junctions:
+    keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where this one gives them
+    nothing.
     """
 
     kind = keyword = "tangential"
@@ -266,7 +267,8 @@ KINDS: tuple[type[Record], ...] = (
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure",
+    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite",
+    "Criterion", "Departure",
     "FilmLaw", "Jump", "Limit", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
     "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
     "resolve_options", "select_options", "text_of",

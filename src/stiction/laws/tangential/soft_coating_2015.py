@@ -9,9 +9,9 @@ T=\min(T_\text{slip},\,T_\text{yield}),\qquad
 T_\text{slip}=\frac4{\sqrt{\zeta K\beta}}\sqrt{\frac{2\pi}\theta P+\frac{3\pi^2}{\theta^2}}
 $$
 
-$T_\text{yield}$ is (S3.7). $\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. With `plastic_junctions` asperities
-that have yielded resist as another law says; the paper's is `none`, and results then say by how much mu differs from it.
-*Reconstructed*: the seven
+$T_\text{yield}$ is (S3.7). $\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. With `plastic_junctions`
+asperities that have yielded resist as another law says; the paper's is `none`, and results then say by how much mu differs
+from it. *Reconstructed*: the seven
 coefficients of the paper's yield condition, eq. (11), which it does not print (departure D12).
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
@@ -92,6 +92,6 @@ RECORD = TangentialLaw(
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     takes=("peeling",),
     junctions=LAWS,
-    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic; plastic_junctions names "
-    "another law for these.",
+    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic; plastic_junctions "
+    "names another law for these.",
 )
