@@ -12,6 +12,7 @@ from .laws.overview import models as models
 from .quantities.errors import InputDoubt as InputDoubt
 from .quantities.errors import InputError as InputError
 from .quantities.units import axis as axis
+from .report.html_report import write_report as write_report
 from .report.notebook import summary as summary
 from .solving.evaluate import Evaluation as Evaluation
 from .solving.evaluate import evaluate as evaluate

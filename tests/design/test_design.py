@@ -266,6 +266,11 @@ def test_the_same_seed_gives_the_same_design():
     assert one.identical(two)
 
 
+def test_what_is_told_is_a_function():
+    with pytest.raises(InputError, match="tell: 3; allowed: a function"):
+        design(case(MOST, RADIUS), tell=3)
+
+
 def test_told_at_once():
     told = []
     design(case(MOST, RADIUS), tell=lambda count, text: told.append(count))
@@ -288,6 +293,10 @@ def test_told_at_once():
         ),
         ({"choose": {"first": ["steal"]}}, "'steal'; allowed: a preset"),
         ({"choose": {"first": {"low": 1, "high": 2}}}, "a list, of which one is taken"),
+        (
+            {"choose": {"nominal_area": {"low": "1 mm^2", "high": "2 mm^2", "each_sample": True}}},
+            "each_sample: True; allowed: not here",
+        ),
         ({"limits": {"area_fraction": {}}}, "low, high or both"),
         ({"limits": {"contact_area": {"high": "1 N"}}}, "design.limits.contact_area.high: '1 N'"),
         ({"limits": {"contact_area": {"high": "1 um^2", "low": "2 um^2"}}}, "the low end first"),

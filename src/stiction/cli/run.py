@@ -164,7 +164,7 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
             "curve.nc": lambda path: write_netcdf(data, path),
             "curve.png": lambda path: write_picture(_figure(case, data), path),
         }
-        if "friction_coefficient_by_method" in data:
+        if "friction_coefficient_by_method" in data and not case.is_several:
             from stiction.report.surface_pictures import method_spread_figure
 
             files["band.png"] = lambda path: write_picture(method_spread_figure(data, case.title), path)

@@ -89,9 +89,10 @@ class TangentialLaw(Record):
     tangential_resistance(piece, groups, **own options) -> TangentialResistance, or None for a piece that resists nothing.
     wants: trait of the asperity law that it cannot do without -> why. interfacial: it shears the interface, wherever that is:
     of a coated asperity, the whole load and the outer contact area count, whichever body answers. layered: it knows a film and
-    its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. junctions:
-    keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where this one gives them
-    nothing.
+    its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. of_half_space:
+    why a law that is neither says nothing of film and body as one; like: key of the law to take there in its place, or "".
+    junctions: keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where its own
+    gives them nothing.
     """
 
     kind = keyword = "tangential"
@@ -99,6 +100,8 @@ class TangentialLaw(Record):
     wants: Mapping[str, str] = field(default_factory=dict)
     interfacial: bool = False
     layered: bool = False
+    of_half_space: str = ""
+    like: str = ""
     junctions: tuple[str, ...] = ()
 
     @property
@@ -365,8 +368,11 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
         return f"{film.key} brings its own friction, {film.tangential}"
     if tangential.interfacial or (film.solved_as_one and tangential.layered):
         return ""
-    others = " and with those that know film and body as one" if film.solved_as_one else " only: its friction is there"
-    return f"{film.key} goes with laws of the interface{others}"
+    if not film.solved_as_one:
+        return f"{film.key} goes with laws of the interface only: its friction is there"
+    why = f": {tangential.of_half_space}" if tangential.of_half_space else ""
+    why += f"; take {tangential.like}" if tangential.like else ""
+    return f"{film.key} goes with laws of the interface and with those that know film and body as one{why}"
 
 
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:

@@ -153,10 +153,11 @@ def _number(value: Any, name: str) -> str:
 
 
 def _groups(groups: Mapping[str, Any]) -> str:
-    return ", ".join(f"{QUANTITIES[name].symbol} = {_group(value)}" for name, value in groups.items())
+    return ", ".join(f"{QUANTITIES[name].symbol} = {group_in_words(value)}" for name, value in groups.items())
 
 
-def _group(value: Any) -> str:
+def group_in_words(value: Any) -> str:
+    """A dimensionless group, or the ends of several."""
     ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
     return " to ".join(dict.fromkeys(f"{float(end):.4g}" for end in ends))
 

@@ -24,7 +24,7 @@ from stiction.solving.problem_base import Problem, with_coefficient
 
 _AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
 _RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
-_COUNT, _LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
+_COUNT, LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
 
 @dataclass(frozen=True)
@@ -68,12 +68,12 @@ class Sum(Problem):
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         pieces = range(0, h.size, _AT_ONCE)
-        parts = [self._scattered(h[at : at + _AT_ONCE], law[at : at + _AT_ONCE])[..., _LOAD].sum(axis=0) for at in pieces]
+        parts = [self._scattered(h[at : at + _AT_ONCE], law[at : at + _AT_ONCE])[..., LOAD].sum(axis=0) for at in pieces]
         return np.concatenate(parts) if parts else np.empty(0)
 
     def loads_by_regime(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Net load per asperity (regimes, k) at pairs (k,) of separation and law."""
-        return self._scattered(h, law)[..., _LOAD]
+        return self._scattered(h, law)[..., LOAD]
 
     def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Slip-limited and yield-limited tangential force per asperity (2, k) at pairs (k,) of separation and law."""
@@ -109,6 +109,17 @@ class Sum(Problem):
             results |= _published(results["load"], friction.reshape(h.shape))
         return self._with_stiffness(results, h)
 
+    def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """The sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
+        return self._scattered(h, law)
+
+    def with_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
+        """As `at`, with sums (regimes, n, m, 5) that are known there; those that are not numbers are taken, in their places."""
+        law, at = np.nonzero(np.isnan(sums[0, ..., LOAD]))
+        if law.size:
+            sums[:, law, at] = self._scattered(h[law, at], law)
+        return self._with_stiffness(self._by_name(sums), h)
+
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         raise AssertionError(f"{self.record.key} is solved at separations")
 
@@ -129,29 +140,29 @@ class Sum(Problem):
         regimes = self.regimes
         total = sums.sum(axis=0)
         results = {
-            "load": total[..., _LOAD],
+            "load": total[..., LOAD],
             "contact_area": total[..., _AREA],
             "touching_asperities": sums[[regime.touching for regime in regimes], ..., _COUNT].sum(axis=0),
         }
         for state in _states(regimes):
             chosen = [regime.state == state for regime in regimes]
             name = state.replace("-", "_")
-            results[f"load_{name}"] = sums[chosen, ..., _LOAD].sum(axis=0)
+            results[f"load_{name}"] = sums[chosen, ..., LOAD].sum(axis=0)
             results[f"contact_area_{name}"] = sums[chosen, ..., _AREA].sum(axis=0)
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
-            results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., _LOAD].sum(axis=0)
+            results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., LOAD].sum(axis=0)
         if bodies:
             film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
             whole = film + substrate
             results["load_share_substrate"] = np.divide(substrate, whole, where=whole > 0.0, out=np.zeros_like(whole))
         if not all(regime.in_half_space for regime in regimes):
-            results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., _LOAD])
+            results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., LOAD])
         if not self.friction:
             return results
         friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
         if not self.law.interfacial:
-            results["load_share_without_friction"] = _share_without(regimes, sums[..., _LOAD], friction)
+            results["load_share_without_friction"] = _share_without(regimes, sums[..., LOAD], friction)
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]

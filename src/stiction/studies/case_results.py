@@ -18,12 +18,13 @@ from stiction.solving.solve import solve
 from stiction.studies.bands import with_bands, with_bands_of_models
 from stiction.studies.case import Case
 from stiction.studies.comparison import compare, working_load
+from stiction.studies.film_stress import film_stresses
 from stiction.studies.spreads import spreads_of_comparison
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["compare_case", "slide_case", "solve_case"]
+__all__ = ["compare_case", "film_of_case", "slide_case", "solve_case"]
 
 
 RECOMMENDED = "recommended"
@@ -48,6 +49,12 @@ def solve_case(
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
     data = with_bands(data, case, choice, progress("Drawing what is uncertain"))
     return with_groups(_said(data, case), case.with_surface_moments(choice.model).subject)
+
+
+def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
+    """The stresses in the film of a case at its points, as `film_stresses` gives them. Raises InputError."""
+    subject = case.with_surface_moments(choice.model).subject
+    return _said(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
 
 
 def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0) -> "xarray.Dataset":

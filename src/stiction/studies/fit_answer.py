@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import show
 from stiction.studies.fit_model import Forward, Parameter
-from stiction.studies.fit_search import CONFIDENCE, Best, Profile, Residuals, profiles, search
+from stiction.studies.fit_search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 from stiction.studies.measurements import Measurements
 
 __all__ = ["Fitted", "fitted", "refitted", "verdicts"]
@@ -18,6 +19,8 @@ _HIDES = 5.0  # how many times farther a number may go if another goes with it, 
 _LIKE = 0.25  # of the rate at which one goes, at which the other does, in their logarithms
 _WIDE = 3.0  # interval of a number that is badly determined: high over low
 _AT_END = 1e-3  # of the way between the ends
+_SMALL = 1e-3  # of the largest value: errors that are smaller are made larger for the search
+_FAR_OFF = 0.5  # of the size of the values: a scatter, where no errors were given, that says that the model is not near them
 
 
 @dataclass(frozen=True)
@@ -64,14 +67,43 @@ def _residuals(forward: Forward, errors: np.ndarray) -> Residuals:
 
 def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
     """The best fit of a model. Raises InputError where nothing between the ends gives what was measured."""
-    data = forward.data
-    errors, stated = _errors(data)
-    best = search(_residuals(forward, errors), _start(forward))
-    if not np.isfinite(forward.values(best.shares)).all():
-        raise InputError(
-            "fit.free", "its ends", f"ends between which {forward.choice.model} carries the loads that were measured"
-        )
+    errors, stated = _errors(forward.data)
+    best = _searched(forward, errors, _start(forward))
+    refused = np.flatnonzero(~np.isfinite(forward.values(best.shares)[0]))
+    if refused.size:
+        line, load = forward.data.line[refused[0]], float(forward.data.load[refused[0]])
+        allowed = f"what {forward.choice.model} carries with numbers between the ends of [fit.free]"
+        raise InputError(f"line {line}, load", show(load, "load"), allowed)
     return _scaled(name, forward, best, (errors, stated), with_profiles)
+
+
+def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
+    """The best fit. Where errors are far smaller than the values it is found with larger ones in the same proportion, which
+    give the same numbers: over the errors themselves all that is not next to the best would be equally far off."""
+    sizes = {
+        name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities
+    }
+    share = errors / np.array([sizes[name] or 1.0 for name in forward.data.quantity])
+    larger = max(1.0, _SMALL / float(share.min()))
+    best = search(_residuals(forward, larger * errors), start)
+    if larger == 1.0:
+        return best
+    if larger * np.abs(best.residuals).max() < FAR:
+        return search(_residuals(forward, errors), best.shares)
+    return _over(best, 1.0 / larger)
+
+
+def _over(best: Best, factor: float) -> Best:
+    """The same with errors times a factor."""
+    table = best.jacobian / factor
+    return replace(
+        best,
+        chi_square=best.chi_square / factor**2,
+        residuals=best.residuals / factor,
+        jacobian=table,
+        bounded=np.linalg.inv(table.T @ table + 12.0 * np.eye(table.shape[1])),
+        covariance=None if best.covariance is None else best.covariance * factor**2,
+    )
 
 
 def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
@@ -85,17 +117,7 @@ def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bo
     if doubted:
         scale = max(np.sqrt(best.chi_square / freedom), 1e-12)
     threshold = float(f.ppf(CONFIDENCE, 1, freedom) if doubted else chi2.ppf(CONFIDENCE, 1))
-    table = best.jacobian / scale
-    bounded = np.linalg.inv(table.T @ table + 12.0 * np.eye(table.shape[1]))
-    covariance = None if best.covariance is None else best.covariance * scale**2
-    best = replace(
-        best,
-        chi_square=best.chi_square / scale**2,
-        residuals=best.residuals / scale,
-        jacobian=table,
-        bounded=bounded,
-        covariance=covariance,
-    )
+    best = _over(best, float(scale))
     found = Fitted(name, forward, best, errors * scale, stated, float(scale), threshold, freedom)
     return replace(found, profiles=tuple(profiles(found.residuals(), best, threshold))) if with_profiles else found
 
@@ -103,7 +125,7 @@ def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bo
 def refitted(one: Fitted, forward: Forward) -> Fitted:
     """The same model fitted to other values, from where it was best."""
     errors, stated = _errors(forward.data)
-    best = search(_residuals(forward, errors), one.best.shares)
+    best = _searched(forward, errors, one.best.shares)
     return _scaled(one.name, forward, best, (errors, stated), False)
 
 
@@ -156,6 +178,9 @@ def verdicts(one: Fitted) -> list[str]:
     for at, profile in enumerate(one.profiles):
         if at not in entangled:
             found += _of_one(one, at, profile)
+    size = float(np.sqrt(np.mean(one.forward.data.value**2)))
+    if not one.stated and one.errors[0] > _FAR_OFF * size:
+        found.append(f"the model is not near the data: what is left is {one.errors[0] / size:.0%} of the values")
     named = one.forward.plan.uncertain
     if named:
         found.append(f"{', '.join(named)}: uncertain, and taken as the nominal value; the intervals do not hold what that adds")

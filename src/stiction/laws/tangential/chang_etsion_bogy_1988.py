@@ -127,6 +127,8 @@ RECORD = TangentialLaw(
         Source("hamilton_1983", "stresses on the axis and at the edge"),
     ),
     tangential_resistance=tangential_resistance,
+    of_half_space="the two places it looks at are where a half-space first yields",
+    like="layered_first_yield",
     wants={
         "Hertz": "the stresses are those of a Hertz contact",
         "no adhesion": "adhesion of the 1988 papers is left out",
