@@ -232,6 +232,8 @@ def test_what_is_uncertain_is_held_for_nineteen_of_twenty():
     deviations = (0.1 * LOAD / float(found["contact_area"][0]) - STRENGTH) / 20e6
     assert 1.3 < deviations < 2.3  # 1.64 if there were more than 32 points
     assert found.attrs["uncertain"] == "interfacial_shear_strength" and bool(found["kept"][0])
+    # what is shown is what the limit is held to: not the one of 32 samples that is beyond it
+    assert float(found["friction_coefficient"][0]) == pytest.approx(0.1, rel=2e-6)
 
 
 def test_a_material_that_is_chosen_brings_its_own_ranges():

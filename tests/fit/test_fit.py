@@ -255,6 +255,30 @@ def test_bands_are_those_of_the_closed_form(series):
     np.testing.assert_allclose((high - low) / best, 2 * 1.96 * deviation, rtol=0.05)
 
 
+def test_bands_of_errors_that_are_found_are_those_of_student(tmp_path):
+    """Linear in the strength, four values, no errors: the predicted mu is off by Student's t of three degrees of freedom."""
+    loads, noise = LOADS[:4], np.array([0.01, -0.02, 0.015, -0.005])
+    slope = exact(loads=loads) / 200e6
+    values = exact(loads=loads) + noise
+    data = written(tmp_path / "measured.csv", {"load [N]": loads, "friction_coefficient": values})
+    free = {STRENGTH: {"low": "1 MPa", "high": "1 GPa", "spacing": "linear"}}
+    found = fit(case(free=free), data)
+    best = (values * slope).sum() / (slope**2).sum()
+    deviation = np.sqrt(((values - best * slope) ** 2).sum() / 3.0 / (slope**2).sum())
+    wide = 2.0 * stats.t.ppf(0.975, 3) * deviation / best
+    low, high = (found[f"predicted_friction_coefficient_{end}"] for end in ("low", "high"))
+    np.testing.assert_allclose((high - low) / found["predicted_friction_coefficient"], wide, rtol=0.1)  # of a normal 0.62 times
+    np.testing.assert_allclose((found["high"] - found["low"]) / best, wide, rtol=1e-4)
+
+
+def test_numbers_that_are_not_asked_for_take_no_value(series):
+    """Persson's model knows no adhesion: of eight values seven are to spare, whether it is free or not."""
+    values = exact(model="persson_2001") + 0.01 * np.random.default_rng(6).standard_normal(LOADS.size)
+    one, two = (fit(case("persson_2001", free), series(values)) for free in ({STRENGTH: BOTH[STRENGTH]}, BOTH))
+    assert one.attrs["degrees_of_freedom"] == two.attrs["degrees_of_freedom"] == 7
+    np.testing.assert_allclose(one["high"][0] / one["low"][0], two["high"][0] / two["low"][0], rtol=1e-6)
+
+
 def test_models_are_ranked_by_evidence(series):
     values = exact() * (1.0 + 0.01 * np.random.default_rng(9).standard_normal(LOADS.size))
     found = fit(case(free=BOTH, models=["persson_2001", "fuller_tabor_1975", "no_such_model"]), series(values, 0.01 * values))
@@ -347,11 +371,6 @@ def test_files_of_values_are_named_from_where_the_case_goes(tmp_path):
         ({}, "fit.free: not given"),
     ],
 )
-def test_what_is_told_is_a_function(series):
-    with pytest.raises(InputError, match="progress: 3; allowed: a function"):
-        fit(case(), series(exact()), progress=3)
-
-
 def test_one_line_about_a_bad_table(series, table, said):
     with pytest.raises(InputError, match=said) as caught:
         fit({**case(), "fit": table}, series(exact(), 0.01))
@@ -367,6 +386,11 @@ def test_a_case_without_the_table_and_one_with_several_numbers(series):
     several["contact"][ADHESION] = ["1 mJ/m^2", "2 mJ/m^2"]
     with pytest.raises(InputError, match=r"several go under \[fit.predict\]"):
         fit(several, data)
+
+
+def test_what_is_told_is_a_function(series):
+    with pytest.raises(InputError, match="progress: 3; allowed: a function"):
+        fit(case(), series(exact()), progress=3)
 
 
 def test_a_load_that_no_numbers_carry_is_named(tmp_path):

@@ -276,7 +276,7 @@ def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[
     rough = contact.get("roughness") if isinstance(contact, Mapping) else None
     if getattr(rough, "measured", None) is None:
         return
-    for path, one in (several | uncertain).items():
+    for path, one in {**several, **uncertain}.items():
         if path[:2] == ("contact", "roughness"):
             given = one.distribution.words if isinstance(one, Uncertain) else f"{len(one.values)} numbers"
             raise InputError(one.where, given, "one number, where scans say the roughness")

@@ -26,8 +26,8 @@ _FAR_OFF = 0.5  # of the size of the values: a scatter, where no errors were giv
 @dataclass(frozen=True)
 class Fitted:
     """A model and its best free numbers. scale: what the errors were multiplied by, where none were given or the scatter is
-    larger; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers. profiles: of each
-    number, none where they were not asked for."""
+    larger, which `found` says; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers that
+    the model asks for. profiles: of each number, none where they were not asked for."""
 
     name: str
     forward: Forward
@@ -37,6 +37,7 @@ class Fitted:
     scale: float
     threshold: float
     freedom: int
+    found: bool
     profiles: tuple[Profile, ...] = ()
 
     @property
@@ -55,6 +56,12 @@ class Fitted:
 
     def at(self, shares: np.ndarray) -> np.ndarray:
         return np.array([one.free.at(np.asarray(share)) for one, share in zip(self.parameters, shares, strict=True)])
+
+    def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
+        """Of sets that are so far above the least chi square, over that of the best. Where the size of the errors is found from
+        the same values it is integrated over (Gelman et al. 2013, section 14.2: Student's t where the model is linear)."""
+        rise = np.maximum(rise, 0.0)
+        return -0.5 * len(self.errors) * np.log1p(rise / self.freedom) if self.found else -0.5 * rise
 
     def residuals(self) -> Residuals:
         """Residuals over the errors as they were taken in the end."""
@@ -111,15 +118,15 @@ def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bo
     from scipy.stats import chi2, f
 
     errors, stated = given
-    freedom = len(errors) - len(best.shares)
+    freedom = len(errors) - int(best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
     scale = 1.0
-    doubted = freedom > 0 and (not stated or best.chi_square > chi2.ppf(_BELIEVED, freedom))
-    if doubted:
+    found = freedom > 0 and (not stated or best.chi_square > chi2.ppf(_BELIEVED, freedom))
+    if found:
         scale = max(np.sqrt(best.chi_square / freedom), 1e-12)
-    threshold = float(f.ppf(CONFIDENCE, 1, freedom) if doubted else chi2.ppf(CONFIDENCE, 1))
+    threshold = float(f.ppf(CONFIDENCE, 1, freedom) if found else chi2.ppf(CONFIDENCE, 1))
     best = _over(best, float(scale))
-    found = Fitted(name, forward, best, errors * scale, stated, float(scale), threshold, freedom)
-    return replace(found, profiles=tuple(profiles(found.residuals(), best, threshold))) if with_profiles else found
+    one = Fitted(name, forward, best, errors * scale, stated, float(scale), threshold, freedom, found)
+    return replace(one, profiles=tuple(profiles(one.residuals(), best, threshold))) if with_profiles else one
 
 
 def refitted(one: Fitted, forward: Forward) -> Fitted:

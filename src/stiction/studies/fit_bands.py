@@ -51,7 +51,7 @@ def draws_of(one: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     parts = [finite(residuals(sets[at : at + _AT_ONCE])) for at in range(0, len(sets), _AT_ONCE)]
     rise = (np.concatenate(parts) ** 2).sum(axis=1) - one.best.chi_square
     density = 0.75 * _density(np.linalg.solve(root, (sets - one.best.shares).T).T, root) + 0.25
-    weights = np.exp(-0.5 * np.maximum(rise, 0.0)) / density
+    weights = np.exp(one.log_likelihood(rise)) / density
     weights /= weights.sum()
     effective = float(1.0 / (weights**2).sum())
     at = (np.arange(_DRAWS) + 0.5) / _DRAWS
