@@ -19,7 +19,8 @@ $$
 *Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for $c\to0$; full stick, $T_s$, for $c=1$ and above, where the bulk shears;
 [`tabor_1959`](#tabor_1959) of a plastic junction for $T_s\to\infty$. It rises from one to the other without a step.
 *Reconstructed*: that the area follows Tabor's form between the two ends, and the area at the second; the growth that Brizmer,
-Kligerman and Etsion computed, and the fit they give for it, were not available. *Check*: with $\alpha=3(H/Y)^2$,
+Kligerman and Etsion computed, and the fit they give for it, were not available. Where the bulk, by
+its $\alpha$, is stronger than full stick needs ($A_s<A_0$), the area shrinks in form only. *Check*: with $\alpha=3(H/Y)^2$,
 $\tau_b=Y/\sqrt3$; Hertz's asperity at the load $P_c$ of full stick for $\nu=0.3$, $H/Y=2.8$ (mean pressure 1.0175 $Y$,
 $A_s=1.805A_0$):
 
