@@ -102,12 +102,7 @@ class Sum(Problem):
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
         law = np.repeat(np.arange(len(h)), h.shape[1])
-        sums = self._scattered(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5)
-        results = self._by_name(sums)
-        if (published := self._as_published()) is not None:
-            friction = published._scattered(h.reshape(-1), law).sum(axis=0)[:, [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=1)
-            results |= _published(results["load"], friction.reshape(h.shape))
-        return self._with_stiffness(results, h)
+        return self._at_sums(h, self._scattered(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5))
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """The sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
@@ -118,10 +113,18 @@ class Sum(Problem):
         law, at = np.nonzero(np.isnan(sums[0, ..., LOAD]))
         if law.size:
             sums[:, law, at] = self._scattered(h[law, at], law)
-        return self._with_stiffness(self._by_name(sums), h)
+        return self._at_sums(h, sums)
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         raise AssertionError(f"{self.record.key} is solved at separations")
+
+    def _at_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
+        """Results (n, m) of the sums (regimes, n, m, 5) at the separations h (n, m)."""
+        results = self._by_name(sums)
+        if (published := self._as_published()) is not None:
+            friction = published.forces(h.reshape(-1), np.repeat(np.arange(len(h)), h.shape[1])).sum(axis=0)
+            results |= _published(results["load"], friction.reshape(h.shape))
+        return self._with_stiffness(results, h)
 
     def _scattered(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         return scattered(self.regimes, h, self.heights, law, self.threads)
