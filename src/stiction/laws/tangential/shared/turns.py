@@ -1,0 +1,58 @@
+"""Where along a piece the sign of something changes: kinks of laws that take the lesser of two forces."""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from stiction.engine.compiled import kernel, unpack
+from stiction.engine.regime import columns
+from stiction.laws.piece import NormalPiece
+
+__all__ = ["turns"]
+
+# Steps in ln u that are looked at, up to so many times the first coordinate; halvings of a step.
+_STEPS, _FARTHEST, _HALVINGS = 200, 1e5, 50
+
+
+@cache
+def _finding(signed: Callable, parameters: int) -> Any:
+    @kernel
+    def fill(table, edges, out):
+        for i in range(out.shape[0]):
+            row, first, last = unpack(table[i], parameters), edges[i, 0], edges[i, edges.shape[1] - 1]
+            low = max(first, 1e-6 * min(last, 1.0))
+            out[i] = first
+            if not last > low:
+                continue
+            ratio = (min(last / low, _FARTHEST) * (1.0 - 1e-9)) ** (1.0 / _STEPS)
+            found = np.zeros(out.shape[1], np.int64)
+            high, before = low, signed(low, row)
+            for step in range(_STEPS + 1):
+                after = signed(high, row) if step > 0 else before
+                for one in range(out.shape[1]):
+                    if (after[one] > 0.0) == (before[one] > 0.0) or found[one] == out.shape[2]:
+                        continue
+                    left, right = low, high
+                    for _ in range(_HALVINGS):
+                        middle = 0.5 * (left + right)
+                        if (signed(middle, row)[one] > 0.0) == (before[one] > 0.0):
+                            left = middle
+                        else:
+                            right = middle
+                    out[i, one, found[one]] = right
+                    found[one] += 1
+                low, before = high, after
+                high = low * ratio
+
+    return fill
+
+
+def turns(signed: Callable, piece: NormalPiece, parameters: tuple[np.ndarray, ...], numbers: int, most: int) -> np.ndarray:
+    """Coordinates (n, numbers, most) of the piece at which each of the numbers that signed(u, row) gives changes its sign, the
+    first coordinate for none. signed: a formula; row: the parameters of the piece, and these (n,)."""
+    laws = len(piece.edges)
+    whole, out = (*piece.parameters, *parameters), np.empty((laws, numbers, most))
+    _finding(signed, len(whole))(columns(whole, laws), np.ascontiguousarray(piece.edges), out)
+    return out
