@@ -113,6 +113,6 @@ RECORD = TangentialLaw(
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     takes=("peeling",),
     junctions=LAWS,
-    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic; plastic_junctions names "
-    "another law for these.",
+    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic; plastic_junctions "
+    "names another law for these.",
 )
