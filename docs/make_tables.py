@@ -339,6 +339,7 @@ NAMES = {
     "films": "film",
     "composites": "composite",
     "stiffness before sliding": "presliding",
+    "menisci": "meniscus",
     "criteria": "criterion",
     "ways of finding asperities": "asperity method",
 }

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from stiction.contact.coating import Body, Coating
 from stiction.contact.indices import Indices, plain_number
+from stiction.contact.liquid import Liquid
 from stiction.contact.materials import Material, as_material
 from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
 from stiction.contact.roughness import Rough, Roughness
@@ -18,7 +19,7 @@ from stiction.quantities.inputs import Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
-__all__ = ["Body", "Coating", "Contact", "Indices", "Roughness", "work_of_adhesion"]
+__all__ = ["Body", "Coating", "Contact", "Indices", "Liquid", "Roughness", "work_of_adhesion"]
 
 # Equilibrium distance of two surfaces for the Tabor parameter. Of the order of an atomic spacing; 0.3 nm is
 # a customary round value, written down from memory and not taken from one source.
@@ -39,7 +40,8 @@ class Contact(Subject):
     need it say so. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that has no
     yield_stress. interfacial_shear_strength and
     pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
-    tangential energy release that peels an adhesive asperity (Savkoor and Briggs: all). Every number may be an array with a
+    tangential energy release that peels an adhesive asperity (Savkoor and Briggs: all). liquid: Liquid, or dict of its numbers:
+    its vapour condenses between asperities, and the menisci pull. Every number may be an array with a
     named dimension (`stiction.axis`). Raises InputError.
     """
 
@@ -53,6 +55,7 @@ class Contact(Subject):
     interfacial_shear_strength: OptionalNumber = None
     pressure_coefficient: OptionalNumber = None
     peeling: OptionalNumber = None
+    liquid: Liquid | None = None
 
     @model_validator(mode="after")
     def _dimensions_agree(self):
@@ -104,6 +107,9 @@ class Contact(Subject):
             "peeling": self.peeling,
             "hardening": bare.hardening,
         }
+        if self.liquid is not None:
+            groups["meniscus_index"] = bare.K * sigma**1.5 / (self.liquid.work * radius**0.5)
+            groups["meniscus_height"] = self.liquid.height / sigma
         if self.interfacial_shear_strength is not None:
             groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
@@ -163,6 +169,7 @@ class Contact(Subject):
         of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening"}
         for body in ("first", "second"):
             found |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
+        found |= {} if self.liquid is None else {"liquid": "meniscus_index"}
         if self.coating is None:
             return found
         found |= {f"coating.material.{name}": "" for name in of_bodies if self.coating.material.is_own(name)}
@@ -207,6 +214,7 @@ class Contact(Subject):
 
     def given_as(self, group: str) -> str:
         names = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}
+        names |= dict.fromkeys(("meniscus_index", "meniscus_height"), "liquid")
         return names.get(group, "work_of_adhesion" if group in ("theta", "lam", "tabor_parameter") else group)
 
     def read(self, value: Any, name: str) -> Any:
@@ -245,6 +253,11 @@ class Contact(Subject):
     def contact_modulus(self):
         """E* of the two bodies without film [Pa] (theory 1)."""
         return 0.75 * pair_of(self.first, self.second).K
+
+    @property
+    def kelvin_radius(self):
+        """Radius of the menisci [m], see Liquid; None where there is no liquid."""
+        return None if self.liquid is None else self.liquid.kelvin_radius
 
     @property
     def plasticity_index(self):

@@ -202,6 +202,19 @@ class Presliding(TangentialLaw):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Meniscus(Record):
+    """How a liquid that condenses around an asperity pulls, whatever carries the load of that.
+
+    pull(groups, **own options) -> list of Regime, by displacement, which may begin below zero, where the liquid bridges a gap:
+    no area, no resistance, and loads below zero. wants: trait of the asperity law that it cannot do without -> why.
+    """
+
+    kind = keyword = "meniscus"
+    pull: Callable
+    wants: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
     """A number that tells one behaviour of a rough surface in contact from another.
 
@@ -246,13 +259,14 @@ KINDS: tuple[type[Record], ...] = (
     FilmLaw,
     Composite,
     Presliding,
+    Meniscus,
     Criterion,
     AsperityMethod,
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
     "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure",
-    "FilmLaw", "Jump", "Limit", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
+    "FilmLaw", "Jump", "Limit", "Meniscus", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
     "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
     "resolve_options", "select_options", "text_of",
 ]  # fmt: skip
@@ -334,8 +348,8 @@ def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
     return key, *(one for one in known if one != key)
 
 
-def incompatibility(law: TangentialLaw | FilmLaw, asperity: AsperityLaw) -> str:
-    """Why a tangential law or a film cannot go with an asperity law; "" if it can."""
+def incompatibility(law: TangentialLaw | FilmLaw | Meniscus, asperity: AsperityLaw) -> str:
+    """Why a tangential law, a film or a meniscus cannot go with an asperity law; "" if it can."""
     missing = [f"{why} ({trait}: {TRAITS[trait]})" for trait, why in law.wants.items() if trait not in asperity.traits]
     return f"{law.key} does not suit the asperity law {asperity.key}: {'; '.join(missing)}" if missing else ""
 

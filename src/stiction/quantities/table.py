@@ -5,7 +5,7 @@ unit or a bound. The symbols are those of docs/theory.md.
 """
 
 from dataclasses import replace
-from math import inf
+from math import inf, pi
 
 from stiction.quantities.quantity import COUNT, Quantity
 
@@ -24,8 +24,11 @@ _SOLID = (1e3, inf, True, False)
 _GROUP = (1e-12, 1e12, True, True)
 _THETA = (1e-12, 1e40, True, True)
 _LAMBDA = (1e-60, 1e120, True, True)
+_HEIGHT = (1e-9, 1e3, True, True)
 _LENGTH_RATIO = (0.0, 1e15, True, True)
 _PART = (0.0, 1.0, False, True)
+_SHARE_INSIDE = (0.0, 1.0, False, False)
+_ANGLE = (0.0, pi, True, False)
 _ONE_OR_TWO = (1.0, 2.0, True, True)
 # nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
 # Below 0 nothing was checked.
@@ -64,6 +67,14 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "shear strength of the interface at no pressure"),
     ("equilibrium_distance", "epsilon", r"\varepsilon", "m", _POSITIVE, "0.3 nm",
      "equilibrium distance of two surfaces"),
+    # vapour
+    ("relative_humidity", "p/p_s", r"p/p_\mathrm{s}", "", _SHARE_INSIDE, "0.5",
+     "pressure of the vapour over that of saturation"),
+    ("temperature", "T", "T", "K", _POSITIVE, "293.15 K", "temperature"),
+    ("contact_angle_first", "theta_1", r"\theta_1", "rad", _ANGLE, "10 deg", "contact angle on the first body"),
+    ("contact_angle_second", "theta_2", r"\theta_2", "rad", _ANGLE, "10 deg", "contact angle on the second body"),
+    ("surface_tension", "gamma_L", r"\gamma_\mathrm{L}", "N/m", _POSITIVE, "72.7 mN/m", "surface tension of the liquid"),
+    ("molar_volume", "V_L", r"V_\mathrm{L}", "m^3/mol", _POSITIVE, "18.05 cm^3/mol", "molar volume of the liquid"),
     # dimensionless groups
     ("theta", "theta", r"\theta", "", _THETA, "40",
      "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2))"),
@@ -106,6 +117,10 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "share of the tangential energy release that peels: 1 after Savkoor and Briggs, 0 for none"),
     ("hardening", "E_t/E", r"E_\mathrm{t}/E", "", _SHARE_BELOW_ONE, "0.01",
      "tangent modulus over Young's modulus, of the softer body"),
+    ("meniscus_index", "theta_m", r"\theta_\mathrm{m}", "", _THETA, "40",
+     "K sigma^(3/2) / (2 gamma_L c R^(1/2)) of menisci, c the mean cosine of the contact angles"),
+    ("meniscus_height", "2 r c/sigma", r"2rc/\sigma", "", _HEIGHT, "0.05",
+     "gap that a meniscus bridges, over sigma"),
     ("specific_contact_resistance", "rho_c", r"\rho_\mathrm{c}", "ohm m^2", _POSITIVE, "1e-12 ohm m^2",
      "electrical resistance of the interface times its real area"),
     # of a measurement; no example, so that it is not listed among the numbers of a case file
@@ -125,6 +140,10 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "plasticity index of the film against what it meets"),
     ("film_stiffness", "n_E sqrt(R sigma)/t", r"n_E\sqrt{R\sigma}/t", "", _POSITIVE, "",
      "modulus over thickness of the film, over the substrate's modulus over sqrt(R sigma)"),
+    ("kelvin_radius", "r", "r", "m", _POSITIVE, "", "radius of a meniscus in equilibrium with the vapour"),
+    ("meniscus_tabor_parameter", "mu_m", r"\mu_\mathrm{m}", "", _POSITIVE, "",
+     "Tabor parameter with work and height of a meniscus"),
+    ("meniscus_over_radius", "2 r c/R", r"2rc/R", "", _NOT_NEGATIVE, "", "height of a meniscus over the asperity radius"),
     # of a solution
     ("mean_separation", "d", "d", "m", _ANY, "sigma",
      "mean separation, from the mean of the asperity heights"),
@@ -132,6 +151,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("load_elastic", "P_el", r"P_\mathrm{el}", "N", _ANY, _LOAD, "net load on elastic asperities"),
     ("load_plastic", "P_pl", r"P_\mathrm{pl}", "N", _ANY, _LOAD, "net load on plastic asperities"),
     ("load_elastic_plastic", "P_ep", r"P_\mathrm{ep}", "N", _ANY, _LOAD, "net load on elastic-plastic asperities"),
+    ("load_meniscus", "P_m", r"P_\mathrm{m}", "N", _ANY, _LOAD, "load on menisci, which pull: 0 or less"),
     ("load_film", "P_f", r"P_\mathrm{f}", "N", _ANY, _LOAD, "net load carried by the film"),
     ("load_substrate", "P_s", r"P_\mathrm{s}", "N", _ANY, _LOAD, "net load carried by the substrate"),
     ("contact_area", "A", "A", "m^2", _NOT_NEGATIVE, _AREA, "real contact area"),
@@ -162,6 +182,10 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("touching_share", "n/(N A_n)", r"n/(NA_\mathrm{n})", "", _SHARE, "", "share of the asperities that touch"),
     ("asperity_area_over_yield", "A/(n A_c)", r"A/(nA_\mathrm{c})", "", _NOT_NEGATIVE, "",
      "mean contact area of a touching asperity over that at first yield"),
+    ("meniscus_coverage", "n 2 pi R 2 r c/A_n", r"n\,4\pi Rrc/A_\mathrm{n}", "", _NOT_NEGATIVE, "",
+     "area of the menisci of touching asperities over the nominal one"),
+    ("penetration_over_meniscus", "w/(2 r c)", r"\bar w/(2rc)", "", _NOT_NEGATIVE, "",
+     "contact area of the mean touching asperity over pi R times the height of its meniscus"),
     ("adhesion_share", "n P_0/P", r"nP_0/P", "", _NOT_NEGATIVE, "",
      "pull-off forces of the touching asperities over the load"),
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
@@ -271,6 +295,19 @@ _SHORT = {
     "pressure_coefficient": "pressure coefficient",
     "peeling": "peeling share",
     "hardening": "hardening E_t/E",
+    "relative_humidity": "relative humidity",
+    "contact_angle_first": "contact angle, first",
+    "contact_angle_second": "contact angle, second",
+    "surface_tension": "surface tension",
+    "molar_volume": "molar volume",
+    "meniscus_index": "meniscus index",
+    "meniscus_height": "meniscus height",
+    "kelvin_radius": "Kelvin radius",
+    "meniscus_tabor_parameter": "Tabor parameter, menisci",
+    "meniscus_over_radius": "meniscus height over R",
+    "meniscus_coverage": "coverage by menisci",
+    "penetration_over_meniscus": "depth over meniscus height",
+    "load_meniscus": "load on menisci",
     "contact_resistance": "contact resistance",
     "specific_contact_resistance": "resistance x area",
     "scan_size": "scan size",

@@ -28,6 +28,8 @@ _POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
 _UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
 _LONGEST_TEXT = 100  # no quantity takes more, and the patterns above take their time over megabytes
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
+_CELSIUS = ("degC", "°C", "celsius", "deg C")  # temperatures only: no factor turns these into kelvins
+_ZERO_CELSIUS = 273.15
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 
@@ -118,6 +120,8 @@ def _from_text(text: str, quantity: Quantity) -> float:
         if quantity.unit:
             raise InputError(quantity.name, text, f"a number with its unit: {quantity.wanted}{meant(number, '', quantity)}")
         return rounded
+    if quantity.unit == "K" and unit in _CELSIUS:
+        return round(rounded + _ZERO_CELSIUS, 9)
     if quantity.name == "hardness" and (pressure := from_hardness_test(rounded, unit, text)) is not None:
         return pressure
     factor = _factor(unit, quantity, text)
@@ -146,6 +150,8 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
 def _exact_factor(unit: str, si_unit: str) -> Fraction:
     registry = _registry()
     parsed = registry.parse_units("1" + unit if unit.startswith("/") else unit)
+    if registry.Quantity(Fraction(0), parsed).to(si_unit or "dimensionless").magnitude != 0:
+        raise ValueError("a scale with a zero of its own")
     return Fraction(registry.Quantity(Fraction(1), parsed).to(si_unit or "dimensionless").magnitude)
 
 

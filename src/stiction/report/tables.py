@@ -129,6 +129,8 @@ def _contact(subject: Any) -> list[tuple[str, str]]:
     if subject.coating is not None:
         coating = subject.coating
         rows.append(("film", f"{_material(coating.material)}, {_numbers(coating)}, on {coating.bodies}"))
+    if subject.liquid is not None:
+        rows.append(("liquid", _numbers(subject.liquid)))
     return [*rows, ("roughness", _numbers(subject.roughness)), ("contact", _numbers(subject))]
 
 

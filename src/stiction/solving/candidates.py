@@ -7,10 +7,12 @@ from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject
 from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
 from stiction.quantities.errors import InputError
-from stiction.solving.choice import Choice
+from stiction.solving.choice import LAWS, Choice
 
 # Greenwood & Williamson's sum takes any asperity law, and this film law any of them.
 _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
+# The law of menisci that takes any asperity law.
+_MENISCI = "equilibrium_meniscus"
 # Of a map that is solved at some loads in a few seconds.
 _POINTS = 300_000
 
@@ -80,7 +82,7 @@ def choice_of(name: str, given: Mapping[str, str | None], subject: Subject) -> C
                 raise InputError(error.field, name, "a name: stiction.compare says which, in attrs['recommended']") from None
             raise InputError(error.field, name, ", ".join(dict.fromkeys([*of_kind(RoughSurface), *known]))) from None
     asked = Choice.of(name, given)
-    laws = {law: getattr(asked, law) for law in ("asperity", "tangential", "film", "presliding")}
+    laws = {law: getattr(asked, law) for law in LAWS if law != "model"}
     return known[name].with_changes(laws, asked.options)
 
 
@@ -90,6 +92,14 @@ def with_interface(choice: Choice, groups: Groups) -> Choice:
     if choice.tangential is not None or find(choice.model, RoughSurface).tangential != "none":
         return choice
     return replace(choice, tangential=law_of_the_interface(groups))
+
+
+def with_menisci(choice: Choice, groups: Groups) -> Choice:
+    """The choice with the law of menisci that suits every asperity law, where the contact states a liquid, none was named, and
+    the model is a sum over asperities."""
+    if choice.meniscus is not None or groups.meniscus_index is None or not find(choice.model, RoughSurface).asperity:
+        return choice
+    return replace(choice, meniscus=_MENISCI)
 
 
 def law_of_the_interface(groups: Groups) -> str:

@@ -7,6 +7,7 @@ from stiction.laws.joining import Law
 from stiction.laws.registry import (
     AsperityLaw,
     FilmLaw,
+    Meniscus,
     Presliding,
     Record,
     RoughSurface,
@@ -25,7 +26,7 @@ class Chosen:
     """A model with its laws and all their options.
 
     asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
-    ignored: what was chosen too and has nothing to answer for.
+    ignored: what was chosen too and has nothing to answer for. meniscus: None where no menisci pull.
     """
 
     model: RoughSurface
@@ -35,6 +36,7 @@ class Chosen:
     presliding: Presliding | None
     options: Mapping[str, str]
     ignored: tuple[str, ...] = ()
+    meniscus: Meniscus | None = None
 
     @property
     def law(self) -> Law:
@@ -49,7 +51,9 @@ class Chosen:
     def records(self) -> list[Record]:
         """The records of all that answers, each with the parts that its options bring into it."""
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
-        laws = [one for one in (self.model, asperity, self.tangential, self.film, self.presliding) if one is not None]
+        laws = [
+            one for one in (self.model, asperity, self.tangential, self.film, self.presliding, self.meniscus) if one is not None
+        ]
         return [record for one in laws for record in (one, *one.parts(self.options))]
 
 
@@ -66,9 +70,10 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         return Chosen(model, None, tangential, None, None, _options(choice, model, tangential), _ignored(choice, coated))
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
+    meniscus = None if choice.meniscus in (None, "none") else find(choice.meniscus, Meniscus)
     if choice.film and not coated:
         find(choice.film, FilmLaw)  # one that is known waits for a contact with a film; one that nobody knows is refused
-    for one in (tangential, film):
+    for one in (tangential, film, meniscus):
         if one is not None and (reason := incompatibility(one, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)
             raise InputError(field, value, f"laws that go together: {reason}")
@@ -76,7 +81,7 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         assert tangential is not None  # without friction there is nothing that could not suit
         raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
     options = _options(choice, model, asperity, tangential, film)
-    return Chosen(model, asperity, tangential, film, presliding, options, _ignored(choice, coated))
+    return Chosen(model, asperity, tangential, film, presliding, options, _ignored(choice, coated), meniscus)
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
@@ -119,6 +124,8 @@ def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw
         raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
     if choice.presliding:
         raise InputError("presliding", choice.presliding, f"nothing: {model.key} knows no single asperities")
+    if choice.meniscus not in (None, "none"):
+        raise InputError("meniscus", choice.meniscus, f"none: {model.key} knows no single asperities for a liquid to bridge")
     if model.of_map is not None and choice.film:
         raise InputError("film", choice.film, f"nothing: {model.key} solves the film of the contact itself")
     if tangential is not None and not tangential.interfacial:

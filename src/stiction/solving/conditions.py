@@ -123,7 +123,13 @@ def _of_groups(problem: Problem) -> dict[str, Any]:
     """The groups of the contacts (n, 1), and what follows from them; None for what is not known. They are there already: to ask
     the contact for each would compute them all again each time."""
     groups = problem.groups
-    names = [*type(groups).model_fields, "film_plasticity_index", "film_stiffness"]
+    names = [
+        *type(groups).model_fields,
+        "film_plasticity_index",
+        "film_stiffness",
+        "meniscus_tabor_parameter",
+        "meniscus_over_radius",
+    ]
     return {name: None if (value := getattr(groups, name)) is None else np.reshape(value, (-1, 1)) for name in names}
 
 

@@ -9,14 +9,14 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights, gaussian, height_distribution
-from stiction.engine.regime import Regime
+from stiction.engine.regime import MENISCUS, Regime
 from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
 from stiction.laws.registry import RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.candidates import with_interface
+from stiction.solving.candidates import with_interface, with_menisci
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import look_up
 from stiction.solving.on_map import OnMap
@@ -45,11 +45,17 @@ class Sum(Problem):
 
     @property
     def effects(self) -> list[str]:
-        plasticity, film = any(one.state != "elastic" for one in self.regimes), self.chosen.film is not None
-        return [name for name, there in (("adhesion", self.adheres), ("plasticity", plasticity), ("the film", film)) if there]
+        plasticity = any(one.state not in ("elastic", MENISCUS) for one in self.regimes)
+        known = ("adhesion", self.adheres), ("plasticity", plasticity), ("the film", self.chosen.film is not None)
+        return [name for name, there in (*known, ("menisci", self.chosen.meniscus is not None)) if there]
 
     @cached_property
     def regimes(self) -> list[Regime]:
+        """Those of the solids, then those of menisci between them."""
+        menisci = self.chosen.meniscus
+        return self._solids() if menisci is None else [*self._solids(), *menisci.pull(self.groups)]
+
+    def _solids(self) -> list[Regime]:
         record, film = self.record, self.chosen.film
         if record.regimes is not None:
             return record.regimes(self.groups, self.law, film, **select_options(record, self.options))
@@ -84,7 +90,7 @@ class Sum(Problem):
         assert presliding is not None
         if self.chosen.film is not None:
             raise InputError("presliding", presliding.key, "nothing: how film and substrate share it is not known")
-        plain = replace(self.chosen, model=replace(self.record, regimes=None), tangential=presliding)
+        plain = replace(self.chosen, model=replace(self.record, regimes=None), tangential=presliding, meniscus=None)
         rows = np.repeat(np.arange(len(h)), h.shape[1])
         sums = replace(self, chosen=plain)._scattered(h.reshape(-1), rows)
         return sums[..., _SLIP_LIMITED].sum(axis=0).reshape(h.shape)
@@ -121,6 +127,8 @@ class Sum(Problem):
             name = state.replace("-", "_")
             results[f"load_{name}"] = sums[chosen, ..., _LOAD].sum(axis=0)
             results[f"contact_area_{name}"] = sums[chosen, ..., _AREA].sum(axis=0)
+        if self.chosen.meniscus is not None:
+            results["load_meniscus"] = sums[[regime.state == MENISCUS for regime in regimes], ..., _LOAD].sum(axis=0)
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
             results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., _LOAD].sum(axis=0)
@@ -134,7 +142,9 @@ class Sum(Problem):
             return results
         friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
         if not self.law.interfacial:
-            results["load_share_without_friction"] = _share_without(regimes, sums[..., _LOAD], friction)
+            solid = [regime.state != MENISCUS for regime in regimes]
+            some = [regime for regime in regimes if regime.state != MENISCUS]
+            results["load_share_without_friction"] = _share_without(some, sums[solid][..., _LOAD], friction[solid])
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
@@ -246,7 +256,7 @@ def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
 
 
 def _states(regimes: list[Regime]) -> list[str]:
-    """Elastic and plastic, and whatever else there is."""
+    """Elastic and plastic, and elastic-plastic if there is any."""
     return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
 
 
@@ -300,7 +310,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
     """The problem of these groups, with one dimension, "contact". subject: what a user gave, if it was more than groups."""
-    chosen = look_up(with_interface(choice, groups), groups.has_film)
+    chosen = look_up(with_menisci(with_interface(choice, groups), groups), groups.has_film)
     for record in chosen.records():
         for name in record.needs:
             if not groups.knows(name):

@@ -95,9 +95,21 @@ def _by_asperity(
         if not groups.has_film:
             yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
             found["asperity_area_over_yield"] = area / np.where(share > 0.0, share * yielded, np.nan)
+    found |= _of_menisci(groups, area, share)
     per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
     pull = per_theta if groups.n_g is None else per_theta * groups.n_g
     found["adhesion_share"] = pull[:, None] * (expected_share(area) if share is None else share) / compressed
+    return found
+
+
+def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None) -> dict[str, np.ndarray]:
+    """How much of the surface they cover, and how far asperities are pressed in beside their height (n, m)."""
+    if groups.meniscus_height is None or share is None:
+        return {}
+    height = groups.meniscus_height[:, None]
+    found = {"penetration_over_meniscus": area / (np.where(share > 0.0, share, np.nan) * height)}
+    if groups.roughness_parameter is not None:
+        found["meniscus_coverage"] = 2.0 * math.pi * groups.roughness_parameter[:, None] * height * share
     return found
 
 
