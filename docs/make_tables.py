@@ -340,6 +340,7 @@ NAMES = {
     "composites": "composite",
     "stiffness before sliding": "presliding",
     "menisci": "meniscus",
+    "strengthening at rest": "ageing",
     "criteria": "criterion",
     "ways of finding asperities": "asperity method",
 }

@@ -61,6 +61,9 @@ def run(
     meniscus: Annotated[
         str | None, typer.Option(help="Law of menisci of a liquid; none: without.", autocompletion=keys_of("meniscus"))
     ] = None,
+    ageing: Annotated[
+        str | None, typer.Option(help="Law of strengthening at rest; none: without.", autocompletion=keys_of("ageing"))
+    ] = None,
     load: Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')] = None,
     all_rows: Annotated[
         bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")
@@ -87,7 +90,7 @@ def run(
 
         chosen = read_case(case, ranges=ranges)
         chosen = chosen if load is None else chosen.at_load(load)
-    given = {"film": film, "coating_law": coating_law, "presliding": presliding, "meniscus": meniscus}
+    given = {"film": film, "coating_law": coating_law, "presliding": presliding, "meniscus": meniscus, "ageing": ageing}
     laws = {"model": model, "asperity": asperity, "tangential": tangential} | without_old_names(given)
     data = _solve(chosen, laws, options_of_records(context))
     chosen = chosen.with_surface_moments(data.attrs["model"])

@@ -41,7 +41,8 @@ class Contact(Subject):
     yield_stress. interfacial_shear_strength and
     pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
     tangential energy release that peels an adhesive asperity (Savkoor and Briggs: all). liquid: Liquid, or dict of its numbers:
-    its vapour condenses between asperities, and the menisci pull. Every number may be an array with a
+    its vapour condenses between asperities, and the menisci pull. waiting_time, cut_off_time and strengthening: how the
+    interface strengthens at rest, as measured. Every number may be an array with a
     named dimension (`stiction.axis`). Raises InputError.
     """
 
@@ -56,11 +57,18 @@ class Contact(Subject):
     pressure_coefficient: OptionalNumber = None
     peeling: OptionalNumber = None
     liquid: Liquid | None = None
+    waiting_time: OptionalNumber = None
+    cut_off_time: OptionalNumber = None
+    strengthening: OptionalNumber = None
 
     @model_validator(mode="after")
     def _dimensions_agree(self):
         self.check_dimensions()
         self._check_adhesion()
+        rest = ("waiting_time", "cut_off_time", "strengthening")
+        left_out = [name for name in rest if getattr(self, name) is None]
+        if 0 < len(left_out) < len(rest):
+            raise InputError(left_out[0], None, f"{', '.join(rest)} together, or none of them")
         return self
 
     def _check_adhesion(self) -> None:
@@ -106,6 +114,8 @@ class Contact(Subject):
             "pressure_coefficient": self.pressure_coefficient,
             "peeling": self.peeling,
             "hardening": bare.hardening,
+            "waiting": None if self.cut_off_time is None else self.waiting_time / self.cut_off_time,
+            "strengthening": self.strengthening,
         }
         if self.liquid is not None:
             groups["meniscus_index"] = bare.K * sigma**1.5 / (self.liquid.work * radius**0.5)
@@ -164,6 +174,9 @@ class Contact(Subject):
             "pressure_coefficient": "pressure_coefficient",
             "peeling": "peeling",
             "hardness_to_yield": "hardness_to_yield",
+            "waiting_time": "waiting",
+            "cut_off_time": "waiting",
+            "strengthening": "strengthening",
         }
         found = {name: group for name, group in names.items() if getattr(self, name) is not None}
         of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening"}
@@ -214,7 +227,7 @@ class Contact(Subject):
 
     def given_as(self, group: str) -> str:
         names = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}
-        names |= dict.fromkeys(("meniscus_index", "meniscus_height"), "liquid")
+        names |= dict.fromkeys(("meniscus_index", "meniscus_height"), "liquid") | {"waiting": "waiting_time"}
         return names.get(group, "work_of_adhesion" if group in ("theta", "lam", "tabor_parameter") else group)
 
     def read(self, value: Any, name: str) -> Any:

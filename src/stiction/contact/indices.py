@@ -57,8 +57,8 @@ class Indices(Subject):
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
     half-space to every asperity. One body is coated, and the other rigid, unless films and coated_share say otherwise; with two
     films the bodies are alike unless coated_share does; layer_nu left out is film_nu, coated_nu and counter_nu are nu.
-    film_friction_constant left out follows from strength and hardness. It and the last ten are needed by some
-    laws only; meniscus_index and meniscus_height are given together or not at all. Raises InputError.
+    film_friction_constant left out follows from strength and hardness. It and the last twelve are needed by some
+    laws only; waiting and strengthening, meniscus_index and meniscus_height are given together. Raises InputError.
     """
 
     theta: OptionalNumber = None
@@ -88,6 +88,8 @@ class Indices(Subject):
     pressure_coefficient: OptionalNumber = None
     peeling: OptionalNumber = None
     hardening: OptionalNumber = None
+    waiting: OptionalNumber = None
+    strengthening: OptionalNumber = None
     meniscus_index: OptionalNumber = None
     meniscus_height: OptionalNumber = None
 
@@ -102,9 +104,10 @@ class Indices(Subject):
     @model_validator(mode="after")
     def _adheres_or_not(self):
         given = [name for name in ("theta", "lam") if getattr(self, name) is not None]
-        menisci = [name for name in ("meniscus_index", "meniscus_height") if getattr(self, name) is None]
-        if len(menisci) == 1:
-            raise InputError(menisci[0], None, "meniscus_index and meniscus_height together, or none of them")
+        for pair in (("meniscus_index", "meniscus_height"), ("waiting", "strengthening")):
+            left_out = [name for name in pair if getattr(self, name) is None]
+            if len(left_out) == 1:
+                raise InputError(left_out[0], None, f"{pair[0]} and {pair[1]} together, or none of them")
         if (self.hardness_group is None) == (len(given) == 2) and len(given) != 1:
             return self
         missing = "lam" if self.lam is None and self.theta is not None else "theta"

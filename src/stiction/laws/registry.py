@@ -215,6 +215,18 @@ class Meniscus(Record):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Ageing(Record):
+    """How an interface strengthens at rest.
+
+    aged(groups) -> the groups as tangential laws take them then: with the strength of the interface that a contact has by now,
+    over the area that it had at first.
+    """
+
+    kind = keyword = "ageing"
+    aged: Callable
+
+
+@dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
     """A number that tells one behaviour of a rough surface in contact from another.
 
@@ -260,13 +272,14 @@ KINDS: tuple[type[Record], ...] = (
     Composite,
     Presliding,
     Meniscus,
+    Ageing,
     Criterion,
     AsperityMethod,
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure",
-    "FilmLaw", "Jump", "Limit", "Meniscus", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
+    "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "Ageing", "AsperityLaw", "AsperityMethod", "Composite", "Criterion",
+    "Departure", "FilmLaw", "Jump", "Limit", "Meniscus", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
     "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
     "resolve_options", "select_options", "text_of",
 ]  # fmt: skip

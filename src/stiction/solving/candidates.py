@@ -13,6 +13,7 @@ from stiction.solving.choice import LAWS, Choice
 _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
 # The law of menisci that takes any asperity law.
 _MENISCI = "equilibrium_meniscus"
+_AGEING = "berthoud_1999"
 # Of a map that is solved at some loads in a few seconds.
 _POINTS = 300_000
 
@@ -100,6 +101,16 @@ def with_menisci(choice: Choice, groups: Groups) -> Choice:
     if choice.meniscus is not None or groups.meniscus_index is None or not find(choice.model, RoughSurface).asperity:
         return choice
     return replace(choice, meniscus=_MENISCI)
+
+
+def with_ageing(choice: Choice, groups: Groups) -> Choice:
+    """The choice with the law of strengthening at rest, where the contact states how long that was, none was named, and the
+    strength of the interface is what is sheared."""
+    model = find(choice.model, RoughSurface)
+    key = choice.tangential or model.tangential
+    if choice.ageing is not None or groups.waiting is None or key == "none" or model.of_map is not None:
+        return choice
+    return replace(choice, ageing=_AGEING) if "shear_strength" in find(key, TangentialLaw).needs else choice
 
 
 def law_of_the_interface(groups: Groups) -> str:

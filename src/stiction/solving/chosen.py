@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from stiction.laws.joining import Law
 from stiction.laws.registry import (
+    Ageing,
     AsperityLaw,
     FilmLaw,
     Meniscus,
@@ -26,7 +27,8 @@ class Chosen:
     """A model with its laws and all their options.
 
     asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
-    ignored: what was chosen too and has nothing to answer for. meniscus: None where no menisci pull.
+    ignored: what was chosen too and has nothing to answer for. meniscus: None where no menisci pull;
+    ageing: None where nothing strengthens at rest.
     """
 
     model: RoughSurface
@@ -37,6 +39,7 @@ class Chosen:
     options: Mapping[str, str]
     ignored: tuple[str, ...] = ()
     meniscus: Meniscus | None = None
+    ageing: Ageing | None = None
 
     @property
     def law(self) -> Law:
@@ -52,7 +55,9 @@ class Chosen:
         """The records of all that answers, each with the parts that its options bring into it."""
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
         laws = [
-            one for one in (self.model, asperity, self.tangential, self.film, self.presliding, self.meniscus) if one is not None
+            one
+            for one in (self.model, asperity, self.tangential, self.film, self.presliding, self.meniscus, self.ageing)
+            if one is not None
         ]
         return [record for one in laws for record in (one, *one.parts(self.options))]
 
@@ -67,7 +72,8 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
     tangential = _tangential(choice.tangential or model.tangential)
     if not model.asperity:
         _refuse_parts(choice, model, tangential, coated and model.of_map is None)
-        return Chosen(model, None, tangential, None, None, _options(choice, model, tangential), _ignored(choice, coated))
+        options, ignored = _options(choice, model, tangential), _ignored(choice, coated)
+        return Chosen(model, None, tangential, None, None, options, ignored, ageing=_ageing(choice, model, tangential))
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
     meniscus = None if choice.meniscus in (None, "none") else find(choice.meniscus, Meniscus)
@@ -81,7 +87,8 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         assert tangential is not None  # without friction there is nothing that could not suit
         raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
     options = _options(choice, model, asperity, tangential, film)
-    return Chosen(model, asperity, tangential, film, presliding, options, _ignored(choice, coated), meniscus)
+    ageing, ignored = _ageing(choice, model, tangential), _ignored(choice, coated)
+    return Chosen(model, asperity, tangential, film, presliding, options, ignored, meniscus, ageing)
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
@@ -91,6 +98,19 @@ def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
 
 def _options(choice: Choice, *laws: Record | None) -> dict[str, str]:
     return resolve_options([one for one in laws if one is not None], choice.options)
+
+
+def _ageing(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None) -> Ageing | None:
+    """The law of strengthening at rest; InputError where no strength of the interface is sheared that could grow."""
+    if choice.ageing in (None, "none"):
+        return None
+    found = find(choice.ageing, Ageing)
+    if model.of_map is not None:
+        raise InputError("ageing", found.key, f"none: {model.key} limits the shear of points, which do not wait")
+    if tangential is None or "shear_strength" not in tangential.needs:
+        without = "there is no tangential law" if tangential is None else f"{tangential.key} shears none"
+        raise InputError("ageing", found.key, f"none, or a tangential law that shears a strength of the interface: {without}")
+    return found
 
 
 def _tangential(key: str) -> TangentialLaw | None:

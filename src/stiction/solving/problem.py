@@ -16,7 +16,7 @@ from stiction.laws.registry import RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.candidates import with_interface, with_menisci
+from stiction.solving.candidates import with_ageing, with_interface, with_menisci
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import look_up
 from stiction.solving.on_map import OnMap
@@ -310,7 +310,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
     """The problem of these groups, with one dimension, "contact". subject: what a user gave, if it was more than groups."""
-    chosen = look_up(with_menisci(with_interface(choice, groups), groups), groups.has_film)
+    chosen = look_up(with_ageing(with_menisci(with_interface(choice, groups), groups), groups), groups.has_film)
     for record in chosen.records():
         for name in record.needs:
             if not groups.knows(name):
@@ -318,4 +318,5 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
                 whose = "" if record is chosen.model else f", which {chosen.model.key} takes here,"
                 raise InputError(given, getattr(subject, given, None), f"{_wanted(given)}: {record.key}{whose} needs it")
     kind: type[Problem] = Sum if chosen.asperity is not None else OnMap if chosen.model.of_map is not None else ClosedForm
+    groups = groups if chosen.ageing is None else chosen.ageing.aged(groups)
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

@@ -61,7 +61,7 @@ class Form:
             self._select("model", [*names, *([] if given in names else [given])], given, ("solve", "model"), None)
             with ui.expansion("Other laws than its own").classes("w-full").props("dense"):
                 for keyword in CHOSEN_BY_KEY:
-                    keys = [*law_keys(keyword), *(["none"] if keyword == "tangential" else [])]
+                    keys = [*law_keys(keyword), *(["none"] if keyword in ("tangential", "meniscus", "ageing") else [])]
                     chosen = str(solve.get(keyword, _NONE))
                     self._select(keyword, [_NONE, *keys], chosen, ("solve", keyword), _NONE)
             for name, values in option_values(self._explorer.good.data).items():

@@ -2,7 +2,7 @@ r"""Menisci around elastic asperities, which pull less the farther those are pre
 
 *Assumes*: as [`equilibrium_meniscus`](#equilibrium_meniscus), but that the gap beside the contact is Hertz's, so that the
 ring of liquid is the attracting ring of [`maugis_1992`](#maugis_1992), with the stress $\gamma_\mathrm L/r$ and the range
-$2rc$, at small Tabor parameters, where it does not draw the solids out of shape. That a meniscus is such a ring:
+$2rc$, at small Tabor parameters, where it does not draw the solids out of shape. *Source*: that a meniscus is such a ring:
 [maugis_gauthier_manuel_1994], as [intersurface_adhesion_2018] reports it, JKR's law in dry air, DMT's in moist; the equations
 are those of [maugis_1992] to first order in $\lambda_M$, derived here. With $s=a/\sqrt{c^2-a^2}$, $a$ and $c$ being the inner
 and the outer radius of the ring,
@@ -93,5 +93,5 @@ RECORD = Meniscus(
         *equilibrium_meniscus.VALIDITY,
         Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
     ),
-    limits=(Limit("equilibrium_meniscus", {"meniscus_index": 1.0, "meniscus_height": 1e6}, ("load",), 0.01),),
+    limits=(Limit("equilibrium_meniscus", {"meniscus_index": 1.0, "meniscus_height": 1e8}, ("load",), 0.002),),
 )
