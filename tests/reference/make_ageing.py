@@ -1,8 +1,8 @@
 """Real area of a contact that creeps at rest: mpmath, 20 digits. Takes a second.
 
 The rate of creep falls exponentially with the area gained, dA/dt = (m/t_c) exp(-(A - 1)/m) over the area at first. The time to
-reach an area is the integral of one over the rate, by quadrature; `factor` is the area at which that time is `waiting`, in cut-off
-times.
+reach an area is the integral of one over the rate, by quadrature; `factor` is the area at which that time is `waiting`, in
+cut-off times, by bisection.
 
 - `berthoud_1999.csv`: `factor` at `waiting`, `strengthening`
 """
@@ -22,7 +22,11 @@ def area(m, waited):
     high = m
     while time(high) < waited:
         high *= 2
-    return 1 + mp.findroot(lambda gained: time(gained) - waited, (mpf(0), high), solver="anderson", tol=1e-30)
+    low = mpf(0)
+    for _ in range(70):
+        middle = (low + high) / 2
+        low, high = (middle, high) if time(middle) < waited else (low, middle)
+    return 1 + low
 
 
 if __name__ == "__main__":
