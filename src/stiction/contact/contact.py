@@ -12,6 +12,7 @@ from stiction.contact.liquid import Liquid
 from stiction.contact.materials import Material, as_material
 from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
 from stiction.contact.roughness import Rough, Roughness
+from stiction.contact.size_effect import at_radius, size_ratio
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, named_by
 from stiction.quantities.errors import InputError
@@ -102,7 +103,7 @@ class Contact(Subject):
         return Indices(**{name: named_by(value, names) for name, value in groups.items()})
 
     def _groups(self) -> dict[str, Any]:
-        bare = pair_of(self.first, self.second)
+        bare = self._bare
         sigma, radius = self._sigma, self._radius
         groups = self._adhesion(bare) | {
             "nu": bare.nu,
@@ -136,7 +137,7 @@ class Contact(Subject):
         }
 
     def _film_groups(self, coating: Coating, bare: "Pair") -> dict[str, Any]:
-        film = pair_of(coating.material, self._against_film(coating))
+        film = pair_of(at_radius(coating.material, self._radius), at_radius(self._against_film(coating), self._radius))
         film_gamma, constant = coating.work_of_adhesion if self.adheres else None, coating.friction_constant
         # With both coated either may be called the coated one: the more compliant, so that their order does not matter.
         coated, counter = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
@@ -179,23 +180,40 @@ class Contact(Subject):
             "strengthening": "strengthening",
         }
         found = {name: group for name, group in names.items() if getattr(self, name) is not None}
-        of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening"}
+        of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening", "characteristic_depth": "hardness"}
         for body in ("first", "second"):
             found |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
         found |= {} if self.liquid is None else {"liquid": "meniscus_index"}
         if self.coating is None:
             return found
-        found |= {f"coating.material.{name}": "" for name in of_bodies if self.coating.material.is_own(name)}
+        film = self.coating.material
+        found |= {f"coating.material.{name}": "" for name in ("yield_stress", "tangent_modulus") if film.is_own(name)}
+        found |= {} if film.characteristic_depth is None else {"coating.material.characteristic_depth": "hardness"}
         return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
 
     def remarks(self) -> list[str]:
+        return [*self._of_size(), *self._of_film()]
+
+    def _of_size(self) -> list[str]:
+        """How hard asperities find bodies whose hardness depends on the size."""
+        bodies = [self.first, self.second, *([] if self.coating is None else [self.coating.material])]
+        found = []
+        for body in bodies:
+            if body.characteristic_depth is not None:
+                times = (1.0 + size_ratio(body, self._radius)) ** 0.5
+                much = f"{float(times):.3g} times as hard" if np.ndim(times) == 0 else "harder"
+                found.append(f"asperities find {body.name} {much} as large imprints do (Nix and Gao 1998)")
+        return list(dict.fromkeys(found))
+
+    def _of_film(self) -> list[str]:
         if self.coating is None or self.coating.bodies == "both":
             return []
-        film, other = self.coating.material, self._against_film(self.coating)
+        bodies = self.coating.material, self._against_film(self.coating)
+        film, other = (at_radius(body, self._radius) for body in bodies)
         below = np.asarray(other.hardness) < np.asarray(film.hardness)  # of sweeps, anywhere, as far as they can be lined up
         if not (below.any() if below.shape else bool(below)):
             return []
-        ratio = other.hardness / pair_of(self.first, self.second).hardness
+        ratio = other.hardness / self._bare.hardness
         n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
         return [
             f"the counterbody {other.name} is softer than the film {film.name} and yields first: where they meet its hardness "
@@ -253,7 +271,7 @@ class Contact(Subject):
 
     def scales(self) -> Scales:
         """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""
-        K = pair_of(self.first, self.second).K
+        K = self._bare.K
         return Scales(
             load=K * self._radius**0.5 * self._sigma**1.5,
             contact_area=pi * self._radius * self._sigma,
@@ -265,7 +283,7 @@ class Contact(Subject):
     @property
     def contact_modulus(self):
         """E* of the two bodies without film [Pa] (theory 1)."""
-        return 0.75 * pair_of(self.first, self.second).K
+        return 0.75 * self._bare.K
 
     @property
     def kelvin_radius(self):
@@ -275,7 +293,7 @@ class Contact(Subject):
     @property
     def plasticity_index(self):
         """psi = (E*/H) (sigma/R)^(1/2) of the bodies without film, H of the softer (GW 1966)."""
-        hardness = pair_of(self.first, self.second).hardness
+        hardness = self._bare.hardness
         return self.contact_modulus / hardness * (self._sigma / self._radius) ** 0.5
 
     def tabor_parameter(self, equilibrium_distance=EQUILIBRIUM_DISTANCE):
@@ -288,6 +306,18 @@ class Contact(Subject):
         if not self.adheres:
             return 0.0
         return (self._radius * self.work_of_adhesion**2 / (self.contact_modulus**2 * distance**3)) ** (1 / 3)
+
+    @property
+    def _bare(self) -> Pair:
+        """Both bodies without a film, as hard as asperities find them."""
+        return pair_of(at_radius(self.first, self._radius), at_radius(self.second, self._radius))
+
+    @property
+    def size_effect(self):
+        """The largest R*/R of all bodies, None where no hardness depends on the size."""
+        bodies = [self.first, self.second, *([] if self.coating is None else [self.coating.material])]
+        found = [size_ratio(body, self._radius) for body in bodies if body.characteristic_depth is not None]
+        return max(found, key=lambda one: float(np.max(one))) if found else None
 
     @property
     def _sigma(self):

@@ -55,6 +55,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _by_numbers),
     (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _by_numbers),
     (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _by_numbers),
+    (Validity("size_effect", 0.0, 10.0, "no metal is known to be so much harder under small asperities"), _any),
     (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _by_numbers),
 )  # fmt: skip
 
