@@ -341,6 +341,7 @@ NAMES = {
     "stiffness before sliding": "presliding",
     "menisci": "meniscus",
     "strengthening at rest": "ageing",
+    "junctions that differ": "contamination",
     "criteria": "criterion",
     "ways of finding asperities": "asperity method",
 }

@@ -64,6 +64,9 @@ def run(
     ageing: Annotated[
         str | None, typer.Option(help="Law of strengthening at rest; none: without.", autocompletion=keys_of("ageing"))
     ] = None,
+    contamination: Annotated[
+        str | None, typer.Option(help="Law of junctions that differ; none: without.", autocompletion=keys_of("contamination"))
+    ] = None,
     load: Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')] = None,
     all_rows: Annotated[
         bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")
@@ -90,7 +93,14 @@ def run(
 
         chosen = read_case(case, ranges=ranges)
         chosen = chosen if load is None else chosen.at_load(load)
-    given = {"film": film, "coating_law": coating_law, "presliding": presliding, "meniscus": meniscus, "ageing": ageing}
+    given = {
+        "film": film,
+        "coating_law": coating_law,
+        "presliding": presliding,
+        "meniscus": meniscus,
+        "ageing": ageing,
+        "contamination": contamination,
+    }
     laws = {"model": model, "asperity": asperity, "tangential": tangential} | without_old_names(given)
     data = _solve(chosen, laws, options_of_records(context))
     chosen = chosen.with_surface_moments(data.attrs["model"])

@@ -37,14 +37,14 @@ class Contact(Subject):
     topography of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size); or a dict like the table
     of a case file, with a scan or numbers as `first`, `second` or both, and how asperities are found. With a scan, results say
     the spread over the ways of finding asperities, and `roughness.measured` what each finds.
-    work_of_adhesion: of the bodies' surfaces, see the function of that name; left out or zero, nothing adheres, and models that
-    need it say so. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that has no
-    yield_stress. interfacial_shear_strength and
-    pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
-    tangential energy release that peels an adhesive asperity (Savkoor and Briggs: all). liquid: Liquid, or dict of its numbers:
-    its vapour condenses between asperities, and the menisci pull. waiting_time, cut_off_time and strengthening: how the
-    interface strengthens at rest, as measured. Every number may be an array with a
-    named dimension (`stiction.axis`). Raises InputError.
+    work_of_adhesion: of the bodies' surfaces, see the function of that name; left out or zero, nothing adheres, and models
+    that need it say so. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that
+    has no yield_stress. interfacial_shear_strength and pressure_coefficient are needed by the tangential laws that shear an
+    interface; peeling, 1 if left out, is the share of the tangential energy release that peels an adhesive asperity (Savkoor
+    and Briggs: all). liquid: Liquid, or dict of its numbers: its vapour condenses between asperities, and the menisci pull.
+    waiting_time, cut_off_time and strengthening: how the interface strengthens at rest, as measured; strength_variation: how
+    its strength varies from junction to junction. Every number may be an array with a named dimension (`stiction.axis`).
+    Raises InputError.
     """
 
     first: Body = Field(description="a material: the name of a preset, or its numbers")
@@ -58,6 +58,7 @@ class Contact(Subject):
     pressure_coefficient: OptionalNumber = None
     peeling: OptionalNumber = None
     liquid: Liquid | None = None
+    strength_variation: OptionalNumber = None
     waiting_time: OptionalNumber = None
     cut_off_time: OptionalNumber = None
     strengthening: OptionalNumber = None
@@ -117,6 +118,7 @@ class Contact(Subject):
             "hardening": bare.hardening,
             "waiting": None if self.cut_off_time is None else self.waiting_time / self.cut_off_time,
             "strengthening": self.strengthening,
+            "strength_variation": self.strength_variation,
         }
         if self.liquid is not None:
             groups["meniscus_index"] = bare.K * sigma**1.5 / (self.liquid.work * radius**0.5)
@@ -178,6 +180,7 @@ class Contact(Subject):
             "waiting_time": "waiting",
             "cut_off_time": "waiting",
             "strengthening": "strengthening",
+            "strength_variation": "strength_variation",
         }
         found = {name: group for name, group in names.items() if getattr(self, name) is not None}
         of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening", "characteristic_depth": "hardness"}

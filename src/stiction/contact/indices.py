@@ -57,7 +57,7 @@ class Indices(Subject):
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
     half-space to every asperity. One body is coated, and the other rigid, unless films and coated_share say otherwise; with two
     films the bodies are alike unless coated_share does; layer_nu left out is film_nu, coated_nu and counter_nu are nu.
-    film_friction_constant left out follows from strength and hardness. It and the last twelve are needed by some
+    film_friction_constant left out follows from strength and hardness. It and the last thirteen are needed by some
     laws only; waiting and strengthening, meniscus_index and meniscus_height are given together. Raises InputError.
     """
 
@@ -88,6 +88,7 @@ class Indices(Subject):
     pressure_coefficient: OptionalNumber = None
     peeling: OptionalNumber = None
     hardening: OptionalNumber = None
+    strength_variation: OptionalNumber = None
     waiting: OptionalNumber = None
     strengthening: OptionalNumber = None
     meniscus_index: OptionalNumber = None

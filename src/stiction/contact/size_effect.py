@@ -12,8 +12,9 @@ so that R* = (2/3) h*/tan^2(beta), 5.20 h* for Berkovich's and Vickers's pyramid
 is a sphere: it has one hardness at every depth. H_0 is the hardness of large imprints, and h* is fitted to hardness against
 the depth under a pyramid. The yield stress is taken to grow as the hardness does.
 
-*Limit*: h* -> 0 or R -> infinity: H_0. *Unknown*: what limits the growth; measured hardness is said to be less than this at depths below
-some 100 nm, where the dislocations spread over more than the hemisphere; results are flagged where R* is above 10 R.
+*Limit*: h* -> 0 or R -> infinity: H_0. *Unknown*: what limits the growth; measured hardness is said to be less than this at
+depths below some 100 nm, where the dislocations spread over more than the hemisphere; results are flagged where R* is above
+10 R.
 """
 
 from math import radians, tan

@@ -227,6 +227,14 @@ class Ageing(Record):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Contamination(TangentialLaw):
+    """How the strength of an interface that differs from junction to junction spreads friction: a tangential law whose
+    resistance is the variance of the force of one asperity, in the square of the unit of the load."""
+
+    kind = keyword = "contamination"
+
+
+@dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
     """A number that tells one behaviour of a rough surface in contact from another.
 
@@ -273,15 +281,16 @@ KINDS: tuple[type[Record], ...] = (
     Presliding,
     Meniscus,
     Ageing,
+    Contamination,
     Criterion,
     AsperityMethod,
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "Ageing", "AsperityLaw", "AsperityMethod", "Composite", "Criterion",
-    "Departure", "FilmLaw", "Jump", "Limit", "Meniscus", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
-    "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
-    "resolve_options", "select_options", "text_of",
+    "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "Ageing", "AsperityLaw", "AsperityMethod", "Composite", "Contamination",
+    "Criterion", "Departure", "FilmLaw", "Jump", "Limit", "Meniscus", "Parameter", "Presliding", "Record", "RoughSurface",
+    "TangentialLaw", "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility",
+    "of_kind", "records", "resolve_options", "select_options", "text_of",
 ]  # fmt: skip
 _R = TypeVar("_R", bound=Record)
 

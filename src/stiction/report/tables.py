@@ -107,7 +107,7 @@ def facts(pairs: Iterable[tuple[str, str]]) -> Table:
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
     """What was solved: contact, groups, model with its options and grade, and the pull-off force if the model knows it."""
     used = data.attrs
-    kinds = ("asperity", "tangential", "film", "meniscus", "ageing")
+    kinds = ("asperity", "tangential", "film", "meniscus", "ageing", "contamination")
     laws = [f"{kind} law {used[kind]}" for kind in kinds if used.get(kind, "none") != "none"]
     options = [f"{name} {used[name]}" for name in used["options"].split()]
     return facts(

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
+from stiction.laws.registry import AsperityLaw, Contamination, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import LAWS, Choice
 
@@ -14,6 +14,7 @@ _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
 # The law of menisci that takes any asperity law.
 _MENISCI = "equilibrium_meniscus"
 _AGEING = "berthoud_1999"
+_JUNCTIONS = "independent_junctions"
 # Of a map that is solved at some loads in a few seconds.
 _POINTS = 300_000
 
@@ -111,6 +112,17 @@ def with_ageing(choice: Choice, groups: Groups) -> Choice:
     if choice.ageing is not None or groups.waiting is None or key == "none" or model.of_map is not None:
         return choice
     return replace(choice, ageing=_AGEING) if "shear_strength" in find(key, TangentialLaw).needs else choice
+
+
+def with_contamination(choice: Choice, groups: Groups) -> Choice:
+    """The choice with the spread by single junctions, where the contact states how they vary, none was named, the strength of
+    the interface is what is sheared, and a sum without a film knows them."""
+    model = find(choice.model, RoughSurface)
+    key = choice.tangential or model.tangential
+    known = all(groups.knows(name) for name in find(_JUNCTIONS, Contamination).needs) and not groups.has_film
+    if choice.contamination is not None or not known or key == "none" or not model.asperity:
+        return choice
+    return replace(choice, contamination=_JUNCTIONS) if "shear_strength" in find(key, TangentialLaw).needs else choice
 
 
 def law_of_the_interface(groups: Groups) -> str:

@@ -7,6 +7,7 @@ from stiction.laws.joining import Law
 from stiction.laws.registry import (
     Ageing,
     AsperityLaw,
+    Contamination,
     FilmLaw,
     Meniscus,
     Presliding,
@@ -28,7 +29,7 @@ class Chosen:
 
     asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
     ignored: what was chosen too and has nothing to answer for. meniscus: None where no menisci pull;
-    ageing: None where nothing strengthens at rest.
+    ageing: None where nothing strengthens at rest; contamination: None where no spread is asked.
     """
 
     model: RoughSurface
@@ -40,6 +41,7 @@ class Chosen:
     ignored: tuple[str, ...] = ()
     meniscus: Meniscus | None = None
     ageing: Ageing | None = None
+    contamination: Contamination | None = None
 
     @property
     def law(self) -> Law:
@@ -54,11 +56,8 @@ class Chosen:
     def records(self) -> list[Record]:
         """The records of all that answers, each with the parts that its options bring into it."""
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
-        laws = [
-            one
-            for one in (self.model, asperity, self.tangential, self.film, self.presliding, self.meniscus, self.ageing)
-            if one is not None
-        ]
+        interface = self.presliding, self.meniscus, self.ageing, self.contamination
+        laws = [one for one in (self.model, asperity, self.tangential, self.film, *interface) if one is not None]
         return [record for one in laws for record in (one, *one.parts(self.options))]
 
 
@@ -88,7 +87,8 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
     options = _options(choice, model, asperity, tangential, film)
     ageing, ignored = _ageing(choice, model, tangential), _ignored(choice, coated)
-    return Chosen(model, asperity, tangential, film, presliding, options, ignored, meniscus, ageing)
+    varies = _contamination(choice, tangential, film)
+    return Chosen(model, asperity, tangential, film, presliding, options, ignored, meniscus, ageing, varies)
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
@@ -110,6 +110,20 @@ def _ageing(choice: Choice, model: RoughSurface, tangential: TangentialLaw | Non
     if tangential is None or "shear_strength" not in tangential.needs:
         without = "there is no tangential law" if tangential is None else f"{tangential.key} shears none"
         raise InputError("ageing", found.key, f"none, or a tangential law that shears a strength of the interface: {without}")
+    return found
+
+
+def _contamination(choice: Choice, tangential: TangentialLaw | None, film: FilmLaw | None) -> Contamination | None:
+    """The law of junctions that differ; InputError where no strength of the interface is sheared, or a film is."""
+    if choice.contamination in (None, "none"):
+        return None
+    found = find(choice.contamination, Contamination)
+    if film is not None:
+        raise InputError(
+            "contamination", found.key, f"none: how a junction is shared by film and substrate ({film.key}) is not known"
+        )
+    if tangential is None or "shear_strength" not in tangential.needs:
+        raise InputError("contamination", found.key, "none, or a tangential law that shears a strength of the interface")
     return found
 
 
@@ -144,6 +158,8 @@ def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw
         raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
     if choice.presliding:
         raise InputError("presliding", choice.presliding, f"nothing: {model.key} knows no single asperities")
+    if choice.contamination not in (None, "none"):
+        raise InputError("contamination", choice.contamination, f"none: {model.key} knows no single junctions")
     if choice.meniscus not in (None, "none"):
         raise InputError("meniscus", choice.meniscus, f"none: {model.key} knows no single asperities for a liquid to bridge")
     if model.of_map is not None and choice.film:

@@ -12,11 +12,11 @@ from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
-from stiction.laws.registry import RoughSurface, find, select_options
+from stiction.laws.registry import RoughSurface, TangentialLaw, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.candidates import with_ageing, with_interface, with_menisci
+from stiction.solving.candidates import with_ageing, with_contamination, with_interface, with_menisci
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import look_up
 from stiction.solving.on_map import OnMap
@@ -90,10 +90,23 @@ class Sum(Problem):
         assert presliding is not None
         if self.chosen.film is not None:
             raise InputError("presliding", presliding.key, "nothing: how film and substrate share it is not known")
-        plain = replace(self.chosen, model=replace(self.record, regimes=None), tangential=presliding, meniscus=None)
+        return self._summed_alone(presliding, h)
+
+    def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
+        """What a law that stands in the place of a tangential law gives, per asperity (n, m), at the separations h (n, m)."""
+        plain = replace(self.chosen, model=replace(self.record, regimes=None), tangential=law, meniscus=None)
         rows = np.repeat(np.arange(len(h)), h.shape[1])
         sums = replace(self, chosen=plain)._scattered(h.reshape(-1), rows)
         return sums[..., _SLIP_LIMITED].sum(axis=0).reshape(h.shape)
+
+    def _spread(self, results: dict[str, np.ndarray], h: np.ndarray) -> np.ndarray:
+        """Standard deviation of mu (n, m): variances of the asperities' forces add up, and so do their loads."""
+        law, load = self.chosen.contamination, results["load"]
+        assert law is not None
+        asperities = number_of_asperities(self.groups)
+        assert asperities is not None  # the law needs what decides it
+        deviation = np.sqrt(self._summed_alone(law, h) / asperities)
+        return np.divide(deviation, load, where=load > 0.0, out=np.full(load.shape, np.nan))
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
         results = self._by_name(np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1))
@@ -111,6 +124,8 @@ class Sum(Problem):
         return scattered(self.regimes, h, self.heights, law, self.threads)
 
     def _with_stiffness(self, results: dict[str, np.ndarray], h: np.ndarray) -> dict[str, np.ndarray]:
+        if self.chosen.contamination is not None:
+            results["friction_coefficient_spread"] = self._spread(results, h)
         return results if self.chosen.presliding is None else results | {"tangential_stiffness": self.stiffness(h)}
 
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
@@ -308,9 +323,23 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     return problem
 
 
+def _completed(choice: Choice, groups: Groups) -> Choice:
+    """The choice with the laws that a contact asks for by what it states."""
+    for more in (with_interface, with_menisci, with_ageing, with_contamination):
+        choice = more(choice, groups)
+    return choice
+
+
+def number_of_asperities(groups: Groups) -> np.ndarray | None:
+    """Number of asperities on the nominal area (n, 1), N A_n = N R sigma (A_n/sigma^2) (sigma/R); None if that is not known."""
+    if groups.nominal_width is None or groups.sharpness is None or groups.roughness_parameter is None:
+        return None
+    return (groups.roughness_parameter * (groups.nominal_width * groups.sharpness) ** 2)[:, None]
+
+
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
     """The problem of these groups, with one dimension, "contact". subject: what a user gave, if it was more than groups."""
-    chosen = look_up(with_ageing(with_menisci(with_interface(choice, groups), groups), groups), groups.has_film)
+    chosen = look_up(_completed(choice, groups), groups.has_film)
     for record in chosen.records():
         for name in record.needs:
             if not groups.knows(name):

@@ -21,7 +21,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
-from stiction.solving.problem import Problem
+from stiction.solving.problem import Problem, number_of_asperities
 
 # Pull-off force of a sphere over gamma R at the most (Derjaguin, Muller & Toporov 1975); JKR's is 3/4 of it.
 _DMT = 2.0 * math.pi
@@ -42,7 +42,7 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
         density = math.pi * groups.roughness_parameter[:, None]
         found["area_fraction"] = density * area
         found["nominal_pressure_over_hardness"] = density * load / (groups.eta * _softest(groups))[:, None]
-        count = _asperities(groups)
+        count = number_of_asperities(groups)
         if count is not None:
             found["touching_asperities"] = count * (expected_share(area) if share is None else share)
     of_surface = _of_the_surface(groups) | _of_the_map(problem) | (_of_attraction(groups) if problem.record.adheres else {})
@@ -130,13 +130,6 @@ def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarra
     of_film = np.asarray(results["load_film"]).reshape(load.shape)
     share = np.clip(np.divide(of_film, load, where=load > 0.0, out=np.ones_like(load)), 0.0, 1.0)
     return share * n_H + (1.0 - share)
-
-
-def _asperities(groups: Groups) -> np.ndarray | None:
-    """Number of asperities on the nominal area (n, 1)."""
-    if groups.nominal_width is None or groups.sharpness is None:
-        return None
-    return (groups.roughness_parameter * (groups.nominal_width * groups.sharpness) ** 2)[:, None]
 
 
 def expected_share(area: np.ndarray) -> np.ndarray:

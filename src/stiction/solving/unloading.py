@@ -180,7 +180,7 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     """The way apart under these laws; InputError, with the reason, where it is not known."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
-    for name in ("film", "presliding", "meniscus", "ageing"):
+    for name in ("film", "presliding", "meniscus", "ageing", "contamination"):
         if getattr(choice, name) is not None:
             raise InputError(name, getattr(choice, name), "nothing: of what unloads there is no such option")
     tangential = choice.tangential or "none"
