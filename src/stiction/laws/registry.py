@@ -92,7 +92,8 @@ class TangentialLaw(Record):
     its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. of_half_space:
     why a law that is neither says nothing of film and body as one; like: key of the law to take there in its place, or "".
     junctions: keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where its own
-    gives them nothing.
+    gives them nothing. of_area: its force is the strength of the interface times the contact area, beside what goes with the
+    load.
     """
 
     kind = keyword = "tangential"
@@ -102,6 +103,7 @@ class TangentialLaw(Record):
     layered: bool = False
     of_half_space: str = ""
     like: str = ""
+    of_area: bool = False
     junctions: tuple[str, ...] = ()
 
     @property

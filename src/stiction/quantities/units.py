@@ -62,15 +62,15 @@ def show(value, name: str, digits: int = 6) -> str:
     six at most."""
     unit = QUANTITIES[name].unit
     value = float(f"{value:.{digits}g}")
-    prefixed = re.fullmatch(r"(m|Pa|N|J)(\^2)?(.*)", unit)
+    prefixed = re.fullmatch(r"(m|Pa|N|J)(\^[23])?(.*)", unit)
     if prefixed is None or value == 0 or not np.isfinite(value):
         return f"{value:.6g} {unit}".rstrip()
-    symbol, square, rest = prefixed.groups(default="")
-    power = 2 if square else 1  # 1 mm^2 is (1 mm)^2: a prefix counts twice in an area
+    symbol, raised, rest = prefixed.groups(default="")
+    power = int(raised[1:] or 1)  # 1 mm^2 is (1 mm)^2: a prefix counts twice in an area
     # It is rounded to the printed digits first, so that 999.9999999 nm is shown as 1 um and not as 1000 nm.
     exponent = int(f"{value:.5e}".partition("e")[2]) // (3 * power) * 3
     exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
-    return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{square}{rest}"
+    return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{raised}{rest}"
 
 
 def axis(name: str, values=None, dimension: str | None = None):

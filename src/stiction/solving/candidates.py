@@ -137,7 +137,7 @@ def with_ageing(choice: Choice, groups: Groups) -> Choice:
     key = choice.tangential or model.tangential
     if choice.ageing is not None or groups.waiting is None or key == "none" or model.of_map is not None:
         return choice
-    return replace(choice, ageing=_AGEING) if "shear_strength" in find(key, TangentialLaw).needs else choice
+    return replace(choice, ageing=_AGEING) if find(key, TangentialLaw).of_area else choice
 
 
 def with_contamination(choice: Choice, groups: Groups) -> Choice:
@@ -148,7 +148,7 @@ def with_contamination(choice: Choice, groups: Groups) -> Choice:
     known = all(groups.knows(name) for name in find(_JUNCTIONS, Contamination).needs) and not groups.has_film
     if choice.contamination is not None or not known or key == "none" or not model.asperity:
         return choice
-    return replace(choice, contamination=_JUNCTIONS) if "shear_strength" in find(key, TangentialLaw).needs else choice
+    return replace(choice, contamination=_JUNCTIONS) if find(key, TangentialLaw).of_area else choice
 
 
 def law_of_the_interface(groups: Groups) -> str:

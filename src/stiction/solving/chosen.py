@@ -113,9 +113,11 @@ def _ageing(choice: Choice, model: RoughSurface, tangential: TangentialLaw | Non
     found = find(choice.ageing, Ageing)
     if model.of_map is not None:
         raise InputError("ageing", found.key, f"none: {model.key} limits the shear of points, which do not wait")
-    if tangential is None or "shear_strength" not in tangential.needs:
-        without = "there is no tangential law" if tangential is None else f"{tangential.key} shears none"
-        raise InputError("ageing", found.key, f"none, or a tangential law that shears a strength of the interface: {without}")
+    if tangential is None or not tangential.of_area:
+        without = "there is no tangential law" if tangential is None else f"{tangential.key} is none that goes with the area"
+        raise InputError(
+            "ageing", found.key, f"none, or a tangential law whose force is a strength of the interface on the area: {without}"
+        )
     return found
 
 
@@ -128,8 +130,10 @@ def _contamination(choice: Choice, tangential: TangentialLaw | None, film: FilmL
         raise InputError(
             "contamination", found.key, f"none: how a junction is shared by film and substrate ({film.key}) is not known"
         )
-    if tangential is None or "shear_strength" not in tangential.needs:
-        raise InputError("contamination", found.key, "none, or a tangential law that shears a strength of the interface")
+    if tangential is None or not tangential.of_area:
+        raise InputError(
+            "contamination", found.key, "none, or a tangential law whose force is a strength of the interface on the area"
+        )
     return found
 
 

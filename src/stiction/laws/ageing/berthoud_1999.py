@@ -18,7 +18,7 @@ $m=B/(\mu_0\ln10)$.
 
 Laws of the interface alone take it, in the part of their force that goes with the area: what rises with the pressure
 ([`briscoe_tabor_1978`](#briscoe_tabor_1978)) depends on the load, which does not grow. `contact_area` is that at first.
-A law that does not shear a strength of the interface is refused: how its asperities strengthen is not known.
+Every other law is refused: how asperities strengthen that peel, yield or grow under shear is not known.
 
 *Limit*: no waiting, or $m=0$: nothing changes. *Check*: $m=0.02$ and $t_\mathrm c=1$ s:
 
