@@ -92,7 +92,8 @@ class TangentialLaw(Record):
     its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. of_half_space:
     why a law that is neither says nothing of film and body as one; like: key of the law to take there in its place, or "".
     junctions: keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where its own
-    gives them nothing.
+    gives them nothing. of_area: its force is the strength of the interface times the contact area, beside what goes with the
+    load.
     """
 
     kind = keyword = "tangential"
@@ -102,6 +103,7 @@ class TangentialLaw(Record):
     layered: bool = False
     of_half_space: str = ""
     like: str = ""
+    of_area: bool = False
     junctions: tuple[str, ...] = ()
 
     @property
@@ -221,6 +223,39 @@ class Presliding(TangentialLaw):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Meniscus(Record):
+    """How a liquid that condenses around an asperity pulls, whatever carries the load of that.
+
+    pull(groups, **own options) -> list of Regime, by displacement, which may begin below zero, where the liquid bridges a gap:
+    no area, no resistance, and loads below zero. wants: trait of the asperity law that it cannot do without -> why.
+    """
+
+    kind = keyword = "meniscus"
+    pull: Callable
+    wants: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ageing(Record):
+    """How an interface strengthens at rest.
+
+    aged(groups) -> the groups as tangential laws take them then: with the strength of the interface that a contact has by now,
+    over the area that it had at first.
+    """
+
+    kind = keyword = "ageing"
+    aged: Callable
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contamination(TangentialLaw):
+    """How the strength of an interface that differs from junction to junction spreads friction: a tangential law whose
+    resistance is the variance of the force of one asperity, in the square of the unit of the load."""
+
+    kind = keyword = "contamination"
+
+
+@dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
     """A number that tells one behaviour of a rough surface in contact from another.
 
@@ -265,16 +300,18 @@ KINDS: tuple[type[Record], ...] = (
     FilmLaw,
     Composite,
     Presliding,
+    Meniscus,
+    Ageing,
+    Contamination,
     Criterion,
     AsperityMethod,
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite",
-    "Criterion", "Departure",
-    "FilmLaw", "Jump", "Limit", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
-    "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
-    "resolve_options", "select_options", "text_of",
+    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "Ageing", "AsperityLaw", "AsperityMethod",
+    "Composite", "Contamination", "Criterion", "Departure", "FilmLaw", "Jump", "Limit", "Meniscus", "Parameter",
+    "Presliding", "Record", "RoughSurface", "TangentialLaw", "Validity", "all_options", "composites_of", "find",
+    "friction_incompatibility", "incompatibility", "of_kind", "records", "resolve_options", "select_options", "text_of",
 ]  # fmt: skip
 _R = TypeVar("_R", bound=Record)
 
@@ -354,8 +391,8 @@ def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
     return key, *(one for one in known if one != key)
 
 
-def incompatibility(law: TangentialLaw | FilmLaw, asperity: AsperityLaw) -> str:
-    """Why a tangential law or a film cannot go with an asperity law; "" if it can."""
+def incompatibility(law: TangentialLaw | FilmLaw | Meniscus, asperity: AsperityLaw) -> str:
+    """Why a tangential law, a film or a meniscus cannot go with an asperity law; "" if it can."""
     missing = [f"{why} ({trait}: {TRAITS[trait]})" for trait, why in law.wants.items() if trait not in asperity.traits]
     return f"{law.key} does not suit the asperity law {asperity.key}: {'; '.join(missing)}" if missing else ""
 
