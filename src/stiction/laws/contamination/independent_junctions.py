@@ -49,13 +49,6 @@ RECORD = Contamination(
     sources=(Source("bowden_tabor_1943", "", "force of one junction; that variances add up needs no source"),),
     tangential_resistance=tangential_resistance,
     verified="closed form of exponential heights; draws of strengths; integrals at 20 digits",
-    needs=(
-        "hardness_group",
-        "shear_strength",
-        "strength_variation",
-        "roughness_parameter",
-        "nominal_width",
-        "sharpness",
-    ),  # fmt: skip
+    needs=("hardness_group", "shear_strength", "strength_variation", "roughness_parameter", "nominal_width", "sharpness"),
     notes="The standard deviation is of single contacts; over many of them the mean friction is that without contamination.",
 )
