@@ -49,7 +49,6 @@ def lay_out(out: Path) -> None:
     """Everything that Sphinx reads, in the folder `out`, which is made anew."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
-    shutil.copytree(HERE / "static", out / "_static_of_site")
     waiting = [*own_pages(), *map(PurePosixPath, OTHERS)]
     for write in MADE:
         began = time.monotonic()
