@@ -101,7 +101,7 @@ def random_others(rng: np.random.Generator, n: int) -> dict[str, np.ndarray]:
         "sharpness": decades(-3, -0.5),
         "roughness_parameter": decades(-1.3, 0),
         "nominal_width": decades(2, 6),
-        "shear_strength": decades(-4, -0.5),
+        "shear_strength": decades(-4, -0.9),  # weaker than any bulk here, H/(sqrt(3) k): some laws refuse what is not
         "pressure_coefficient": decades(-3, -0.5),
         "peeling": decades(-2, 0),
         "hardening": decades(-4, -0.3),

@@ -12,13 +12,16 @@ from .laws.overview import models as models
 from .quantities.errors import InputDoubt as InputDoubt
 from .quantities.errors import InputError as InputError
 from .quantities.units import axis as axis
+from .report.html_report import write_report as write_report
 from .report.notebook import summary as summary
 from .solving.evaluate import Evaluation as Evaluation
 from .solving.evaluate import evaluate as evaluate
+from .solving.sliding import slide as slide
 from .solving.solve import solve as solve
 from .solving.unloading import unload as unload
 from .studies.case import read_case as read_case
 from .studies.case_results import compare_case as compare_case
+from .studies.case_results import slide_case as slide_case
 from .studies.case_results import solve_case as solve_case
 from .studies.comparison import compare as compare
 from .studies.design import design as design

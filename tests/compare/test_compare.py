@@ -115,8 +115,22 @@ def test_films():
     assert {"soft_coating_2015 + sequential", "graded"} <= set(data["model"].values)
     for film in of_kind(FilmLaw).values():
         shown = sum(str(name).endswith(film.key) for name in data["model"].values)
-        assert shown > 1 if film.key == "sequential" else shown == film.interchangeable
+        assert shown > 1 if film.key == "sequential" or film.solved_as_one else shown == film.interchangeable
+    assert data.sel(model="jackson_green_2005 + layered")["outside_validity"].item() == ""
+    assert "kogut_etsion_2004 + layered: " in data.attrs["left_out"]
     assert "persson_2001: " in data.attrs["left_out"] and "this contact has a film" in data.attrs["left_out"]
+
+
+def test_a_film_solved_with_its_body_takes_the_friction_of_its_model_or_its_like():
+    """One answer for each asperity law; the film by itself is the plain sum of it."""
+    coated = contact(coating=st.Coating(**FILM))
+    known = {one.name: one.choice for one in candidates(coated)}
+    assert known["chang_etsion_bogy_1988 + layered"].tangential == "layered_first_yield"
+    assert known["soft_coating_2015 + layered"].tangential is None and known["layered"].asperity is None
+    assert "greenwood_williamson_1966 + layered" not in known
+    given = compare(coated, load="1 N").sel(model="soft_coating_2015 + layered")
+    single = st.solve(coated, load="1 N", model="soft_coating_2015", film="layered")
+    assert float(given["friction_coefficient_at_load"]) == pytest.approx(float(single["friction_coefficient"]), rel=1e-9)
 
 
 def test_a_film_law_is_asked_with_the_asperity_of_its_source():

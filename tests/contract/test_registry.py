@@ -24,6 +24,7 @@ from stiction.laws.registry import (
     RoughSurface,
     TangentialLaw,
     find,
+    friction_incompatibility,
     incompatibility,
     of_kind,
     records,
@@ -360,6 +361,36 @@ def test_any_film_with_any_asperity_law(film, asperity):
         bared = sums[[regime.body == "substrate" for regime in regimes], :, 2].sum(axis=0)
         expected += given.eta * (1.0 / (np.sqrt(3.0) * given.hardness_to_yield) - given.shear_strength) * bared
     assert_near(total[:, 3:].sum(axis=1), expected, 1e-9, expected + 1e-12)
+
+
+AS_ONE = [film for film in FILMS if film.solved_as_one]
+
+
+@pytest.mark.parametrize("film", AS_ONE, ids=lambda film: film.key)
+@pytest.mark.parametrize(("asperity", "tangential"), list(pairs()))
+def test_films_solved_as_one_with_any_asperity_and_tangential_law(film, asperity, tangential):
+    """Summed, on load and area of the contact alone, if the records say that all three suit each other; if not, refused with
+    the reason, and with the law to take where there is one, which is then taken."""
+    given = draw(40, True, 97)
+    choice = Choice(PLAIN, asperity.key, tangential.key, film.key)
+    if incompatibility(film, asperity) or incompatibility(tangential, asperity):
+        with pytest.raises(InputError, match="laws that go together"):
+            problem_of(given, choice)
+        return
+    if friction_incompatibility(film, tangential):
+        assert tangential.of_half_space
+        with pytest.raises(InputError) as caught:
+            problem_of(given, choice)
+        assert tangential.of_half_space in str(caught.value) and tangential.like in str(caught.value)
+        if tangential.like:
+            instead = find(tangential.like, TangentialLaw)
+            assert not friction_incompatibility(film, instead) and not incompatibility(instead, asperity)
+        return
+    sums = scattered(problem_of(given, choice).regimes, np.linspace(-2.0, 3.0, 40), gaussian())
+    assert np.isfinite(sums).all() and (sums[..., [0, 2, 3, 4]] >= -1e-25).all() and sums[..., 3:].max() > 0.0
+    alone = scattered(problem_of(given, replace(choice, tangential="none")).regimes, np.linspace(-2.0, 3.0, 40), gaussian())
+    size = np.abs(sums[..., :3]).sum(axis=0) + 1e-12
+    assert_near(sums[..., :3].sum(axis=0), alone[..., :3].sum(axis=0), 1e-6, size)
 
 
 PAPER = find("roy_chowdhury_ghosh_1994", AsperityLaw)

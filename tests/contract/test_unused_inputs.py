@@ -109,7 +109,7 @@ def test_what_a_preset_brings_was_not_given():
 def test_the_laws_that_would_use_it_are_named_and_do():
     said = json.loads(st.solve(BARE, load="1 N").attrs["unused_inputs"])
     laws = {row["input"]: row["laws"] for row in said}["interfacial_shear_strength"]
-    assert laws == {"tangential": ["bowden_tabor_1943", "briscoe_tabor_1978"]}
+    assert laws == {"tangential": ["bowden_tabor_1943", "briscoe_tabor_1978", "tabor_1959"]}
     for key in laws["tangential"]:
         words = st.solve(BARE, load="1 N", tangential=key).attrs["inputs_not_used"]
         assert "interfacial_shear_strength" not in words
@@ -150,7 +150,7 @@ def run(*words):
 def test_the_command_says_it(tmp_path):
     (tmp_path / "case.toml").write_text(CASE)
     case = tmp_path / "case.toml"
-    said = "interfacial_shear_strength is not used by this model; --tangential bowden_tabor_1943 does"  # the other needs more
+    said = "interfacial_shear_strength is not used by this model; --tangential bowden_tabor_1943 or tabor_1959 does"  # the others need more
     assert said in run(case) and said not in run(case, "--tangential", "bowden_tabor_1943")
     assert "is not used" in run(
         case, "--film", "sequential"

@@ -13,6 +13,8 @@ von Mises stress at the two places, with the two constants that the authors roun
 - `brizmer_kligerman_etsion_2007.csv`: `friction` at `load`
 - `bowden_tabor_1943.csv`: `friction` at `area`, `load`
 - `briscoe_tabor_1978.csv`: the same
+- `tabor_1959.csv`: the same; the shear force is raised, by bisection, until the interface of the area that has grown gives way
+- `junction_growth.csv`: the same, growth ending at the force of full stick
 - `mindlin_1949.csv`: the same bodies before they slide: `stiffness`, `displacement` under `force`
 """
 
@@ -159,6 +161,52 @@ def interface(alphas):
                     yield [*pair.groups, mpf(share), *([mpf(alpha)] if alpha else []), *contact]
 
 
+def gives_way(strength, area_under, most):
+    """Bisection for the shear force T that an interface of this strength bears on the area that T makes, `most` at the most."""
+    low, high = mpf(0), most
+    for _ in range(110):
+        middle = (low + high) / 2
+        low, high = (middle, high) if strength * area_under(middle) > middle else (low, middle)
+    return low
+
+
+def growth():
+    """p^2 + alpha tau^2 = H^2 of a plastic junction, alpha of a bulk that shears at Y/sqrt(3); pressures above H count as H."""
+    for pair in map(Pair, BODIES):
+        alpha, A_0 = 3 * pair.k**2, mp.pi * mpf("2e-7") ** 2
+        for share in ("0.05", "0.6", "0.97"):
+            strength = mpf(share) * pair.H / mp.sqrt(alpha)
+            for pressure in ("-0.1", "0.2", "0.7", "0.99", "1", "1.3"):
+                P = mpf(pressure) * pair.H * A_0
+                bears = min(P, pair.H * A_0)
+
+                def area(T, A_0=A_0, pair=pair, bears=bears, alpha=alpha):
+                    plastic = mp.sqrt(bears**2 + alpha * T**2) / pair.H
+                    return plastic if bears > 0 and plastic > A_0 else A_0
+
+                T = gives_way(strength, area, 100 * pair.H * A_0)
+                contact = [A_0 / (mp.pi * pair.R * pair.sigma), P / pair.force, T / pair.force]
+                yield [*pair.groups, strength / pair.H, *contact]
+
+
+def growth_to_full_stick():
+    """A^2 = A_0^2 + (A_s^2 - A_0^2) T^2/T_s^2, A_s the area on which T_s shears the bulk."""
+    for row in full_stick():
+        *groups, load, stick = row
+        pair = next(one for one in map(Pair, BODIES) if one.groups == groups)
+        A_0 = (load * pair.force / pair.K * pair.R) ** (mpf(2) / 3) * mp.pi  # Hertz's
+        T_s, bulk = stick * pair.force, pair.H / (mp.sqrt(3) * pair.k)
+        for share in ("0.001", "0.4", "0.95", "1", "1.7"):
+            strength = mpf(share) * bulk
+            A_s = T_s / bulk
+
+            def area(T, A_0=A_0, A_s=A_s, T_s=T_s):
+                return mp.sqrt(A_0**2 + (A_s**2 - A_0**2) * (T / T_s) ** 2)
+
+            T = gives_way(strength, area, T_s)
+            yield [*groups, strength / pair.H, A_0 / (mp.pi * pair.R * pair.sigma), load, T / pair.force]
+
+
 def presliding():
     for pair in map(Pair, BODIES):
         for omega, mu in (("1e-9", "0.3"), ("2e-8", "1.2")):
@@ -182,6 +230,8 @@ TABLES = {
         [*GROUPS, "shear_strength", "pressure_coefficient", "area", "load", "friction"],
         lambda: interface(["0.05", "0.5"]),
     ),
+    "tabor_1959": ([*GROUPS, "shear_strength", "area", "load", "friction"], growth),
+    "junction_growth": ([*GROUPS, "shear_strength", "area", "load", "friction"], growth_to_full_stick),
     "mindlin_1949": (["nu", "K_beta", "area", "load", "mu", "force", "stiffness", "displacement"], presliding),
 }
 

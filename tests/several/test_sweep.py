@@ -17,7 +17,7 @@ from typer.testing import CliRunner
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
-from stiction.studies import sweep_store, sweep_workers
+from stiction.studies import sweep_blocks, sweep_plan, sweep_store, sweep_workers
 from stiction.studies.sweep import sweep
 from stiction.studies.sweep_blocks import merged, statistics_of
 from stiction.studies.sweep_plan import make_plan
@@ -109,6 +109,54 @@ def test_statistics_are_those_of_all_points(tmp_path):
     wanted = [[64] * 3, mu.mean(axis=0), mu.std(axis=0, ddof=1), mu.min(axis=0), mu.max(axis=0)]
     for kind, values in zip(kinds, wanted, strict=True):
         np.testing.assert_allclose(found(statistic=kind), values, rtol=1e-12)
+
+
+def test_percentiles_are_those_of_all_points(tmp_path):
+    kinds = ["percentile_5", "median", "count", "percentile_95"]
+    data = sweep(changed(DRAWN, sweep={"keep": ["friction_coefficient"], "statistics": kinds}), tmp_path / "store")
+    mu = sweep(DRAWN, tmp_path / "whole")["friction_coefficient"].values
+    assert data["statistic"].values.tolist() == kinds
+    for kind, share in (("percentile_5", 0.05), ("median", 0.5), ("percentile_95", 0.95)):
+        wanted = np.quantile(mu, share, axis=0, method="inverted_cdf")
+        np.testing.assert_allclose(data["friction_coefficient"].sel(statistic=kind), wanted, rtol=1 / 256)
+    np.testing.assert_array_equal(data["friction_coefficient"].sel(statistic="count"), 64)
+
+
+def test_a_block_that_is_larger_than_what_is_solved_at_once_is_solved_in_pieces(tmp_path, monkeypatch):
+    sizes = []
+    whole = sweep(changed(DRAWN, sweep={"block": 192}), tmp_path / "whole")["friction_coefficient"].values
+    monkeypatch.setattr(sweep_plan, "AT_ONCE", 24)
+    solved = sweep_blocks.solve_pointwise
+    monkeypatch.setattr(
+        sweep_blocks,
+        "solve_pointwise",
+        lambda subject, *a, **b: (sizes.append(subject.theta.size), solved(subject, *a, **b))[1],
+    )
+    cut = sweep(changed(DRAWN, sweep={"block": 192}), tmp_path / "cut")["friction_coefficient"].values
+    assert sizes[1:] == [8] * 8  # the first is the one contact by which the store is made
+    np.testing.assert_array_equal(cut, whole)
+
+
+def test_pieces_of_a_grid_are_all_of_it_once(monkeypatch):
+    monkeypatch.setattr(sweep_plan, "AT_ONCE", 6)
+    plan = make_plan(changed(GRID, sweep={"block": 1000}))
+    pieces = plan.pieces(plan.region(0))
+    held = np.zeros(tuple(plan.dims.values()), dtype=int)
+    for piece in pieces:
+        held[tuple(piece.values())] += 1
+        assert held[tuple(piece.values())].size <= 3
+    assert (held == 1).all()
+
+
+def test_statistics_have_larger_blocks_where_there_are_many_points():
+    def block(count, **more):
+        plan = make_plan(changed({**DRAWN, "sweep": {}}, sweep={"sample": {"method": "sobol", "count": count}, **more}))
+        return plan.tile["sample"] * plan.points
+
+    assert block(2**22) == block(2**10 * 43) == 131_070  # whole contacts of three loads
+    assert block(2**20, statistics=["mean"]) == 131_070
+    assert block(2**28, statistics=["mean"]) == 8 * 131_072 // 3 * 3
+    assert block(2**28, statistics=["mean"], block=30) == 30
 
 
 def test_statistics_leave_out_what_is_no_number():
@@ -327,11 +375,12 @@ def test_the_command_shows_how_far_it_is_and_what_is_doubtful(tmp_path):
 
 def test_a_cluster_does_the_same(tmp_path):
     distributed = pytest.importorskip("distributed")
-    sweep(DRAWN, tmp_path / "one")
+    many = changed(DRAWN, sweep={"block": 6})  # more blocks than wait for workers at once
+    sweep(many, tmp_path / "one")
     with distributed.LocalCluster(
         n_workers=1, threads_per_worker=1, host="127.0.0.1", dashboard_address=None, processes=False, protocol="tcp"
     ) as cluster:
-        sweep(DRAWN, tmp_path / "two", scheduler=cluster.scheduler_address)
+        sweep(many, tmp_path / "two", scheduler=cluster.scheduler_address)
     assert same(tmp_path / "one", tmp_path / "two")
 
 

@@ -31,6 +31,27 @@ def surface_of(heights, pitch=PITCH, **more):
     return HeightMap(heights, (heights.shape[0] * pitch[0], heights.shape[1] * pitch[1]), **more)
 
 
+@pytest.mark.parametrize("method", ["three_point", "eight_neighbour", "persistence", "n_point"])
+def test_every_asperity_says_where_it_is(method):
+    rng = np.random.default_rng(7)
+    heights = ndimage.gaussian_filter(rng.standard_normal((60, 90)), 2.0) * 1e-7
+    heights[20:23, 40:44] = np.nan
+    surface = surface_of(heights)
+    found = asperities(surface, method)
+    row, column = found.places.T
+    there = heights[row, column] - np.nanmean(heights)
+    assert len(found.places) == found.count > 20
+    if method == "n_point":  # of a row of points the middle one, which is no higher than the highest
+        assert np.all((there > 0.0) & (there <= found.heights + 1e-20))
+    else:
+        np.testing.assert_allclose(there, found.heights, rtol=1e-9, atol=1e-20)
+
+
+def test_the_place_of_a_row_of_points_is_its_middle():
+    line = np.array([-1.0, 1.0, 2.0, 1.0, -1.0, np.nan, -1.0, 1.0, 2.0, 3.0, 2.0, 1.0, -1.0, -7.0]) * 1e-8
+    assert asperities(surface_of(line), "n_point").places.tolist() == [[0, 2], [0, 9]]
+
+
 def paraboloids(tops):
     """One paraboloid of RADIUS in each cell of CELL points square, its top (m) on a point."""
     rows, columns = tops.shape

@@ -2,6 +2,7 @@
 
 import json
 import math
+from pickle import dumps
 
 import numpy as np
 import pytest
@@ -11,7 +12,8 @@ from typer.testing import CliRunner
 
 import stiction as st
 from stiction.cli import app
-from stiction.studies.case import json_schema
+from stiction.studies.case import json_schema, read_content
+from stiction.studies.sweep_plan import make_plan
 
 SIZE, PITCHES, AMPLITUDE = 20e-6, 256, 4e-9
 CASE = """
@@ -291,6 +293,54 @@ def test_run_writes_the_band(folder):
     assert answer["measured"]["method"] == "eight_neighbour"
     assert set(answer["measured"]["by_method"]["mccool"]) >= {"sigma", "R", "N", "mean_height"}
     assert answer["variables"]["friction_coefficient_by_method"]["dims"] == ["asperity_method", "load"]
+
+
+SEVERAL = CASE.replace('"0.05 J/m^2"', '["0.02 J/m^2", "0.05 J/m^2"]')
+
+
+def test_numbers_beside_a_scan_may_be_several(folder, tmp_path):
+    """Each as it is alone, by every method; the picture is that of the quantity."""
+    path, alone = folder / "several.toml", st.solve_case(st.read_case(case(folder)))
+    path.write_text(SEVERAL.format(roughness=ONE))
+    both = st.solve_case(st.read_case(path))
+    for name in ("friction_coefficient", "friction_coefficient_by_method", "friction_coefficient_low", "contact_area"):
+        assert "work_of_adhesion" in both[name].dims
+        found = both[name].sel(work_of_adhesion=0.05).transpose(*alone[name].dims)
+        np.testing.assert_allclose(found, alone[name], rtol=1e-9)
+    command("run", path, "--out", tmp_path / "out")
+    assert sorted(one.name for one in (tmp_path / "out").iterdir()) == ["curve.csv", "curve.nc", "curve.png"]
+
+
+def test_a_sweep_of_a_scan_is_of_the_method_that_stands_for_it(folder, tmp_path):
+    pytest.importorskip("zarr")
+    path = folder / "swept.toml"
+    for model in ("soft_coating_2015", "persson_2001"):
+        path.write_text(SEVERAL.format(roughness=ONE) + f'model = "{model}"\n')
+        swept, both = st.sweep(path, tmp_path / model), st.solve_case(st.read_case(path))
+        np.testing.assert_allclose(swept["contact_area"], both["contact_area"], rtol=1e-9)
+        assert swept.attrs["scans"] == both.attrs["scans"]
+    assert len(dumps(make_plan(read_content(path), folder))) < 20_000  # no map goes to the workers
+
+
+@pytest.mark.parametrize(
+    "roughness, said",
+    [
+        (
+            ONE + '\nsecond = { asperity_height_deviation = ["1 nm", "2 nm"], asperity_radius = "5 um", '
+            'asperity_density = "1e12 1/m^2" }',
+            "contact.roughness.second.asperity_height_deviation: '2 numbers'",
+        ),
+        (
+            ONE + '\nsecond = { asperity_height_deviation = "1 +/- 0.1 nm", asperity_radius = "5 um", '
+            'asperity_density = "1e12 1/m^2" }',
+            "contact.roughness.second.asperity_height_deviation",
+        ),
+    ],
+)
+def test_a_roughness_that_is_measured_is_one(folder, roughness, said):
+    with pytest.raises(st.InputError) as refused:
+        st.read_case(case(folder, roughness))
+    assert str(refused.value).startswith(said) and "one number, where scans say" in str(refused.value)
 
 
 def test_compare_gives_each_model_its_band(folder):

@@ -241,6 +241,17 @@ def test_the_heights_of_all_points_are_beneath():
     assert legend(figure)[0] == "all 2400 points" and figure.get_suptitle() == "bumps"
 
 
+def test_asperities_are_marked_on_the_map_where_they_are():
+    surface = bumps()
+    found = asperities(surface, "eight_neighbour")
+    (marks,) = map_figure(surface, found=found).axes[0].collections
+    across = {"µm": 1e6, "nm": 1e9}[map_figure(surface).axes[0].get_xlabel().removeprefix("x [").removesuffix("]")]
+    points = np.asarray(marks.get_offsets()) / across / surface.pitch[::-1] - 0.5
+    np.testing.assert_allclose(points[:, ::-1], found.places, atol=1e-9)
+    averages = map_figure(surface, found=asperities(surface, "mccool")).axes[0]
+    assert averages.get_title() == "moments (McCool): averages only, no places" and not averages.collections
+
+
 def test_one_method_is_one_colour_in_every_picture():
     alone = asperity_figure([samples("n_point", 0.0)])
     among = asperity_figure([samples("three_point", 0.0), samples("n_point", 0.0)])

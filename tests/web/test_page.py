@@ -1,6 +1,8 @@
 """The page, by users who are simulated: no browser is needed."""
 
 import asyncio
+import importlib
+import sys
 from collections.abc import Awaitable, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -29,9 +31,13 @@ def in_a_loop(test: Callable[[], Awaitable[None]]) -> Callable[[], None]:
 
 @asynccontextmanager
 async def _page(state=""):
-    async with user_simulation(main_file=MAIN) as user:
-        await user.open(f"/?s={state}" if state else "/")
-        yield user
+    ours = {name: one for name, one in sys.modules.items() if name.partition(".")[0] == "stiction"}
+    try:
+        async with user_simulation(main_file=MAIN) as user:
+            await user.open(f"/?s={state}" if state else "/")
+            yield user
+    finally:  # the simulation forgets the package of the page, and tests after this one would import it a second time
+        sys.modules.update(ours)
 
 
 def _texts(user: User) -> list[str]:
@@ -121,6 +127,17 @@ async def test_dimensionless_groups_and_several_numbers_have_a_page():
     async with _page(packed({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:
         assert any(text.startswith("numbers are several along n_E") for text in _texts(user))
         assert _input(user, "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2)) theta").value == "40"
+
+
+def test_a_simulated_page_leaves_the_package_as_it_was():
+    before = sys.modules["stiction"], importlib.import_module("stiction.web.server")
+
+    async def visit() -> None:
+        async with _page():
+            pass
+
+    asyncio.run(visit())
+    assert (sys.modules["stiction"], sys.modules["stiction.web.server"]) == before
 
 
 @in_a_loop

@@ -14,6 +14,8 @@ from stiction.cli import (  # noqa: F401
     fit,
     design,
     compare,
+    film,
+    report,
     validate,
     surface,
     figures,

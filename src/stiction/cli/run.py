@@ -20,6 +20,7 @@ from stiction.cli.program import (
     solving,
     written,
 )
+from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import without_old_names
 
@@ -58,6 +59,13 @@ def run(
     film: Annotated[str | None, typer.Option(help="Film law in place of its own.", autocompletion=keys_of("film"))] = None,
     coating_law: Annotated[str | None, typer.Option(hidden=True)] = None,
     presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
+    sliding: Annotated[
+        bool,
+        typer.Option("--sliding", help="Tangential force against displacement up to sliding, at five of the points at most."),
+    ] = False,
+    kept: Annotated[
+        float, typer.Option(help="With --sliding: share of its strength that an asperity keeps once it slides, 0 to 1.")
+    ] = 1.0,
     load: Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')] = None,
     all_rows: Annotated[
         bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")
@@ -86,6 +94,11 @@ def run(
         chosen = chosen if load is None else chosen.at_load(load)
     given = {"film": film, "coating_law": coating_law, "presliding": presliding}
     laws = {"model": model, "asperity": asperity, "tangential": tangential} | without_old_names(given)
+    if kept != 1.0 and not sliding:
+        raise InputError("--kept", kept, "nothing without --sliding")
+    if sliding:
+        _report_sliding(chosen, _slide(chosen, laws, options_of_records(context), kept), out, json)
+        return
     data = _solve(chosen, laws, options_of_records(context))
     chosen = chosen.with_surface_moments(data.attrs["model"])
     names = _write_run(out, chosen, data) if out is not None else []
@@ -104,6 +117,41 @@ def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, s
         return solve_case(case, case.choice.with_changes(laws, options))
 
 
+def _slide(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str], kept: float) -> "xarray.Dataset":
+    with solving():
+        from stiction.studies.case_results import slide_case
+
+        return slide_case(case, case.choice.with_changes(laws, options), kept)
+
+
+def _report_sliding(case: "Case", data: "xarray.Dataset", out: Path | None, json: bool) -> None:
+    """Write and print what --sliding asks for."""
+    from stiction.report.files import comments_of, record, write_csv, write_folder, write_netcdf, write_picture
+    from stiction.report.sliding import sliding_figure, sliding_notes, sliding_table
+
+    names = {
+        "sliding.csv": lambda path: write_csv(data, path, comments_of(data)),
+        "sliding.nc": lambda path: write_netcdf(data, path),
+        "sliding.png": lambda path: write_picture(sliding_figure(data, case.title), path),
+    }
+    if out is not None:
+        with busy("Writing the results"):
+            write_folder(out, names)
+    if json:
+        print_json(record(data, case.subject.groups()))
+        return
+    from stiction.report.tables import outside_validity, run_summary
+
+    terminal = console()
+    terminal.print(run_summary(case, data), "", sliding_table(data), "")
+    for note in sliding_notes(data):
+        terminal.print(note, style="dim")
+    if (beyond := outside_validity(data)) is not None:
+        terminal.print(beyond)
+    if out is not None:
+        written(out, list(names))
+
+
 def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and pictures; returns their names."""
     with busy("Writing the results"):
@@ -116,7 +164,7 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
             "curve.nc": lambda path: write_netcdf(data, path),
             "curve.png": lambda path: write_picture(_figure(case, data), path),
         }
-        if "friction_coefficient_by_method" in data:
+        if "friction_coefficient_by_method" in data and not case.is_several:
             from stiction.report.surface_pictures import method_spread_figure
 
             files["band.png"] = lambda path: write_picture(method_spread_figure(data, case.title), path)

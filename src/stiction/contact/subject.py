@@ -32,6 +32,7 @@ class Scales:
             "m": self.separation,
             "count": self.asperities,
             "N/m": self.load * self.asperities / self.separation,
+            "J": self.load * self.asperities * self.separation,
         }
 
 

@@ -121,7 +121,7 @@ class Law:
             along,
             coordinate,
             parameters,
-            _with_kinks(piece.edges, tangential_resistance.kinks),
+            with_kinks(piece.edges, tangential_resistance.kinks),
             piece.state,
             branch=tangential_resistance.branch,
             lowest=piece.lowest + float(np.min(weights.shift, initial=np.inf, where=np.isfinite(weights.shift))),
@@ -129,7 +129,7 @@ class Law:
         )
 
 
-def _with_kinks(edges: np.ndarray, kinks: np.ndarray | None) -> np.ndarray:
+def with_kinks(edges: np.ndarray, kinks: np.ndarray | None) -> np.ndarray:
     """Edges (n, m) with the kinks (n, k) that are inside between them; the others make pieces without length."""
     if kinks is None or kinks.shape[1] == 0:
         return edges

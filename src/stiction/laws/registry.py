@@ -78,6 +78,10 @@ class AsperityLaw(Record):
     jumps: tuple[Jump, ...] = ()
 
 
+# The option by which junctions that have yielded, to which a law gives no resistance, get that of another; and its default.
+JUNCTIONS, NO_JUNCTIONS = "plastic_junctions", "none"
+
+
 @dataclass(frozen=True, kw_only=True)
 class TangentialLaw(Record):
     """At which force one loaded asperity is sheared off.
@@ -85,7 +89,10 @@ class TangentialLaw(Record):
     tangential_resistance(piece, groups, **own options) -> TangentialResistance, or None for a piece that resists nothing.
     wants: trait of the asperity law that it cannot do without -> why. interfacial: it shears the interface, wherever that is:
     of a coated asperity, the whole load and the outer contact area count, whichever body answers. layered: it knows a film and
-    its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law.
+    its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. of_half_space:
+    why a law that is neither says nothing of film and body as one; like: key of the law to take there in its place, or "".
+    junctions: keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where its own
+    gives them nothing.
     """
 
     kind = keyword = "tangential"
@@ -93,6 +100,18 @@ class TangentialLaw(Record):
     wants: Mapping[str, str] = field(default_factory=dict)
     interfacial: bool = False
     layered: bool = False
+    of_half_space: str = ""
+    like: str = ""
+    junctions: tuple[str, ...] = ()
+
+    @property
+    def options(self) -> Mapping[str, tuple[str, ...]]:
+        added = {JUNCTIONS: (NO_JUNCTIONS, *self.junctions)} if self.junctions else {}
+        return {**self.own_options, **added}
+
+    def parts(self, options: Mapping[str, str]) -> list[Record]:
+        chosen = options.get(JUNCTIONS, NO_JUNCTIONS) if self.junctions else NO_JUNCTIONS
+        return [] if chosen == NO_JUNCTIONS else [find(chosen, TangentialLaw)]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -251,7 +270,7 @@ KINDS: tuple[type[Record], ...] = (
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "KINDS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure",
+    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure",
     "FilmLaw", "Jump", "Limit", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
     "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
     "resolve_options", "select_options", "text_of",
@@ -348,13 +367,16 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
         return f"{film.key} brings its own friction, {film.tangential}"
     if tangential.interfacial or (film.solved_as_one and tangential.layered):
         return ""
-    others = " and with those that know film and body as one" if film.solved_as_one else " only: its friction is there"
-    return f"{film.key} goes with laws of the interface{others}"
+    if not film.solved_as_one:
+        return f"{film.key} goes with laws of the interface only: its friction is there"
+    why = f": {tangential.of_half_space}" if tangential.of_half_space else ""
+    why += f"; take {tangential.like}" if tangential.like else ""
+    return f"{film.key} goes with laws of the interface and with those that know film and body as one{why}"
 
 
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:
-    """Those of the options that are the record's own."""
-    return {name: options[name] for name in record.options}
+    """Those of the options that are the record's own, the default of one that is not there."""
+    return {name: options.get(name, values[0]) for name, values in record.options.items()}
 
 
 def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:

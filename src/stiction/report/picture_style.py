@@ -14,7 +14,7 @@ from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, finish
 
 __all__ = ["along", "look_of", "plain", "scale", "unit_for"]
 
-_COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
+COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
 _MARKERS = ("o", "s", "^", "D", "v", "P")
 
 
@@ -53,7 +53,7 @@ def look_of(method: str, at: int) -> dict[str, Any]:
     """Colour and mark of a method, the same in all pictures; of anything else, of its place among the lines."""
     known = list(methods())
     at = known.index(method) if method in known else at
-    return {"color": _COLOURS[at % len(_COLOURS)], "marker": _MARKERS[at % len(_MARKERS)], "markersize": 5}
+    return {"color": COLOURS[at % len(COLOURS)], "marker": _MARKERS[at % len(_MARKERS)], "markersize": 5}
 
 
 def plain(method: str) -> str:

@@ -84,7 +84,7 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
     data: result of `solve` with one dimension. Friction, or the separation, is left out where the model has none.
     """
-    drawn = [names for names in _PANELS if all(name in data for name in names)]
+    drawn = panels(data)
     rows, columns = (2, 2) if len(drawn) == 4 else (1, len(drawn))
     width, height = max(5.5 * columns, 8.0), 8.2 if rows == 2 else 4.6
     # Fixed margins: matplotlib's automatic layouts draw everything twice, and this picture is made on every run.
@@ -99,11 +99,27 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     bottom = (below + 0.07 / edge * height) / (height + below)
     figure.subplots_adjust(0.085 / beside, bottom, 1.0 - 0.015 / beside, 1.0 - 0.085 / edge * room, wspace=0.24, hspace=0.22)
     for axes, (what, against) in zip(figure.subplots(rows, columns, squeeze=False).flat, drawn, strict=True):
-        if what == "friction_coefficient":
-            _friction_panel(axes, data)
-        else:
-            _parts_panel(axes, data, what, against)
+        _draw_panel(axes, data, what, against)
     return figure
+
+
+def panels(data: "xarray.Dataset") -> list[tuple[str, str]]:
+    """The panels that a curve has: a quantity, and that against which it is drawn."""
+    return [names for names in _PANELS if all(name in data for name in names)]
+
+
+def panel_of_curve(data: "xarray.Dataset", what: str, against: str, size: tuple[float, float] = (5.2, 3.9)) -> Figure:
+    """One of the panels of a curve as a picture of its own."""
+    figure = Figure(figsize=size, layout="constrained")
+    _draw_panel(figure.subplots(), data, what, against)
+    return figure
+
+
+def _draw_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
+    if what == "friction_coefficient":
+        _friction_panel(axes, data)
+    else:
+        _parts_panel(axes, data, what, against)
 
 
 def heading(data: "xarray.Dataset", title: str) -> str:

@@ -34,10 +34,11 @@ _ENOUGH = 10**6
 # ---- heights
 
 
-def map_figure(surface: HeightMap, title: str = "") -> Figure:
+def map_figure(surface: HeightMap, title: str = "", found: Asperities | None = None) -> Figure:
     """The heights in colours, or of a profile as a line, and their histogram beside it; missing points are grey and hatched.
 
     Colours and histogram of a map leave out a thousandth of the heights at either end, and spikes. title: by default its name.
+    found: asperities of this surface, each a mark at its place, where the method says where they are.
     """
     shape = (8.0, 3.2) if surface.is_profile else (4.4 * min(max(surface.size[1] / surface.size[0], 0.5), 2.2) + 1.6, 4.8)
     figure = Figure(figsize=(shape[0] + 3.4, shape[1]), layout="compressed")
@@ -58,10 +59,29 @@ def map_figure(surface: HeightMap, title: str = "") -> Figure:
         outside = beyond[bool(valid.min() < ends[0]), bool(valid.max() > ends[1])]
         figure.colorbar(image, ax=picture, extend=outside, label=f"height [{unit}]")
     _histogram(bars, _some(valid) * factor, (ends[0] * factor, ends[1] * factor), unit)
+    said = []
     if surface.missing:
         share = 100.0 * surface.missing / surface.heights.size
-        picture.set_title(f"grey: {surface.missing} points missing ({share:.2g} %)", fontsize=9, color=GREY)
+        said.append(f"grey: {surface.missing} points missing ({share:.2g} %)")
+    if found is not None:
+        said.append(_draw_places(picture, surface, found, factor))
+    picture.set_title("; ".join(said), fontsize=9, color=GREY)
     return figure
+
+
+def _draw_places(axes: Axes, surface: HeightMap, found: Asperities, factor: float) -> str:
+    """A mark at every asperity, smaller where they are many; says what the marks are."""
+    if not len(found.places):
+        return f"{plain(found.method)}: averages only, no places"
+    across, _ = scale(surface.size[1] if surface.is_profile else max(surface.size))
+    row, column = found.places.T
+    if surface.is_profile:
+        x, y = column * surface.pitch[1] * across, surface.heights[row, column] * factor
+    else:
+        x, y = ((at + 0.5) * pitch * across for at, pitch in zip((column, row), surface.pitch[::-1], strict=True))
+    size = min(max(3000.0 / len(row), 2.0), 30.0)
+    axes.scatter(x, y, s=size, c="white", edgecolors="black", linewidths=0.4 if size < 6.0 else 0.8, zorder=3)
+    return f"{len(row)} {plain(found.method)}"
 
 
 def _some(heights: np.ndarray) -> np.ndarray:

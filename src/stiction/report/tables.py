@@ -38,15 +38,17 @@ _COLUMNS = {
 }
 
 
-def curve_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
-    """About twelve points along a curve of one dimension, or all, each column in units with a fitting prefix."""
+def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[str, str] | None = None) -> Table:
+    """About twelve points along a curve of one dimension, or all, each column in units with a fitting prefix. heads: name of a
+    result -> head of its column; by default those of a curve."""
+    heads = _COLUMNS if heads is None else heads
     chosen = _chosen_rows(data["load"].size, all_rows)
-    names = [name for name in _COLUMNS if name in data]
+    names = [name for name in heads if name in data]
     columns = [_column(data[name], name, chosen) for name in names]
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
     units = any(unit for unit, _ in columns)
     for name, (unit, _) in zip(names, columns, strict=True):
-        head = f"{_COLUMNS[name]}\n" + (f"[{unit}]" if unit else "") if units else _COLUMNS[name]
+        head = f"{heads[name]}\n" + (f"[{unit}]" if unit else "") if units else heads[name]
         table.add_column(Text(head), justify="right", no_wrap=True)
     for cells in zip(*(cells for _, cells in columns), strict=True):
         table.add_row(*cells)
@@ -151,10 +153,11 @@ def _number(value: Any, name: str) -> str:
 
 
 def _groups(groups: Mapping[str, Any]) -> str:
-    return ", ".join(f"{QUANTITIES[name].symbol} = {_group(value)}" for name, value in groups.items())
+    return ", ".join(f"{QUANTITIES[name].symbol} = {group_in_words(value)}" for name, value in groups.items())
 
 
-def _group(value: Any) -> str:
+def group_in_words(value: Any) -> str:
+    """A dimensionless group, or the ends of several."""
     ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
     return " to ".join(dict.fromkeys(f"{float(end):.4g}" for end in ends))
 
@@ -193,6 +196,8 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
         notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
     if used.get("area_by"):
         notes.append(f"contact area: {used['area_by']}")
+    if used.get("change_by_junctions"):
+        notes.append(used["change_by_junctions"])
     if used.get("measured_error_in_words"):
         notes.append(f"measured error: {used['measured_error_in_words']}")
     notes += [one.say("--") for one in unused_of(data)]

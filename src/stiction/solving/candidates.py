@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
+from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, friction_incompatibility, of_kind
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 
@@ -25,8 +25,9 @@ class Candidate:
 
 def candidates(subject: Subject) -> list[Candidate]:
     """Every rough-surface model, and every asperity law that none of them takes, under Greenwood & Williamson's sum. On
-    a coated contact those with their own film law, or the one that suits all; and every other film law by itself. What solves
-    the map of a contact does so at every point, or at some where there are many."""
+    a coated contact those with their own film law, or the one that suits all, and with film laws that solve film and body as
+    one; and every other film law by itself. What solves the map of a contact does so at every point, or at some where there are
+    many."""
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
     found = [
@@ -37,8 +38,16 @@ def candidates(subject: Subject) -> list[Candidate]:
     found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
     if not subject.has_film:
         return found
-    found = [_with_film(candidate, models[candidate.choice.model]) for candidate in found]
-    return found + [_alone(film) for film in of_kind(FilmLaw).values() if film.interchangeable and film.key != _SUITS_ALL]
+    films = of_kind(FilmLaw)
+    as_one = [
+        _as_one(candidate, models[candidate.choice.model], film)
+        for film in films.values()
+        if film.solved_as_one
+        for candidate in found
+        if models[candidate.choice.model].asperity and candidate.choice != Choice(_SUM)  # which is the film by itself
+    ]
+    found = [_with_film(candidate, models[candidate.choice.model]) for candidate in found] + as_one
+    return found + [_alone(film) for film in films.values() if film.interchangeable and film.key != _SUITS_ALL]
 
 
 def _of_map(model: RoughSurface, subject: Subject) -> Candidate:
@@ -54,6 +63,14 @@ def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
         return candidate  # it will say itself that it knows no films
     film = model.default_film or _SUITS_ALL
     return Candidate(f"{candidate.name} + {film}", replace(candidate.choice, film=film))
+
+
+def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candidate:
+    """With a film law that solves film and body as one: its friction is that of the model, or its like on them."""
+    tangential = find(model.tangential, TangentialLaw) if model.tangential != "none" else None
+    like = tangential.like if tangential is not None and friction_incompatibility(film, tangential) else ""
+    choice = replace(candidate.choice, film=film.key, tangential=like or candidate.choice.tangential)
+    return Candidate(f"{candidate.name} + {film.key}", choice)
 
 
 def _alone(film: FilmLaw) -> Candidate:

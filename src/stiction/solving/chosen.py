@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 
 from stiction.laws.joining import Law
 from stiction.laws.registry import (
+    JUNCTIONS,
+    NO_JUNCTIONS,
     AsperityLaw,
     FilmLaw,
     Presliding,
@@ -76,6 +78,8 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         assert tangential is not None  # without friction there is nothing that could not suit
         raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
     options = _options(choice, model, asperity, tangential, film)
+    if film is not None and film.tangential not in ("", "interface") and options.get(JUNCTIONS, NO_JUNCTIONS) != NO_JUNCTIONS:
+        raise InputError(JUNCTIONS, options[JUNCTIONS], f"{NO_JUNCTIONS}: {film.key} brings its own friction, {film.tangential}")
     return Chosen(model, asperity, tangential, film, presliding, options, _ignored(choice, coated))
 
 

@@ -1,8 +1,9 @@
 """From a load to the mean separation that carries it, and the largest tension that a contact carries."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -10,13 +11,13 @@ from stiction.engine.at_loads import NO_TENSION, NOTHING, starts
 from stiction.engine.heights import gaussian_density
 from stiction.engine.summation import FARTHEST
 from stiction.quantities.errors import InputError
-from stiction.solving.problem import ClosedForm, Problem, Sum
+from stiction.solving.problem import LOAD, ClosedForm, Problem, Sum
 
 # Separations searched first, the last far beyond any model's claim; and on, where heights or adhesion reach farther, by
 # factors: twelve steps double.
 _FIRST = np.linspace(10.0, -10.0, 161)
 _BEYOND = 2.0 ** (np.arange(1, 13) / 12.0)
-_AT_ONCE = 10_000  # laws at once: bounds the memory
+_AT_ONCE, _POINTS_AT_ONCE = 10_000, 200_000  # laws, and pairs of a law and a load, at once: bounds the memory
 # A root needs no further step if what it leaves of the load is this share of that, or of the sizes of its parts; it is good if
 # it is so many times this. No more steps than that.
 _LEFT, _ROUNDING, _GOOD, _STEPS = 1e-14, 5e-16, 10.0, 3
@@ -66,42 +67,67 @@ def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -
     with the sums of the engine; else it is bracketed on a grid and found by Chandrupatla's method.
     Raises Unreachable for a load that is nowhere carried; with refuse=False its separation is not a number.
     """
-    parts = []
-    for rows in _blocks(problem):
+    return _whole([found for found, _, _ in _by_blocks(problem, targets, refuse)])
+
+
+def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tuple[Inversion, dict[str, np.ndarray]]:
+    """The same, and the normalised results (n, m) there: of a load that is not carried, those at no separation, 0. Where the
+    sums of the engine had the last word they are the results, and are not taken again."""
+    parts, tables = [], []
+    for found, sums, some in _by_blocks(problem, targets, refuse):
+        h = np.where(np.isnan(found.h), 0.0, found.h)
+        tables.append(some.at(h) if sums is None else some.with_sums(h, sums))
+        parts.append(found)
+    return _whole(parts), {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
+
+
+def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[tuple[Inversion, np.ndarray | None, Any]]:
+    """For some laws at a time, what is found, the sums (regimes, n, m, 5) that were taken there, not numbers where they were
+    not, and the problem."""
+    step = max(1, min(_AT_ONCE, _POINTS_AT_ONCE // max(targets.shape[1], 1)))
+    for start in range(0, len(problem.groups), step):
+        rows = slice(start, start + step)
+        some = problem.with_groups(rows)
         try:
-            parts.append(_of_block(problem.with_groups(rows), targets[rows], refuse))
+            yield *_of_block(some, targets[rows], refuse), some
         except Unreachable as error:
-            raise Unreachable(rows.start + error.law, error.at, error.low, error.high) from None
+            raise Unreachable(start + error.law, error.at, error.low, error.high) from None
+
+
+def _whole(parts: list[Inversion]) -> Inversion:
     h, residual, tension, where = (
         np.concatenate([getattr(part, name) for part in parts]) for name in ("h", "residual", "tension", "where")
     )
     return Inversion(h, residual, max(part.evaluations for part in parts), tension, where)
 
 
-def _of_block(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
-    """As `separations_at`: the quick way for all laws that it suits, and the robust one for the others."""
+def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inversion, np.ndarray | None]:
+    """As `separations_at`, with sums: the quick way for all laws that it suits, and the robust one for the others."""
+    sums = None
     if isinstance(problem, ClosedForm):
         if problem.record.separation_near is None:
-            return _robustly(problem, targets, refuse)
+            return _robustly(problem, targets, refuse), None
         quick, good = _from_tables(problem, targets)
     elif isinstance(problem, Sum) and problem.heights.density is gaussian_density:
-        quick, good = _quickly(problem, targets)
+        quick, good, sums = _quickly(problem, targets)
     else:
-        return _robustly(problem, targets, refuse)
+        return _robustly(problem, targets, refuse), None
     rest = np.flatnonzero(~good)
     if not rest.size:
-        return quick
+        return quick, sums
     try:
         slow = _robustly(problem.with_groups(rest), targets[rest], refuse)
     except Unreachable as error:
         raise Unreachable(rest[error.law], error.at, error.low, error.high) from None
     for name in ("h", "residual", "tension", "where"):
         getattr(quick, name)[rest] = getattr(slow, name)
-    return replace(quick, evaluations=max(quick.evaluations, slow.evaluations))
+    if sums is not None:
+        sums[:, rest] = np.nan
+    return replace(quick, evaluations=max(quick.evaluations, slow.evaluations)), sums
 
 
-def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
-    """As `separations_at`, and for which laws (n,) it is good."""
+def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, np.ndarray]:
+    """As `separations_at`, for which laws (n,) it is good, and the sums (regimes, n, m, 5) there."""
     start = starts(_load_alone(problem).regimes, targets)
     tension, where = np.zeros_like(start.tension), start.where
     adheres = np.flatnonzero(start.tension > 0.0)
@@ -111,24 +137,36 @@ def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
     h, excess, law = start.h, np.full(targets.shape, np.nan), np.nonzero(known)[0]
     target, slope = targets[known], start.slope[known]
     enough = np.maximum(_LEFT * np.abs(target), _ROUNDING * start.size[known])
-    x, left, evaluations = _polished(problem, law, start.h[known], target, slope, enough)
+    x, left, of_each, evaluations = _polished(problem, law, start.h[known], target, slope, enough)
     h[known], excess[known] = x, left
+    sums = of_each.reshape(len(of_each), *known.shape, of_each.shape[-1]) if known.all() else _placed(of_each, known)
     good = start.plain & (tension >= 0.0) & ~np.isnan(excess).any(axis=1)
-    return Inversion(h, _relative(excess, targets, tension), evaluations, tension, where), good
+    return Inversion(h, _relative(excess, targets, tension), evaluations, tension, where), good, sums
 
 
-def _polished(problem, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, int]:
+def _placed(of_each: np.ndarray, known: np.ndarray) -> np.ndarray:
+    """Sums (regimes, k, 5) in their places (regimes, n, m, 5), known (n, m) being where they are."""
+    sums = np.full((len(of_each), *known.shape, of_each.shape[-1]), np.nan)
+    sums[:, known] = of_each
+    return sums
+
+
+def _polished(problem: Sum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
     """Separations (k,) nearer to where the engine's load is the target than `h`, by Newton's method with a slope that is known,
-    and what is left of the load there: not a number unless it is enough. And the number of sums."""
-    h, excess, sums = h.copy(), problem.loads(h, law) - target, 1
-    while sums <= _STEPS and (some := np.flatnonzero(np.abs(excess) > enough)).size:
+    and what is left of the load there: not a number unless it is enough. The sums (regimes, k, 5) there, and how often they
+    were taken."""
+    h, sums, times = h.copy(), problem.sums(h, law), 1
+    excess = sums[..., LOAD].sum(axis=0) - target
+    while times <= _STEPS and (some := np.flatnonzero(np.abs(excess) > enough)).size:
         ahead = np.divide(excess[some], slope[some], where=slope[some] != 0.0, out=np.zeros(some.size))
         further = h[some] - ahead
-        left = problem.loads(further, law[some]) - target[some]
+        there = problem.sums(further, law[some])
+        left = there[..., LOAD].sum(axis=0) - target[some]
         better = np.abs(left) < np.abs(excess[some])
         h[some[better]], excess[some[better]] = further[better], left[better]
-        sums += 1
-    return h, np.where(np.abs(excess) <= _GOOD * enough, excess, np.nan), sums
+        sums[:, some[better]] = there[:, better]
+        times += 1
+    return h, np.where(np.abs(excess) <= _GOOD * enough, excess, np.nan), sums, times
 
 
 def _from_tables(problem: ClosedForm, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
@@ -176,10 +214,6 @@ def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> n
     tension = tension[:, None]
     scale = np.where(np.abs(targets) > NOTHING * tension, np.abs(targets), np.where(tension > 0.0, tension, 1.0))
     return excess / scale
-
-
-def _blocks(problem: Problem) -> list[slice]:
-    return [slice(start, start + _AT_ONCE) for start in range(0, len(problem.groups), _AT_ONCE)]
 
 
 @dataclass(frozen=True)

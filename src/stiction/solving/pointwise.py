@@ -12,7 +12,7 @@ from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import rules_left, rules_of
-from stiction.solving.inversion import Inversion, pull_off, separations_at
+from stiction.solving.inversion import Inversion, pull_off, solved_at
 from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_problem
 from stiction.solving.results import as_variables, summary_of, with_shares
 from stiction.solving.solve import all_dims, convergence, points_asked, pull_off_variables, summed
@@ -153,10 +153,10 @@ def _together(problem: Problem, given: str, wanted: np.ndarray, unbroadcast: np.
         lost = targets < 0.0
         tables = problem.at_load(np.where(lost, 0.0, targets))
         return _without({n: t.reshape(wanted.shape) for n, t in tables.items()}, lost), lost << _NOT_CARRIED, None
-    found = separations_at(problem, targets, refuse=False)
+    found, at_loads = solved_at(problem, targets, refuse=False)
     lost = np.isnan(found.h)
     h = np.where(lost, 0.0, found.h).reshape(wanted.shape)
-    results = summed(problem, h, wanted.shape)
+    results = {name: table.reshape(wanted.shape) for name, table in at_loads.items()}
     rounded = lost_in_rounding(results["load"], wanted).reshape(targets.shape) & ~lost
     tables = {"mean_separation": h} | as_asked(results, wanted)
     return _without(tables, lost), (lost << _NOT_CARRIED) | (rounded << _LOST), found

@@ -12,7 +12,7 @@ from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import Regime
 from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
-from stiction.laws.registry import RoughSurface, find, select_options
+from stiction.laws.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
@@ -24,7 +24,7 @@ from stiction.solving.problem_base import Problem, with_coefficient
 
 _AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
 _RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
-_COUNT, _LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
+_COUNT, LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
 
 @dataclass(frozen=True)
@@ -68,12 +68,16 @@ class Sum(Problem):
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         pieces = range(0, h.size, _AT_ONCE)
-        parts = [self._scattered(h[at : at + _AT_ONCE], law[at : at + _AT_ONCE])[..., _LOAD].sum(axis=0) for at in pieces]
+        parts = [self._scattered(h[at : at + _AT_ONCE], law[at : at + _AT_ONCE])[..., LOAD].sum(axis=0) for at in pieces]
         return np.concatenate(parts) if parts else np.empty(0)
 
     def loads_by_regime(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Net load per asperity (regimes, k) at pairs (k,) of separation and law."""
-        return self._scattered(h, law)[..., _LOAD]
+        return self._scattered(h, law)[..., LOAD]
+
+    def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """Slip-limited and yield-limited tangential force per asperity (2, k) at pairs (k,) of separation and law."""
+        return self._scattered(h, law)[..., [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
@@ -91,11 +95,29 @@ class Sum(Problem):
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
         results = self._by_name(np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1))
+        if (published := self._as_published()) is not None:
+            friction = totals_on_grid(published.regimes, h, self.heights, threads=self.threads)[:, 2]
+            results |= _published(results["load"], friction)
         return self._with_stiffness(results, np.tile(h, (len(self.groups), 1)))
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
         law = np.repeat(np.arange(len(h)), h.shape[1])
         sums = self._scattered(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5)
+        results = self._by_name(sums)
+        if (published := self._as_published()) is not None:
+            friction = published._scattered(h.reshape(-1), law).sum(axis=0)[:, [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=1)
+            results |= _published(results["load"], friction.reshape(h.shape))
+        return self._with_stiffness(results, h)
+
+    def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """The sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
+        return self._scattered(h, law)
+
+    def with_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
+        """As `at`, with sums (regimes, n, m, 5) that are known there; those that are not numbers are taken, in their places."""
+        law, at = np.nonzero(np.isnan(sums[0, ..., LOAD]))
+        if law.size:
+            sums[:, law, at] = self._scattered(h[law, at], law)
         return self._with_stiffness(self._by_name(sums), h)
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
@@ -103,6 +125,12 @@ class Sum(Problem):
 
     def _scattered(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         return scattered(self.regimes, h, self.heights, law, self.threads)
+
+    def _as_published(self) -> "Sum | None":
+        """The same with its tangential law as it is published, where another one is taken for junctions that have yielded."""
+        if self.options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS:
+            return None
+        return replace(self, chosen=self.chosen.with_option(JUNCTIONS, NO_JUNCTIONS))
 
     def _with_stiffness(self, results: dict[str, np.ndarray], h: np.ndarray) -> dict[str, np.ndarray]:
         return results if self.chosen.presliding is None else results | {"tangential_stiffness": self.stiffness(h)}
@@ -112,29 +140,29 @@ class Sum(Problem):
         regimes = self.regimes
         total = sums.sum(axis=0)
         results = {
-            "load": total[..., _LOAD],
+            "load": total[..., LOAD],
             "contact_area": total[..., _AREA],
             "touching_asperities": sums[[regime.touching for regime in regimes], ..., _COUNT].sum(axis=0),
         }
         for state in _states(regimes):
             chosen = [regime.state == state for regime in regimes]
             name = state.replace("-", "_")
-            results[f"load_{name}"] = sums[chosen, ..., _LOAD].sum(axis=0)
+            results[f"load_{name}"] = sums[chosen, ..., LOAD].sum(axis=0)
             results[f"contact_area_{name}"] = sums[chosen, ..., _AREA].sum(axis=0)
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
-            results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., _LOAD].sum(axis=0)
+            results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., LOAD].sum(axis=0)
         if bodies:
             film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
             whole = film + substrate
             results["load_share_substrate"] = np.divide(substrate, whole, where=whole > 0.0, out=np.zeros_like(whole))
         if not all(regime.in_half_space for regime in regimes):
-            results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., _LOAD])
+            results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., LOAD])
         if not self.friction:
             return results
         friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
         if not self.law.interfacial:
-            results["load_share_without_friction"] = _share_without(regimes, sums[..., _LOAD], friction)
+            results["load_share_without_friction"] = _share_without(regimes, sums[..., LOAD], friction)
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
@@ -248,6 +276,11 @@ def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
 def _states(regimes: list[Regime]) -> list[str]:
     """Elastic and plastic, and whatever else there is."""
     return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
+
+
+def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
+    """The friction coefficient of these forces, under the name of what the law says as it is published."""
+    return {"friction_coefficient_published": with_coefficient(load, friction)["friction_coefficient"]}
 
 
 def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:

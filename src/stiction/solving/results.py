@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.subject import Subject
+from stiction.laws.registry import JUNCTIONS
 from stiction.laws.validity import as_attributes
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.table import QUANTITIES
@@ -61,6 +62,26 @@ def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str,
     return shared
 
 
+def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
+    """By how much mu differs from that of the law as published, where yielded junctions are given the resistance of another."""
+    if "friction_coefficient_published" not in tables:
+        return {}
+    mu, published = (np.ravel(tables[name]) for name in ("friction_coefficient", "friction_coefficient_published"))
+    known = np.isfinite(mu) & np.isfinite(published)
+    words = [f"plastic junctions resist as after {problem.options[JUNCTIONS]}, not as published"]
+    if known.any():
+        mu, published = mu[known], published[known]
+        words.append(f"mu is {_ends(mu)}, as published {_ends(published)}")
+        if (published > 0.0).all():
+            words.append(f"{_ends(mu / published)} times that")
+    return {"change_by_junctions": ": ".join([words[0], ", ".join(words[1:])]) if words[1:] else words[0]}
+
+
+def _ends(values: np.ndarray) -> str:
+    """The range of values, to three digits: "0.31", "0.31 to 0.45"."""
+    return " to ".join(dict.fromkeys(f"{one:.3g}" for one in (values.min(), values.max())))
+
+
 def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
     """What was used, where it comes from, and where it goes beyond the claims of its authors."""
     records = problem.records()
@@ -74,6 +95,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         "options": " ".join(problem.options),
         "heights": problem.heights_taken,
         **({"area_by": problem.way} if problem.way else {}),
+        **_change_by_junctions(problem, tables),
         "grade": max(record.grade for record in records),
         "sources": " ".join(used),
         **as_attributes(doubts_of_results(problem, tables)),

@@ -1,6 +1,7 @@
 """Load, contact area and static friction of a contact, as a labelled dataset."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from stiction.quantities.units import axis, from_series
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice, without_old_names
 from stiction.solving.conditions import doubts_of_rounding
-from stiction.solving.inversion import Inversion, Unreachable, pull_off, separations_at
+from stiction.solving.inversion import Inversion, Unreachable, pull_off, solved_at
 from stiction.solving.method_spread import with_measured
 from stiction.solving.problem import Problem, as_asked, make_problem, with_surface_moments
 from stiction.solving.results import as_dataset, as_variables, summary_of, with_shares
@@ -105,10 +106,10 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     if problem.needs_load:
         tables = _at_load(problem, wanted, aligned(factors["N"], dims))
     elif given == "load":
-        found = inverted(problem, wanted, aligned(factors["N"], dims))
-        h = found.h.reshape(wanted.shape)
-        results = summed(problem, h, wanted.shape)
-        tables, carried = {"mean_separation": h} | as_asked(results, wanted), results["load"]
+        with in_words(problem, wanted, aligned(factors["N"], dims)):
+            found, at_loads = solved_at(problem, wanted.reshape(len(problem.groups), -1))
+        results = {name: table.reshape(wanted.shape) for name, table in at_loads.items()}
+        tables, carried = {"mean_separation": found.h.reshape(wanted.shape)} | as_asked(results, wanted), results["load"]
     else:
         if not np.abs(wanted).max(initial=0.0) <= FARTHEST:
             raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
@@ -208,13 +209,14 @@ def all_dims(problem: Problem, others: Any) -> dict[str, int]:
     return dimensions(others, problem.dims)
 
 
-def inverted(problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> Inversion:
-    """Separations (laws, points) over sigma where the normalised loads `wanted` (full shape) are carried."""
-    targets = wanted.reshape(len(problem.groups), -1)
+@contextmanager
+def in_words(problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> Iterator[None]:
+    """Where one of the normalised loads `wanted` (full shape) is nowhere carried, say which loads are."""
     try:
-        return separations_at(problem, targets)
+        yield
     except Unreachable as error:
         where = (error.law, error.at)
+        targets = wanted.reshape(len(problem.groups), -1)
         scale = np.broadcast_to(unit, wanted.shape).reshape(targets.shape)[where]
 
         def text(load: float) -> str:

@@ -26,10 +26,10 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice, without_old_names
 from stiction.solving.conditions import doubts_of_rounding
-from stiction.solving.inversion import largest_tension
+from stiction.solving.inversion import largest_tension, separations_at
 from stiction.solving.problem import Sum, as_asked, make_problem
 from stiction.solving.results import labelled, summary_of
-from stiction.solving.solve import all_dims, inverted, point_coordinates, points_asked
+from stiction.solving.solve import all_dims, in_words, point_coordinates, points_asked
 
 if TYPE_CHECKING:
     import xarray
@@ -229,7 +229,8 @@ def _nearest(problem: Sum, turn, is_load: bool, dims: dict[str, int], factors: M
     unit = aligned(factors["N" if is_load else "m"], dims)
     wanted = np.broadcast_to(aligned(turn, dims) / unit, tuple(dims.values()))
     if is_load:
-        return inverted(problem, wanted, unit).h.reshape(wanted.shape)
+        with in_words(problem, wanted, unit):
+            return separations_at(problem, wanted.reshape(len(problem.groups), -1)).h.reshape(wanted.shape)
     if not np.abs(wanted).max(initial=0.0) <= FARTHEST:
         raise InputError("pressed_to", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
     return wanted

@@ -241,16 +241,7 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
     content, several = opened(content, folder)
     uncertain = named([one for one in several.values() if isinstance(one, Uncertain)])
     arrays = {path: one.array(one.numbers()) for path, one in several.items() if not isinstance(one, Uncertain)}
-    case = replace(case_of(content, arrays), uncertain=tuple(uncertain), tables=content, several=arrays)
-    check_scans(case.subject)
-    return case
-
-
-def check_scans(subject: Subject) -> None:
-    """InputError where numbers of a contact are several whose roughness was measured."""
-    for name, array in subject.arrays():
-        if subject.measured is not None:
-            raise InputError(f"contact.{name}", f"{array.size} numbers", "one number, where scans say the roughness")
+    return replace(case_of(content, arrays), uncertain=tuple(uncertain), tables=content, several=arrays)
 
 
 def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...], Several]]:
@@ -262,7 +253,7 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...
     used = {one.path: one for one in placed(found, content)}
     nominal = {path: float(one.values[0]) for path, one in (numbers | found).items()}
     content = _measured(with_own_materials(with_values(content, nominal), folder, _tables), folder)
-    _refuse_uncertain_scans(content, used)
+    _refuse_beside_scans(content, numbers, used)
     if wants_ranges(content):
         used |= {one.path: one for one in with_ranges(content, [*numbers, *used])}
     return content, numbers | {one.path: one for one in named(list(used.values()))}
@@ -274,13 +265,16 @@ def wants_ranges(content: Mapping) -> bool:
     return isinstance(table, Mapping) and table.get("ranges") is True
 
 
-def _refuse_uncertain_scans(content: Mapping, uncertain: Mapping[tuple[str, ...], Uncertain]) -> None:
-    """InputError where a number of the roughness is uncertain that was measured."""
+def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[tuple[str, ...], Uncertain]) -> None:
+    """InputError where a number of the roughness is several, or uncertain, that was measured."""
     contact = content.get("contact")
     rough = contact.get("roughness") if isinstance(contact, Mapping) else None
-    for path, one in uncertain.items():
-        if getattr(rough, "measured", None) is not None and path[:2] == ("contact", "roughness"):
-            raise InputError(one.where, one.distribution.words, "one number, where scans say the roughness")
+    if getattr(rough, "measured", None) is None:
+        return
+    for path, one in (several | uncertain).items():
+        if path[:2] == ("contact", "roughness"):
+            given = one.distribution.words if isinstance(one, Uncertain) else f"{len(one.values)} numbers"
+            raise InputError(one.where, given, "one number, where scans say the roughness")
 
 
 def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:

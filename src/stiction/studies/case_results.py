@@ -13,20 +13,23 @@ from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import LAWS, Choice
+from stiction.solving.sliding import slide
 from stiction.solving.solve import solve
 from stiction.studies.bands import with_bands, with_bands_of_models
 from stiction.studies.case import Case
 from stiction.studies.comparison import compare, working_load
+from stiction.studies.film_stress import film_stresses
 from stiction.studies.spreads import spreads_of_comparison
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["compare_case", "solve_case"]
+__all__ = ["compare_case", "film_of_case", "slide_case", "solve_case"]
 
 
 RECOMMENDED = "recommended"
 _MOST = 1_000_000  # points at once in memory
+_FEW = 5  # curves of force against displacement of one case
 
 
 def solve_case(
@@ -46,6 +49,32 @@ def solve_case(
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
     data = with_bands(data, case, choice, progress("Drawing what is uncertain"))
     return with_groups(_said(data, case), case.with_surface_moments(choice.model).subject)
+
+
+def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
+    """The stresses in the film of a case at its points, as `film_stresses` gives them. Raises InputError."""
+    subject = case.with_surface_moments(choice.model).subject
+    return _said(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
+
+
+def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0) -> "xarray.Dataset":
+    """From rest to sliding at points of a case, five of them at the most, as `slide` gives it: of the nominal numbers, where some
+    are uncertain, and of the method that stands for the surface, where it was measured. Raises InputError, also for a contact
+    of which numbers are several."""
+    if case.is_several:
+        raise InputError("--sliding", "numbers of the contact are several", "one contact; st.slide takes any number")
+    choice = choice_of_case(case, choice or case.choice)
+    given = {name: value for name, value in choice.arguments().items() if name != "presliding"}
+    points = {name: _few(getattr(case, name)) for name in ("separation", "load") if getattr(case, name) is not None}
+    data = slide(case.subject.as_numbers(), **points, kept=kept, **given)
+    return _said(data, case).assign_attrs(case.subject.groups())
+
+
+def _few(points: Any) -> Any:
+    """First, last and some between of an array of points."""
+    count = np.size(points)
+    chosen = np.unique(np.linspace(0, count - 1, min(count, _FEW)).round().astype(int))
+    return points[chosen] if np.ndim(points) else points
 
 
 def _check_size(case: Case) -> None:

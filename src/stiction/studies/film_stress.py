@@ -19,12 +19,12 @@ if TYPE_CHECKING:
 
 _FILM = "layered"
 # The radii, over the thickness of a film, at which stresses were compared.
-_LEAST, _MOST = 1e-3, 1e3
+LEAST, MOST = 1e-3, 1e3
 _RULES = (
     Validity("stress_over_yield", 0.0, 1.0, "film or body yields under the mean asperity, and its stresses are elastic"),
     Validity("interface_shear", 0.0, 1.0, "a bond that is no stronger than the weaker of film and body is sheared off"),
     Validity("interface_tension", 0.0, 1.0, "a bond that is no stronger than the weaker of film and body is torn off"),
-    Validity("contact_over_thickness", _LEAST, _MOST, "radii at which the stresses were compared", "fit"),
+    Validity("contact_over_thickness", LEAST, MOST, "radii at which the stresses were compared", "fit"),
 )
 
 
@@ -46,6 +46,8 @@ def film_stresses(contact: Subject, **given: Any) -> "xarray.Dataset":
     groups, dims = Groups.of(subject.indices())
     if dims:
         raise InputError("contact", f"arrays along {', '.join(dims)}", "one contact, of plain numbers")
+    if groups.film_aspect is None or not np.isfinite(groups.film_aspect[0]):
+        raise InputError("film_aspect", None, "t/sqrt(R sigma), a number of 0 or more: how thick the film is under its asperities")
     if given.get("film", _FILM) != _FILM:
         raise InputError("film", given["film"], f"{_FILM}, which solves film and body as one")
     data = solve(subject, **{**given, "film": _FILM})
@@ -57,6 +59,16 @@ def film_stresses(contact: Subject, **given: Any) -> "xarray.Dataset":
     return _with_results(data, subject, rows)
 
 
+def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
+    """Of a result of `film_stresses` the middle one of the points that press, or of all where none does."""
+    if not data["load"].dims:
+        return data
+    (dim,) = data["load"].dims
+    pressed = np.flatnonzero(np.isfinite(data["stress_over_yield"].values))
+    among = pressed if pressed.size else np.arange(data.sizes[dim])
+    return data.isel({dim: int(among[(among.size - 1) // 2])})
+
+
 def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[float, float, float, float, str]:
     """Radius over thickness, and the rest of the results, of one asperity, normalised; not numbers where it does not press."""
     radius = float(area**0.5 * per_root(groups)[0] ** 2)
@@ -65,7 +77,7 @@ def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[
     pressure = load * float(groups.hardness_to_yield[0]) / (float(groups.eta[0]) * area)  # over the body's yield stress
     (bodies,), _ = bodies_of(groups.resolved())
     strength = float(groups.n_H[0])
-    return radius, *_worst(bodies, min(max(radius, _LEAST), _MOST), pressure, friction / load, strength)
+    return radius, *_worst(bodies, min(max(radius, LEAST), MOST), pressure, friction / load, strength)
 
 
 def _worst(bodies: Bodies, radius: float, pressure: float, traction: float, strength: float) -> tuple[float, float, float, str]:

@@ -24,11 +24,10 @@ from stiction.contact.subject import Subject
 from stiction.laws.tangential.shared.hamilton_field import first_yield, stress, von_mises
 from stiction.quantities.errors import InputError
 
-__all__ = ["OneAsperity", "one_asperity"]
+__all__ = ["OneAsperity", "one_asperity", "section"]
 
 _X = np.linspace(-1.8, 1.8, 73)
 _Z = np.linspace(0.0, 1.8, 49)
-_HALF = len(_X) // 2
 _LEAST, _MOST = 1e-3, 1e3  # contact radius over film thickness that the layered solid was tried at
 
 
@@ -93,19 +92,20 @@ def _coated(groups: Groups, radius: float, traction: float) -> OneAsperity:
     over_yield = pressure * float(np.ravel(groups.hardness_to_yield)[0])
     stresses = Stresses(bodies.pair, body, over_film)
     found = first_yield_of_layers(stresses, traction, n_H)
-    field = over_yield * _section(stresses, traction, n_H)
+    field = over_yield * section(stresses, traction, n_H, _X, _Z)
     return OneAsperity(
         _X, _Z, field, 1.0 / over_film, over_yield * found.excess, (found.x, found.z), found.where, radius,
         n_E * response.load * radius**3, pressure,
     )  # fmt: skip
 
 
-def _section(stresses: Stresses, traction: float, film_strength: float) -> np.ndarray:
-    """The von Mises stress over the mean pressure, in the film over its strength, at all places (n, m)."""
-    r = np.abs(_X[_HALF:])
-    inside = stresses.thickness > _Z
+def section(stresses: Stresses, traction: float, film_strength: float, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """The von Mises stress over the mean pressure, in the film over its strength, at all places (n, m) of depths z (n,) and of
+    x (m,) along the traction, as many on either side of the axis."""
+    r = np.abs(x[len(x) // 2 :])
+    inside = stresses.thickness > z
     rows = []
-    for part, depths, strength in ((stresses.in_film, _Z[inside], film_strength), (stresses.in_body, _Z[~inside], 1.0)):
+    for part, depths, strength in ((stresses.in_film, z[inside], film_strength), (stresses.in_body, z[~inside], 1.0)):
         if not depths.size:
             continue
         radial = part(r, depths)

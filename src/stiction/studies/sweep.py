@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
 from stiction.studies.sweep_plan import Plan, make_plan
+from stiction.studies.sweep_workers import make_ready
 
 if TYPE_CHECKING:
     import xarray
@@ -51,6 +52,8 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
         raise InputError("--out", out, "the path of a store, new, or of this case")
     if not (scheduler is None or isinstance(scheduler, str)):
         raise InputError("--scheduler", scheduler, "the address of a scheduler, as text")
+    if workers > 1 and scheduler is None:
+        make_ready()
     plan, title, text = _planned(case)
     from stiction.studies.sweep_store import locked, opened_store
 

@@ -2,7 +2,7 @@
 
 import math
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +12,7 @@ from stiction.laws.claims import Validity
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import Pointwise, solve_pointwise
-from stiction.studies.sweep_plan import STATISTICS, Plan
+from stiction.studies.sweep_plan import MOMENTS, Plan
 
 __all__ = ["Block", "merged", "solve_block", "solve_region", "statistics_of"]
 
@@ -66,7 +66,7 @@ def _ordered(values: np.ndarray, have: Sequence[str], wanted: Sequence[str]) -> 
 
 def _solvable(plan: Plan, choice: Choice, region: dict[str, slice], keep: list[str]):
     """Regions that can be solved, with their results."""
-    waiting = [region]
+    waiting = plan.pieces(region)[::-1]
     while waiting:
         one = waiting.pop()
         try:
@@ -98,14 +98,15 @@ def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
     return np.array([count, mean, squares, least, most])
 
 
-def merged(parts: Sequence[np.ndarray]) -> dict[str, np.ndarray]:
+def merged(parts: Iterable[np.ndarray]) -> dict[str, np.ndarray]:
     """The statistics (points,) of all parts, each as `statistics_of` gives, one after another.
 
     Source: Chan, Golub & LeVeque 1983, eqs 2.1: sums of squared deviations of two samples together. The standard deviation
     is over n - 1.
     """
-    count, mean, squares, least, most = (row.copy() for row in parts[0])
-    for part in parts[1:]:
+    waiting = iter(parts)
+    count, mean, squares, least, most = (row.copy() for row in next(waiting))
+    for part in waiting:
         both = count + part[0]
         safe = np.where(both > 0.0, both, 1.0)
         step = part[1] - mean
@@ -120,7 +121,7 @@ def merged(parts: Sequence[np.ndarray]) -> dict[str, np.ndarray]:
         np.where(few, np.nan, spread),
         *(np.where(none, np.nan, end) for end in (least, most)),
     )
-    return dict(zip(STATISTICS, rows, strict=True))
+    return dict(zip(MOMENTS, rows, strict=True))
 
 
 def rules_as_data(rules: Sequence[Validity]) -> list[dict[str, Any]]:

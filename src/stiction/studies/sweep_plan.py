@@ -12,16 +12,18 @@ from pydantic import Field, model_validator
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, nearest, require_names
+from stiction.studies.quantile_counts import PERCENTILES
 from stiction.studies.several import Several, with_values
 from stiction.studies.uncertain import SAMPLE, Uncertain, expanded
 
-__all__ = ["Plan", "Sweep", "make_plan"]
+__all__ = ["AT_ONCE", "MOMENTS", "STATISTICS", "Plan", "Sweep", "make_plan"]
 
 _METHODS = ("grid", "list", "sobol", "latin_hypercube")
 _MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
-_AT_ONCE = 131_072  # points of a block: about a second of work
+AT_ONCE = 131_072  # points of a block: half a second of work; and of what is solved together, of larger ones
 _BITS = 32  # of the coordinates of Sobol points: as many as can be skipped quickly
-STATISTICS = ("count", "mean", "standard_deviation", "least", "most")
+MOMENTS = ("count", "mean", "standard_deviation", "least", "most")
+STATISTICS = (*MOMENTS, *PERCENTILES)
 
 
 class Sample(Input):
@@ -48,16 +50,17 @@ class Sweep(Input):
     """What is computed and kept.
 
     sample: which contacts. keep: names of results, all if left out. statistics: in place of the points, of what is kept over
-    all contacts at each load. precision: of what is stored. block: points that are computed and stored at once.
+    all contacts at each load. precision: of what is stored. block: points that are stored at once; where it is left out, as
+    many as are solved at once, or for statistics, of which a large block has no more than a small one, up to 8 times that.
     """
 
     sample: Sample = Field(default=Sample(method="grid", count=None, seed=0), description="a table with method, count and seed")
     keep: list[str] = Field(default_factory=list, description="a list of names of results")
-    statistics: list[Literal["count", "mean", "standard_deviation", "least", "most"]] = Field(
+    statistics: list[Literal[STATISTICS]] = Field(  # type: ignore[valid-type]  # one list of them, for all
         default_factory=list, description=", ".join(STATISTICS)
     )
     precision: Literal["float64", "float32"] = Field("float64", description="float64, float32")
-    block: int = Field(_AT_ONCE, ge=1, le=2**24, strict=True, description=f"a whole number, 1 to {2**24}")
+    block: int | None = Field(None, ge=1, le=2**24, strict=True, description=f"a whole number, 1 to {2**24}")
 
 
 @dataclass(frozen=True)
@@ -66,7 +69,7 @@ class Plan:
 
     content: the tables of the case without [sweep], several: its numbers that are several, sweep: what is computed and kept.
     dims: name -> length of the dimensions of the contacts, in the order of results; tile: of the contacts of a block along each
-    of them; points: of a contact. Only `make_plan` makes one.
+    of them; points: of a contact. scans: what was done to those that say the roughness, if any do. Only `make_plan` makes one.
     """
 
     content: Mapping[str, Any]
@@ -75,6 +78,7 @@ class Plan:
     dims: Mapping[str, int] = field(default_factory=dict)
     tile: Mapping[str, int] = field(default_factory=dict)
     points: int = 1
+    scans: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def blocks(self) -> int:
@@ -93,6 +97,13 @@ class Plan:
         places = np.unravel_index(block, self._tiles()) if self.dims else ()
         starts = {dim: int(at) * self.tile[dim] for dim, at in zip(self.dims, places, strict=True)}
         return {dim: slice(start, min(start + self.tile[dim], self.dims[dim])) for dim, start in starts.items()}
+
+    def pieces(self, region: Mapping[str, slice]) -> list[dict[str, slice]]:
+        """A region cut along its dimensions, so that no part has more points than are solved together, where that can be."""
+        found, room = [dict(region)], max(1, AT_ONCE // self.points)
+        for dim in region:
+            found = [piece for one in found for piece in _cut_along(one, dim, room)]
+        return found
 
     def contacts(self, block: int) -> int:
         """How many contacts are in a block."""
@@ -129,6 +140,14 @@ class Plan:
         return json.dumps(plain | {"sweep": self.sweep.model_dump()}, sort_keys=True)
 
 
+def _cut_along(region: dict[str, slice], dim: str, room: int) -> list[dict[str, slice]]:
+    """Parts of a region, one after another along a dimension, of so many contacts or of one place of that dimension."""
+    some = region[dim]
+    contacts = math.prod(one.stop - one.start for one in region.values())
+    step = max(1, room * (some.stop - some.start) // max(contacts, 1))
+    return [region | {dim: slice(at, min(at + step, some.stop))} for at in range(some.start, some.stop, step)]
+
+
 def _plain(value: Any) -> Any:
     return value.model_dump() if isinstance(value, Input) else str(value)
 
@@ -151,7 +170,7 @@ def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
 
 def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
-    from stiction.studies.case import case_of, check_scans, opened
+    from stiction.studies.case import case_of, opened
 
     require_names(content)
     content, several = opened(content, folder)
@@ -159,14 +178,25 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     plain: Mapping[str, Any] = {key: value for key, value in content.items() if key != "sweep"}
     if any(isinstance(one, Uncertain) for one in several.values()):
         plain = expanded(plain)
-    plan = Plan(plain, several, sweep)
+    plain, scans = _without_scans(plain)
+    plan = Plan(plain, several, sweep, scans=scans)
     lengths = _lengths(plan)
     first = replace(plan, dims=lengths).case({dim: slice(0, 1) for dim in lengths})
-    check_scans(first.subject)
     case_of(plain, {path: one.array(one.values[:1]) for path, one in several.items()})
     points = first.load if first.load is not None else first.separation
     size = int(np.size(points)) if not hasattr(points, "dims") else points.sizes["separation"]
     return _cut(replace(plan, points=size), lengths)
+
+
+def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[str, str]]:
+    """The tables with the numbers of the method that stands for the surface alone, where scans say the roughness: maps are not
+    for every worker; and what was done to the scans."""
+    contact = content.get("contact")
+    rough = contact.get("roughness") if isinstance(contact, Mapping) else None
+    if getattr(rough, "measured", None) is None:
+        return content, {}
+    assert isinstance(contact, Mapping)
+    return {**content, "contact": {**contact, "roughness": rough.as_numbers()}}, rough.measured.attributes()
 
 
 def _sweep(table: Any) -> Sweep:
@@ -199,7 +229,9 @@ def _lengths(plan: Plan) -> dict[str, int]:
 
 def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
     """The plan with blocks of as many contacts as have the points asked for, whole along the last dimensions."""
-    room = max(1, plan.sweep.block // plan.points)
+    size = math.prod(lengths.values()) * plan.points
+    usual = min(max(AT_ONCE, size // 64), 8 * AT_ONCE) if plan.sweep.statistics else AT_ONCE
+    room = max(1, (plan.sweep.block or usual) // plan.points)
     tile: dict[str, int] = {}
     for dim in reversed(list(lengths)):
         tile[dim] = max(1, min(lengths[dim], room))

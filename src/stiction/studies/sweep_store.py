@@ -6,9 +6,10 @@ case: what was interrupted is written again as it would have been.
 """
 
 import json
+import math
 import os
 import shutil
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,6 +23,7 @@ from stiction import __version__
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
+from stiction.studies.quantile_counts import PERCENTILES, counted, quantiles_of
 from stiction.studies.sweep_blocks import merged, rules_as_data, solve_block, solve_region, statistics_of
 from stiction.studies.sweep_plan import SAMPLE, Plan, check_kept
 
@@ -30,11 +32,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Store", "create", "open_store", "opened_store"]
 
-_DONE, _DOUBTS, _PARTS = "doubts_by_block", "doubts", "statistics_by_block"
+_DONE, _DOUBTS, _PARTS, _COUNTS = "doubts_by_block", "doubts", "statistics_by_block", "counts_by_block"
 _NOTHING = -1  # of a block that is not done
 _LAWS = ("title", "model", "asperity", "tangential", "film", "options", "heights", "grade", "sources", "friction_law")
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "zarr")
 _MOST_RULES = 31 - len(WHY_NOT)
+_ROWS_AT_ONCE = 1_000_000  # numbers of blocks that are read together
 
 
 @dataclass(frozen=True)
@@ -91,14 +94,23 @@ class Store:
     def _write_statistics(self, block: int, results: Mapping[str, np.ndarray], contacts: int) -> None:
         for name, values in results.items():
             self.group[_PARTS][name][block : block + 1] = statistics_of(values, contacts)[None]
+            if _percentiles(self.plan):
+                rows = values.reshape(math.prod(values.shape[:contacts]), -1)
+                self.group[_COUNTS][name][block : block + 1] = counted(rows)[None]
 
     def finish(self) -> None:
         """When all blocks are done: the statistics of all together, and no file that an interruption left."""
+        assert not self.left(), "blocks that nobody has done"
         for name in self._results if self.plan.sweep.statistics else ():
-            whole = merged([part for part in self.group[_PARTS][name][:]])
-            wanted = np.array([whole[one] for one in self.plan.sweep.statistics])
+            whole = merged(_each_row(self.group[_PARTS][name]))
+            wanted = _percentiles(self.plan)
+            if wanted:
+                counts = self.group[_COUNTS][name]
+                found = quantiles_of(_each_row(counts), counts.shape[2], wanted.values())
+                whole |= dict(zip(wanted, found, strict=True))
             target = self.group[name]
-            target[:] = wanted.reshape(target.shape).astype(target.dtype)
+            rows = np.array([whole[one] for one in self.plan.sweep.statistics])
+            target[:] = rows.reshape(target.shape).astype(target.dtype)
         self.clean()
 
     def clean(self) -> None:
@@ -108,11 +120,24 @@ class Store:
 
     def doubts(self) -> dict[str, int]:
         """At how many points each rule is left, of the blocks that are done; those that are nowhere left out."""
-        counts = self.group[_DONE][:]
-        counts = counts[counts[:, 0] != _NOTHING].sum(axis=0)
+        counts = np.zeros(self.group[_DONE].shape[1], dtype=np.int64)
+        for row in _each_row(self.group[_DONE]):
+            counts += np.where(row == _NOTHING, 0, row)
         said = json.loads(self.group[_DONE].attrs["rules"])
         texts = [*WHY_NOT, *(f"{rule['quantity']} outside {rule['low']:g} to {rule['high']:g}: {rule['why']}" for rule in said)]
         return {text: int(count) for text, count in zip(texts, counts, strict=True) if count}
+
+
+def _percentiles(plan: Plan) -> dict[str, float]:
+    """The percentiles among the statistics that are asked for, and their shares."""
+    return {name: PERCENTILES[name] for name in plan.sweep.statistics if name in PERCENTILES}
+
+
+def _each_row(array: Any) -> Iterator[np.ndarray]:
+    """What an array has of each block, of which it reads few at a time."""
+    step = max(1, _ROWS_AT_ONCE // max(1, math.prod(array.shape[1:])))
+    for start in range(0, array.shape[0], step):
+        yield from array[start : start + step]
 
 
 def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
@@ -212,7 +237,12 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     more = {"results": json.dumps(layout), "points": json.dumps(points), "identity": plan.identity()}
     versions = {name: version(name) for name in _PACKAGES}
     group.attrs.update(
-        said | dict(attributes) | more | _of_sample(plan) | {"program": f"stiction {__version__}", "versions": versions}
+        said
+        | dict(attributes)
+        | more
+        | dict(plan.scans)
+        | _of_sample(plan)
+        | {"program": f"stiction {__version__}", "versions": versions}
     )
     assert set(order) == set(plan.dims)
     sizes = dict(plan.dims) | points
@@ -271,6 +301,11 @@ def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Map
         shape = [points[dim] for dim in rest]
         flat = int(np.prod(shape, dtype=int))
         parts.create_array(name, shape=(plan.blocks, 5, flat), chunks=(1, 5, flat), dtype="float64", fill_value=float("nan"))
+        if _percentiles(plan):
+            contacts = math.prod(plan.tile[dim] for dim in dims if dim in plan.dims)
+            group.require_group(_COUNTS).create_array(
+                name, shape=(plan.blocks, 2, flat, contacts), chunks=(1, 2, flat, contacts), dtype="uint32", fill_value=0
+            )
         array = group.create_array(
             name, shape=[len(kinds), *shape], chunks=[len(kinds), *shape], dtype=plan.sweep.precision, fill_value=float("nan"),
             dimension_names=("statistic", *rest),

@@ -1,24 +1,47 @@
 """Who does the blocks of a sweep: this process, several on this machine, or the workers of a dask.distributed cluster."""
 
+import pickle
 from collections.abc import Iterator
-from typing import Any
+from functools import lru_cache
+from itertools import islice
+from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
-from stiction.studies.sweep_store import Store
 
-__all__ = ["done_here", "done_in_processes", "done_on_cluster"]
+if TYPE_CHECKING:
+    from stiction.studies.sweep_store import Store
+
+__all__ = ["done_here", "done_in_processes", "done_on_cluster", "make_ready"]
 
 # Times that workers may die without a block done between; blocks that wait for each worker.
 _DEATHS, _AHEAD = 3, 3
 
 
-def done_here(store: Store, blocks: list[int]) -> Iterator[int]:
+# What every worker needs, imported once for all of them where they can be copies of one process.
+_NEEDED = ["stiction.studies.sweep_store", "stiction.studies.case_results", "scipy.stats", "xarray", "zarr"]
+
+
+def make_ready() -> Any:
+    """The way in which workers are begun; what they need is imported while this process goes on."""
+    import multiprocessing
+
+    if "forkserver" not in multiprocessing.get_all_start_methods():
+        return multiprocessing.get_context("spawn")
+    from multiprocessing import forkserver
+
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(_NEEDED)
+    forkserver.ensure_running()
+    return context
+
+
+def done_here(store: "Store", blocks: list[int]) -> Iterator[int]:
     """Do the blocks, one after another; the points of each as it is done."""
     for block in blocks:
         yield store.do(block)
 
 
-def done_in_processes(store: Store, blocks: list[int], workers: int) -> Iterator[int]:
+def done_in_processes(store: "Store", blocks: list[int], workers: int) -> Iterator[int]:
     """The same in so many processes. Those that die are replaced, and their blocks begun again. Raises InputError where they
     die again and again."""
     from concurrent.futures.process import BrokenProcessPool
@@ -36,15 +59,10 @@ def done_in_processes(store: Store, blocks: list[int], workers: int) -> Iterator
                 raise InputError("--workers", workers, "fewer: they die again and again, for want of memory?") from None
 
 
-def _in_pool(store: Store, blocks: list[int], workers: int) -> Iterator[tuple[int, int]]:
-    import multiprocessing
+def _in_pool(store: "Store", blocks: list[int], workers: int) -> Iterator[tuple[int, int]]:
     from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
 
-    known = multiprocessing.get_all_start_methods()
-    context: Any = multiprocessing.get_context("forkserver" if "forkserver" in known else "spawn")
-    if context.get_start_method() == "forkserver":
-        context.set_forkserver_preload(["stiction.studies.sweep_blocks"])  # imported once for all
-    pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(store,))
+    pool = ProcessPoolExecutor(workers, mp_context=make_ready(), initializer=_begin, initargs=(store,))
     try:
         waiting: dict[Any, int] = {}
         rest = iter(blocks)
@@ -61,10 +79,10 @@ def _in_pool(store: Store, blocks: list[int], workers: int) -> Iterator[tuple[in
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-_store: Store | None = None  # of a process that works for another
+_store: "Store | None" = None  # of a process that works for another
 
 
-def _begin(store: Store) -> None:
+def _begin(store: "Store") -> None:
     import signal
 
     global _store
@@ -77,7 +95,7 @@ def _do(block: int) -> int:
     return _store.do(block)
 
 
-def done_on_cluster(store: Store, blocks: list[int], address: str) -> Iterator[int]:
+def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator[int]:
     """The same by the workers of a cluster, which see the store under the same path. Raises InputError where there is none, or
     its workers die again and again."""
     from distributed import Client, as_completed
@@ -88,22 +106,29 @@ def done_on_cluster(store: Store, blocks: list[int], address: str) -> Iterator[i
     except (OSError, ValueError) as error:
         raise InputError("--scheduler", address, f"the address of a scheduler, e.g. tcp://host:8786 ({error})") from None
     with client:
-        shared = client.scatter(store, broadcast=True)
-        rest = iter(blocks)
+        given, rest = pickle.dumps(store), iter(blocks)
+
+        def submitted(block: int) -> Any:
+            return client.submit(_do_there, given, block, pure=False)
+
         ahead = max(8, _AHEAD * sum(client.nthreads().values()))
-        first = [client.submit(_do_there, shared, block, pure=False) for block, _ in zip(rest, range(ahead), strict=False)]
-        running = as_completed(first)
+        running = as_completed([submitted(block) for block in islice(rest, ahead)])
         try:
             for future in running:
                 yield future.result()
-                block = next(rest, None)
-                if block is not None:
-                    running.add(client.submit(_do_there, shared, block, pure=False))
+                for block in islice(rest, 1):
+                    running.add(submitted(block))
         except KilledWorker:
             raise InputError(
                 "--scheduler", address, "workers that live: they die again and again, for want of memory?"
             ) from None
 
 
-def _do_there(store: Store, block: int) -> int:
-    return store.do(block)
+def _do_there(given: bytes, block: int) -> int:
+    return _opened(given).do(block)
+
+
+@lru_cache(maxsize=1)
+def _opened(given: bytes) -> "Store":
+    """A store, opened once by a worker. It comes with every block: what is sent to workers once is lost with them."""
+    return pickle.loads(given)

@@ -1,12 +1,12 @@
 """How far may I trust this: the result of a case with its band, and what its friction differs by."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.studies.case import as_case
+from stiction.studies.case import Case, as_case
 from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison import working_load
 from stiction.studies.spreads import ends_of_band, ends_of_models, with_spreads
@@ -14,7 +14,7 @@ from stiction.studies.spreads import ends_of_band, ends_of_models, with_spreads
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["uncertainty"]
+__all__ = ["Answered", "answered", "uncertainty"]
 
 _MU = "friction_coefficient"
 
@@ -40,13 +40,31 @@ def uncertainty(
     are not added: each is what would be left if the others were known. Raises InputError for bad input.
     """
     case = as_case(case, ranges)
-    at = working_load(case, load)
+    return answered(case, working_load(case, load), progress).data
+
+
+@dataclass(frozen=True)
+class Answered:
+    """A case: data, what `uncertainty` gives; load: its working load [N], or normalised, or None; here: the case at it; told:
+    all models at it."""
+
+    data: "xarray.Dataset"
+    load: float | None
+    here: "xarray.Dataset | None" = None
+    told: "xarray.Dataset | None" = None
+
+
+def answered(case: Case, load: float | None, progress: Callable[[str], Callable[[Iterable], Iterable]]) -> Answered:
+    """A case with what its friction differs by at a working load, and that from which it follows. Raises InputError."""
     data = solve_case(case, progress=progress)
-    if at is None or _MU not in data:
-        return data
-    here = solve_case(replace(case, separation=None, load=np.array([at])), progress=progress).squeeze("load")
+    if load is None:
+        return Answered(data, load)
+    here = solve_case(replace(case, separation=None, load=np.array([load])), progress=progress).squeeze("load")
+    told = compare_case(case, load, progress)
+    if _MU not in data:
+        return Answered(data, load, here, told)
     inputs = ends_of_band(here[f"{_MU}_quantile"]) if f"{_MU}_quantile" in here else []
     methods = [float(here[f"{_MU}_{end}"]) for end in ("low", "high")] if f"{_MU}_low" in here else []
-    told = compare_case(case, at, progress)
     models = ends_of_models(told, case.uncertainty.coverage) if told.attrs.get("recommended", "none") != "none" else []
-    return with_spreads(data, inputs, methods, models, float(here[_MU])).assign_attrs(working_load=at)
+    data = with_spreads(data, inputs, methods, models, float(here[_MU])).assign_attrs(working_load=load)
+    return Answered(data, load, here, told)

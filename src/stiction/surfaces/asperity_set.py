@@ -26,7 +26,8 @@ class Asperities:
     empty for a method that has averages only. density: per nominal area [1/m^2]. deviation: of the heights, sigma [m].
     radius: R [m], of the mean curvature, 1 / <1/R>: that of Nayak's and McCool's relations, and always finite where the mean
     of the radii is ruled by the few flattest. mean_height: over the mean plane [m]. skewness: of the heights. note: what was
-    found, and what it rests on.
+    found, and what it rests on. places: (n, 2), row and column of each one's point in the map, in the middle of one that has
+    several; as empty where there are averages only or the method does not say.
     """
 
     method: str
@@ -38,6 +39,7 @@ class Asperities:
     note: str
     heights: np.ndarray = field(default_factory=lambda: np.zeros(0))
     radii: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    places: np.ndarray = field(default_factory=lambda: np.zeros((0, 2), dtype=int))
 
     @property
     def count(self) -> int:
@@ -47,11 +49,12 @@ class Asperities:
 
 def of_samples(
     method: str, heights: np.ndarray, curvatures: np.ndarray, density: float, note: str,
-    remedy: str = "finer points or a larger map",
+    remedy: str = "finer points or a larger map", places: np.ndarray | None = None,
 ) -> Asperities:  # fmt: skip
     """Asperities from what was found: heights (n,) [m] and curvatures (n,) [1/m], positive downwards.
 
-    remedy: what would find more. InputError if there are fewer than two, or if they do not, on average, curve down.
+    remedy: what would find more. places: (n, 2), row and column of each, None where they are not known. InputError if
+    there are fewer than two, or if they do not, on average, curve down.
     """
     if len(heights) < 2:
         raise InputError(f"asperities by {method}", f"{len(heights)} found", f"2 or more: {remedy}")
@@ -77,6 +80,7 @@ def of_samples(
         "; ".join(notes),
         heights,
         radii,
+        np.zeros((0, 2), dtype=int) if places is None else places,
     )
 
 

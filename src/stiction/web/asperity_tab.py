@@ -9,7 +9,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
 from stiction.studies.one_asperity import OneAsperity, one_asperity
 from stiction.web.charts import COLOURS, cells, chart, line
-from stiction.web.drawn import Picture
+from stiction.web.drawn import Picture, wide
 from stiction.web.explorer import Explorer
 from stiction.web.working import Latest
 
@@ -33,7 +33,9 @@ class AsperityTab:
         self._traction = ui.slider(min=0.0, max=1.0, step=0.01, value=0.2).props('aria-label="tangential over normal force"')
         for slider in (self._radius, self._traction):
             slider.on("update:model-value", self._ask, throttle=0.05)
-        self._picture = Picture("von Mises stress in section", "440px")
+        with wide("von Mises stress in section"):
+            self._picture = Picture("von Mises stress in section", "auto")
+        self._picture.element.classes("section")  # as high as its axes are to scale
         explorer.listen(self._again)
 
     async def opened(self) -> None:
@@ -66,13 +68,16 @@ class AsperityTab:
         """Sizes in units, where the contact has them."""
         case = self._explorer.good.case
         assert case is not None
-        pressure = f"mean pressure {found.pressure:.3g} of the hardness of the bodies; elastic, without adhesion"
+        pressure = f"mean pressure {found.pressure:.3g} of the hardness of the bodies"
         rough = getattr(case.subject, "roughness", None)
         if rough is None:
-            return f"load {found.load:.3g} K R^(1/2) sigma^(3/2), {pressure}"
+            return f"Load {found.load:.3g} K R^(1/2) sigma^(3/2), {pressure}; elastic, without adhesion."
         root = math.sqrt(rough.asperity_radius * rough.asperity_height_deviation)
         load = found.load * case.subject.scales().load
-        return f"contact radius {show(found.radius * root, 'mean_separation', 3)}, load {show(load, 'load', 3)}, {pressure}"
+        radius = found.radius * root
+        stress = show(load / (math.pi * radius**2), "nominal_pressure", 3)
+        return (f"Contact radius {show(radius, 'mean_separation', 3)}, load {show(load, 'load', 3)}, {pressure}, {stress}; "
+                "elastic, without adhesion.")  # fmt: skip
 
 
 def _in_words(found: OneAsperity) -> str:
@@ -104,6 +109,6 @@ def _section_chart(found: OneAsperity, dark: bool) -> dict[str, Any]:
     options["grid"]["right"] = 96
     most = max(float(found.stress.max()), 1e-12)
     options["visualMap"] = {"min": 0.0, "max": most, "dimension": 2, "seriesIndex": 0, "right": 0, "top": "middle",
-                            "calculable": True, "precision": 3, "inRange": {"color": _SHADES},
-                            "text": ["stress over\nyield stress", ""], "textStyle": options["textStyle"]}  # fmt: skip
+                            "calculable": True, "align": "left", "precision": 3, "inRange": {"color": _SHADES},
+                            "text": ["stress/yield", ""], "textStyle": options["textStyle"]}  # fmt: skip
     return options

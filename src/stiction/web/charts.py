@@ -1,6 +1,5 @@
-"""Charts for the page: a result in, the options of an ECharts chart out. Nothing is computed but shares."""
+"""Charts for the page: a result in, the options of an ECharts chart out. Nothing is computed."""
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -9,6 +8,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
 from stiction.report.picture_style import scale
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
+from stiction.report.share_pictures import part_in_words, shares_of, stacks
 
 if TYPE_CHECKING:
     import xarray
@@ -20,6 +20,7 @@ __all__ = [
     "chart",
     "comparison_chart",
     "curve_chart",
+    "ink_of",
     "line",
     "numbers",
     "share_chart",
@@ -38,6 +39,11 @@ _SHORT = (
     "value => value !== 0 && (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5) "
     "? value.toExponential(0) : String(+value.toPrecision(4))"
 )
+
+
+def ink_of(dark: bool) -> str:
+    """The colour of what is written."""
+    return _INK[dark]
 
 
 def numbers(values: Any) -> list[float | None]:
@@ -102,6 +108,7 @@ def cells(name: str, points: list[list[float]], x: tuple[str, str], y: tuple[str
         "name": name,
         "type": "custom",
         ":renderItem": draw,
+        "progressive": 0,  # all at once: a picture in parts says something else
         "data": points,
         "clip": True,
         "z": 1,
@@ -151,39 +158,13 @@ def curve_chart(curve: "xarray.Dataset", name: str, against: str, here: int, dar
     return chart(f"{axis_name(curve[name])} against {x_axis['name']}", x_axis, y_axis, series, dark)
 
 
-def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
-    """What may be drawn as shares: words -> the total and its parts, found by their names and units among the results."""
-    found: dict[str, tuple[str, list[str]]] = {}
-    for total, stem, words in (("contact_area", "contact_area", "contact area"), ("friction_force", "friction", "friction"),
-                               ("load", "load", "load")):  # fmt: skip
-        if total not in curve:
-            continue
-        parts = [str(name) for name in curve.data_vars
-                 if str(name).startswith(f"{stem}_") and name != total and name in QUANTITIES
-                 and QUANTITIES[str(name)].unit == QUANTITIES[total].unit]  # fmt: skip
-        bodies = [name for name in parts if name.endswith(("_film", "_substrate"))]
-        states = [name for name in parts if name not in bodies]
-        for kind, names in (("by state", states), ("film and substrate", bodies)):
-            if len(names) > 1:
-                found[f"{words}, {kind}"] = (total, names)
-    return found
-
-
-def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
-    """Shares (parts, points) of the sizes of parts; not a number where there are none."""
-    sizes = np.abs([np.asarray(curve[name].values, dtype=float) for name in parts])
-    total = sizes.sum(axis=0)
-    return np.divide(sizes, total, out=np.full(sizes.shape, np.nan), where=total > 0.0)
-
-
 def share_chart(curve: "xarray.Dataset", what: str, against: str, dark: bool) -> dict[str, Any]:
     """Parts as stacked shares of the sum of their sizes."""
     total, parts = stacks(curve)[what]
     x, x_axis = _against(curve, against)
     series = []
     for at, (name, share) in enumerate(zip(parts, shares_of(curve, parts), strict=True)):
-        stem = "friction_" if total == "friction_force" else f"{total}_"
-        said = name.removeprefix(stem).replace("_", "-")
+        said = part_in_words(name, total)
         area = {"opacity": 0.75, "decal": {"symbol": _HATCHES[at % len(_HATCHES)], "color": "rgba(255,255,255,0.5)"}}
         series.append(line(said, x, share, at, stack="all", areaStyle=area))
     tension = any(np.nanmin(curve[name].values, initial=0.0) < 0.0 for name in parts)
@@ -219,9 +200,9 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
     series = [one for one in series if one["data"]]
     options = chart("static friction coefficient by each model", {"type": "log", "name": "static friction coefficient mu"},
                     {"type": "category", "data": names,
-                     "axisLabel": {"color": _INK[dark], "width": 210, "overflow": "truncate"}},
+                     "axisLabel": {"color": _INK[dark], "width": 260, "overflow": "break", "lineHeight": 14}},
                     series, dark)  # fmt: skip
-    options["grid"] |= {"left": 226, "top": 70}
+    options["grid"] |= {"left": 276, "top": 70}
     options["legend"] |= {"type": "plain", "top": 0}
     options["tooltip"]["trigger"] = "item"
     return options

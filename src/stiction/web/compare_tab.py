@@ -8,7 +8,7 @@ from stiction.laws.overview import models
 from stiction.laws.validity import read_doubts
 from stiction.web.asked import Comparison, compared
 from stiction.web.charts import comparison_chart
-from stiction.web.drawn import Picture, attributes
+from stiction.web.drawn import Picture, attributes, wide
 from stiction.web.explorer import Explorer
 from stiction.web.studying import Study
 
@@ -25,6 +25,9 @@ _COLUMNS = [
     )
 ]
 
+_NAME = """<q-td :props="props"><q-btn flat dense no-caps align="left" color="primary" :label="props.value"
+  @click="() => $parent.$emit('opened', props.value)" /></q-td>"""
+
 
 class CompareTab:
     """Asked when the tab is opened, and again by its button."""
@@ -36,14 +39,17 @@ class CompareTab:
         self._study = Study("Compare all models at this load", self._work, self._show)
         self._advice = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
         self._more = ui.label().classes("text-sm")
-        self._picture = Picture("friction by model", "620px")
+        with wide("friction by model"):
+            self._picture = Picture("friction by model", "560px")
         self._picture.show(None)
         self._picture.element.on_point_click(lambda event: self._open(str(self._names()[event.value[1]])))
         self._table = (
             ui.table(columns=_COLUMNS, rows=[], row_key="model").classes("w-full models").props("dense flat wrap-cells")
         )
         self._table.set_visibility(False)
-        self._table.on("rowClick", lambda event: self._open(event.args[1]["model"]))
+        # A button in the row, which a keyboard reaches; the name is bound as text.
+        self._table.add_slot("body-cell-model", _NAME)
+        self._table.on("opened", lambda event: self._open(event.args))
         self._pages = ui.row().classes("w-full gap-2")
         explorer.listen(self._again)
 

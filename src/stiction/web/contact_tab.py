@@ -25,6 +25,9 @@ class ContactTab:
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
+        self._kinds: list[str] = []
+        self._texts: list[ui.label] = []
+        self._told: list[str] = []
         self._headline()
         with ui.row().classes("w-full items-center gap-4"):
             ui.toggle({"load": "against load", "mean_separation": "against separation"}, value="load",
@@ -32,12 +35,12 @@ class ContactTab:
             self._point = ui.slider(min=0, max=1, value=0).classes("grow").style("min-width: 160px")
             self._point.props('dense aria-label="point of the curve that is told in words"')
             self._point.on("update:model-value", self._moved, throttle=0.05)
+            self._stack = ui.select([], label="shares of", on_change=self._stacked).classes("w-64").props("dense outlined")
         with ui.grid().classes("charts w-full"):
             self._mu = Picture("friction coefficient")
             self._shares = Picture("shares")
             self._area = Picture("contact area")
             self._load = Picture("load")
-        self._stack = ui.select([], label="shares of", on_change=self._stacked).classes("w-64").props("dense outlined")
         explorer.listen(self.show)
         self.show()
 
@@ -77,17 +80,30 @@ class ContactTab:
         self._draw()
 
     def _tell(self) -> None:
+        """Doubts and remarks. While a knob moves it is mostly their numbers that change: then only these are sent."""
         answer = self._explorer.good
-        self._doubts.clear()
-        with self._doubts:
-            for kind, text in answer.doubts() or [("", "")]:
-                with ui.row().classes("items-start gap-2 no-wrap"):
-                    ui.icon(_ICONS.get(kind, "check_circle")).props('aria-hidden="true"')
-                    ui.label(doubt_in_words(kind, text) if kind else "Within the ranges that the authors of its laws claim.")
-        self._remarks.clear()
-        with self._remarks:
-            for one in remarks(answer):
-                ui.label(one)
+        doubts = answer.doubts() or [("", "")]
+        kinds = [kind for kind, _ in doubts]
+        if kinds != self._kinds:
+            self._kinds = kinds
+            self._doubts.clear()
+            with self._doubts:
+                self._texts = [self._doubt(kind) for kind in kinds]
+        for label, (kind, text) in zip(self._texts, doubts, strict=True):
+            label.set_text(doubt_in_words(kind, text) if kind else "Within the ranges that the authors of its laws claim.")
+        said = remarks(answer)
+        if said != self._told:
+            self._told = said
+            self._remarks.clear()
+            with self._remarks:
+                for one in said:
+                    ui.label(one)
+
+    @staticmethod
+    def _doubt(kind: str) -> ui.label:
+        with ui.row().classes("items-start gap-2 no-wrap"):
+            ui.icon(_ICONS.get(kind, "check_circle")).props('aria-hidden="true"')
+            return ui.label()
 
     def _draw(self) -> None:
         curve, view, here = self._explorer.good.curve, self._explorer.view, self._explorer.here

@@ -41,6 +41,13 @@ def _toml(answer: Answer, path: Path) -> None:
     path.write_text(as_toml(answer.question.tables), encoding="utf-8")
 
 
+def _report(answer: Answer, path: Path) -> None:
+    from stiction.report.html_report import case_as_html
+
+    assert answer.case is not None
+    path.write_text(case_as_html(answer.case, as_toml(answer.question.tables)), encoding="utf-8")
+
+
 # Name of the file -> what writes it.
 KINDS: dict[str, Callable[[Answer, Path], None]] = {
     "case.toml": _toml,
@@ -48,6 +55,7 @@ KINDS: dict[str, Callable[[Answer, Path], None]] = {
     "curve.nc": _netcdf,
     "curve.svg": _picture,
     "curve.png": _picture,
+    "report.html": _report,
 }
 
 

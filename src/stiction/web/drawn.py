@@ -4,7 +4,7 @@ from typing import Any
 
 from nicegui import ui
 
-__all__ = ["Picture", "attributes"]
+__all__ = ["Picture", "attributes", "wide"]
 
 
 def attributes(element: Any, **given: Any) -> Any:
@@ -15,6 +15,11 @@ def attributes(element: Any, **given: Any) -> Any:
         element.props.update(changed)
         element.update()
     return element
+
+
+def wide(name: str) -> Any:
+    """A frame for what is not read when it is as narrow as a telephone: there it is moved sideways, also by keyboard."""
+    return attributes(ui.element("div").classes("wide"), tabindex=0, role="group", aria_label=name)
 
 
 class Picture:

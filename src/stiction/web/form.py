@@ -129,7 +129,8 @@ class Form:
         """A text and, where it holds one number, a slider. otherwise: what holds where the text is empty."""
         given = got(self._explorer.question.tables, one.path)
         value = one.si(given if given is not None else otherwise or None)
-        text = ui.input(one.label, value="" if given is None else str(given), placeholder=otherwise)
+        ui.label(one.label).classes("text-xs w-full").style("line-height: 1.25; margin: 4px 0 -12px").props("aria-hidden=true")
+        text = ui.input(value="" if given is None else str(given), placeholder=otherwise)
         attributes(text.props("dense outlined debounce=300").classes("w-full"), hint=one.help, aria_label=one.label)
         self._inputs[one.path] = text
         slider = None

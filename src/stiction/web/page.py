@@ -17,6 +17,7 @@ from stiction.web.place_tab import PlaceTab
 from stiction.web.share_tab import ShareTab
 from stiction.web.studies_tab import StudiesTab
 from stiction.web.surface_tab import SurfaceTab
+from stiction.web.words import headline
 from stiction.web.working import run
 
 __all__ = ["make_page"]
@@ -24,9 +25,16 @@ __all__ = ["make_page"]
 _STYLE = """
 .charts { grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 8px }
 .frame { display: grid; grid-template-columns: minmax(260px, 340px) minmax(0, 1fr); gap: 16px; width: 100% }
+.knobs { position: sticky; top: 56px; align-self: start; max-height: calc(100vh - 64px); overflow-y: auto; flex-wrap: nowrap }
+.section { aspect-ratio: 2; max-width: 900px }
+.one-line { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; min-width: 0 }
+.wide { overflow-x: auto; width: 100% }
 @media (max-width: 800px) { .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap }
-  .q-page { padding: 4px } .frame > .results { order: -1 } }
-.body--light .text-negative { color: #b00020 !important } .body--dark .text-negative { color: #ff8a80 !important }
+  .q-page { padding: 4px } .frame > .results { order: -1 } .knobs { position: static; max-height: none }
+  .wide > * { min-width: 640px } .models table { min-width: 860px } }
+/* the colours of the library are important in a layer, which nothing after it outranks: so its variables are changed */
+.body--light .text-negative { --q-negative: #b00020 } .body--dark .text-negative { --q-negative: #ff8a80 }
+.body--dark .text-primary { --q-primary: #90caf9 }
 .q-tabs { max-width: 100% } .q-tabs__content { flex-wrap: wrap }
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """
@@ -65,26 +73,32 @@ def make_page(question: Question, state: str) -> Callable[[], Any]:
 
 def _frame(explorer: Explorer, wrong: InputError | None) -> None:
     ui.add_css(_STYLE)
+    ui.colors(primary="#1565C0")  # dark enough for white letters
     dark = ui.dark_mode(None)
-    with ui.header().classes("items-center gap-4 py-1").style("background: #0B3C5D"):
+    with ui.header().classes("items-center gap-4 py-1 no-wrap").style("background: #0B3C5D"):
         ui.label("stiction").classes("text-lg font-bold").props('role="heading" aria-level="1"')
-        title = ui.label().classes("grow text-sm")
+        number = ui.label().classes("font-bold one-line").style("flex: none; max-width: 50%")
+        title = ui.label().classes("grow text-sm one-line")
         look = ui.button(icon="contrast", on_click=lambda: _switch(explorer, dark))
         look.props('flat dense color="white" aria-label="light or dark"')
     if wrong is not None:
         ui.label(f"The address was not used: {wrong}").classes("text-negative").props('role="alert"')
-    with ui.element("main").classes("frame"):
-        with ui.column().classes("gap-1").props('role="form" aria-label="the case"'):
+    with ui.element("div").classes("frame"):
+        with ui.column().classes("gap-1 knobs").props('role="form" aria-label="the case"'):
             Form(explorer)
         with ui.column().classes("w-full gap-2 results"):
             _tabs(explorer)
 
     def told() -> None:
         title.set_text(str(explorer.good.question.tables.get("title", "")))
+        number.set_text(headline(explorer.good, explorer.here)[0])
+
+    def moved() -> None:
+        told()
         ui.navigate.history.replace(explorer.address)
 
-    explorer.listen(told)
-    title.set_text(str(explorer.good.question.tables.get("title", "")))
+    explorer.listen(moved)
+    told()
     client = context.client
     client.on_delete(explorer.close)
     client.on_connect(lambda: _see(explorer))

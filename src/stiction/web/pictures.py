@@ -7,7 +7,7 @@ from typing import Any
 
 from nicegui import ui
 
-from stiction.web.drawn import attributes
+from stiction.web.drawn import attributes, wide
 
 __all__ = ["image_of", "show_image", "text_of"]
 
@@ -32,5 +32,6 @@ def text_of(parts: Iterable[Any], width: int = 118) -> str:
 
 def show_image(source: str, told: str) -> None:
     """An image, with what it shows for who does not see it."""
-    image = ui.image(source).classes("w-full").style("max-width: 900px; background: white").props("no-spinner fit=contain")
+    with wide(told):
+        image = ui.image(source).classes("w-full").style("max-width: 900px; background: white").props("no-spinner fit=contain")
     attributes(image, alt=told)

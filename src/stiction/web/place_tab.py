@@ -12,7 +12,7 @@ from stiction.studies.paper_claims import CLAIMS, LAM, READINGS, THETA, ClaimMap
 from stiction.studies.paper_figures import PANELS, PanelCurves, panel_curves
 from stiction.studies.place import ADHESION_MATTERS, PLASTICITY, Place, place_of, plasticity_line
 from stiction.web.charts import COLOURS, axis_name, cells, chart, line
-from stiction.web.drawn import Picture
+from stiction.web.drawn import Picture, wide
 from stiction.web.explorer import Explorer
 from stiction.web.studying import Study
 from stiction.web.working import run
@@ -42,7 +42,8 @@ class PlaceTab:
             self._claim.classes("w-80").props("dense outlined")
             self._reading = ui.toggle(list(READINGS), value=READINGS[0], on_change=self._again).props("dense no-caps")
         self._study = Study("Judge the claims in the plane", self._judged, lambda _: self.show())
-        self._plane = Picture("plane of the adhesion indices", "460px")
+        with wide("plane of the adhesion indices"):
+            self._plane = Picture("plane of the adhesion indices", "460px")
         ui.label("Figures of the 2015 paper").classes("text-lg")
         with ui.row().classes("items-center gap-3"):
             self._figure = ui.select({at: one.figure for at, one in enumerate(PANELS)}, value=0, on_change=self._again)
@@ -115,6 +116,7 @@ def _plane_chart(place: Place | None, share: tuple[str, np.ndarray] | None, dark
     points = [] if place is None else [place.bodies, *([place.film] if place.film else [])]
     ends = [(min([low, *(p[at] for p in points)]), max([high, *(p[at] for p in points)]))
             for at, (low, high) in enumerate(((THETA[0], THETA[-1]), (LAM[0], LAM[-1])))]  # fmt: skip
+    ends = [(10.0 ** np.floor(np.log10(low)), 10.0 ** np.ceil(np.log10(high))) for low, high in ends]
     theta = np.geomspace(*ends[0], 60)
     series = [
         line("below this theta adhesion matters", [ADHESION_MATTERS["theta"]] * 2, ends[1], 0),
@@ -129,7 +131,7 @@ def _plane_chart(place: Place | None, share: tuple[str, np.ndarray] | None, dark
         one["showSymbol"] = False
     meanings = {"theta": "elastic adhesion index", "lam": "plastic adhesion index"}
     axes = [{"type": "log", "name": f"{meanings[name]} {QUANTITIES[name].symbol}",
-             "min": 10.0 ** np.floor(np.log10(low)), "max": 10.0 ** np.ceil(np.log10(high))}
+"min": low, "max": high}
             for name, (low, high) in zip(("theta", "lam"), ends, strict=True)]  # fmt: skip
     options = chart("plane of the adhesion indices", axes[0], axes[1], series, dark)
     options["tooltip"]["trigger"] = "item"

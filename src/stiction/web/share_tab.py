@@ -25,6 +25,8 @@ class ShareTab:
                 attributes(button, aria_label=f"download {name}")
         ui.label("The same numbers, to the last digit, on the command line: stiction run case.toml").classes("text-sm")
         self._text = ui.code("", language="toml").classes("w-full")
+        attributes(self._text.copy_button, aria_label="copy the case")
+        attributes(self._text.markdown, tabindex=0)  # it is moved sideways where it is narrow
         explorer.listen(self.show)
         self.show()
 

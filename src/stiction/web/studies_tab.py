@@ -16,6 +16,7 @@ from stiction.web.explorer import Explorer
 from stiction.web.fields import MaterialPart, Number, got, parts_of, placed
 from stiction.web.pictures import image_of, show_image, text_of
 from stiction.web.studying import Study
+from stiction.web.uploading import upload_button
 from stiction.web.working import Progress
 
 __all__ = ["Result", "StudiesTab", "calibrated", "designed", "how_sure", "what_matters"]
@@ -120,6 +121,7 @@ class StudiesTab:
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         self._data: Path | None = None
+        self._named = ""
         ui.label("A study that takes more than a minute ends here; the command line beside it does all of it.").classes(
             "text-sm"
         )
@@ -210,19 +212,19 @@ class StudiesTab:
         with self._card("Calibration on measured series", "stiction fit case.toml --data measured.csv, with a table [fit]"):
             said = ui.label().classes("text-sm").props('role="status"')
 
-            async def uploaded(event: Any) -> None:
-                self._data = Path(self._explorer.upload(event.file.name, await event.file.read()))
-                said.set_text(f"{event.file.name} is here, until the page is closed")
+            async def uploaded(path: str, name: str) -> None:
+                self._data, self._named = Path(path), name
+                said.set_text(f"{name} is here, until the page is closed")
 
-            upload = ui.upload(
-                label="measured series, .csv", auto_upload=True, max_files=1, max_file_size=2**21, on_upload=uploaded
-            )
-            upload.props('accept=".csv" flat bordered')
+            upload_button(self._explorer, "Upload measured series, .csv", uploaded, said.set_text, 2**21)
             choice = self._choice()
 
             def work(progress: Progress) -> Result:
                 if self._data is None:
                     raise InputError("measured series", None, "a .csv file with load and what was measured at it")
-                return calibrated(self._explorer.good.question, self._data, self._ends(choice), progress)
+                try:
+                    return calibrated(self._explorer.good.question, self._data, self._ends(choice), progress)
+                except InputError as error:
+                    raise InputError(error.field.replace(str(self._data), self._named), error.value, error.allowed) from None
 
             self._study("Calibrate", work)

@@ -1,216 +1,213 @@
 """The tab Surface: a scan, its spectrum with the cutoffs, its asperities by each method, and what all that does to friction."""
 
-from dataclasses import dataclass
+import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from nicegui import ui
 
 from stiction.contact.contact import Contact
+from stiction.laws.finding import methods
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
-from stiction.studies.resolution import resolution_study
-from stiction.studies.surface_analysis import Analysis, analyse, prepared
-from stiction.surfaces.generate import gaussian_surface
-from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.read import read_scan
-from stiction.surfaces.targets import SelfAffine
-from stiction.web.charts import chart, line
+from stiction.studies.surface_analysis import prepared
+from stiction.surfaces.spectrum import BinnedSpectrum
 from stiction.web.drawn import Picture, attributes
 from stiction.web.explorer import Explorer
-from stiction.web.pictures import image_of, show_image
+from stiction.web.guard import LARGEST_UPLOAD
+from stiction.web.pictures import show_image
 from stiction.web.studying import Study
+from stiction.web.surface_charts import MARGINS, solid_chart, spectrum_chart, wavevectors
+from stiction.web.surface_work import (
+    Band,
+    Pictures,
+    Scan,
+    example_scan,
+    fan_picture,
+    map_picture,
+    pictures_of,
+    read_bounded,
+    said_of_friction,
+    spectrum_of,
+)
+from stiction.web.uploading import upload_button
 from stiction.web.working import Latest, Progress, run
 
-__all__ = ["Band", "SurfaceTab", "analysed", "example_scan", "fan_picture", "read_bounded"]
+__all__ = ["SurfaceTab"]
 
-_MOST_POINTS = 1_500_000  # of a scan on the page
-_SHOWN = 96  # points along a side of the map in three dimensions
-_MOST_UPLOAD = 64 * 2**20
-
-
-@dataclass(frozen=True)
-class Band:
-    """Order of the form that is taken off, and wavelengths [m] between which heights are kept, None for no end."""
-
-    form: int = 1
-    shortest: float | None = None
-    longest: float | None = None
-
-    def tables(self) -> dict[str, Any]:
-        """The same as a case has it."""
-        ends = {"shortest": self.shortest, "longest": self.longest}
-        return {"form": self.form} | {name: f"{value:.10g} m" for name, value in ends.items() if value is not None}
-
-
-def read_bounded(path: Path, told: dict[str, str]) -> HeightMap:
-    """A scan of a size for a page. Raises InputError."""
-    surface = read_scan(path, **told)  # type: ignore[arg-type]  # texts
-    if surface.heights.size > _MOST_POINTS:
-        raise InputError(
-            "scan", f"{surface.heights.size} points", f"{_MOST_POINTS} at most on a page; `stiction surface` takes more"
-        )
-    return surface
-
-
-def analysed(surface: HeightMap, band: Band) -> tuple[Analysis, str, str] | InputError:
-    """What is said of a scan in a band, its map and its asperities as pictures; or why nothing is."""
-    from stiction.report.surface_pictures import asperity_figure, map_figure
-
-    try:
-        found = analyse(prepared(surface, band.form, None, None, band.shortest, band.longest))
-        return found, image_of(map_figure(found.surface)), image_of(asperity_figure(found.asperities.values(), found.surface))
-    except InputError as error:
-        return error
-
-
-def example_scan(path: Path) -> dict[str, str]:
-    """Write a surface that was made, not measured, and say how it is read: self-affine, 256 points over 40 um."""
-    made = gaussian_surface((256, 256), (40e-6, 40e-6), SelfAffine(0.8, 10e-6, 0.8e-6, 50e-9), 1)
-    np.save(path, made.heights * 1e9)
-    return {"size": "40 um", "unit": "nm"}
-
-
-def fan_picture(surface: HeightMap, contact: Contact | None, load: float | None, progress: Progress) -> str:
-    """Numbers of the asperities, and friction, against the shortest wave that is left: a picture. Raises InputError."""
-    from stiction.report.method_pictures import resolution_figure
-
-    asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
-    return image_of(resolution_figure(resolution_study(surface, progress=progress("Filtering"), **asked)))
+_FORMS = {0: "no form", 1: "plane", 2: "curved", 3: "order 3", 4: "order 4"}
+_NO_METHOD = ""
+_STEP = 0.005  # of the decimal logarithm of a wavevector
 
 
 class SurfaceTab:
-    """One scan of one visitor."""
+    """One scan of one visitor. While a cutoff is moved spectrum and friction follow; pictures when it is let go."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
-        self._scan: HeightMap | None = None
-        self._file = ""
-        self._told: dict[str, str] = {}
-        self._latest = Latest(analysed, self._show)
+        self._scan: Scan | None = None
+        self._drawn: Pictures | None = None
+        self._whole: BinnedSpectrum | None = None
+        self._spectra = Latest(spectrum_of, self._show_spectrum)
+        self._friction = Latest(said_of_friction, lambda said: self._mu.set_text(said))
+        self._pictures = Latest(pictures_of, self._show_pictures)
         self._source()
         self._said = ui.label().props('role="status" aria-live="polite"')
         self._body = ui.column().classes("w-full gap-2")
         with self._body:
-            self._band()
             self._mu = ui.label().classes("text-xl font-bold").props('role="status" aria-live="polite"')
+            self._options()
             self._spectrum = Picture("power spectrum")
-            self._pictures = ui.column().classes("w-full")
-            self._solid = ui.echart({}, enable_3d=True).classes("w-full").style("height: 380px")
+            self._handles()
+            self._map = ui.column().classes("w-full")
+            with ui.element("div").classes("w-full") as self._above:
+                self._solid = ui.echart({}, enable_3d=True).classes("w-full").style("height: 380px")
             self._solid.props('role="img" aria-label="map of the heights in three dimensions"')
             Study("Resolution: how asperities and mu hang on the shortest wave", self._fan, self._show_fan)
             self._below = ui.column().classes("w-full")
         self._body.set_visibility(False)
-        explorer.listen(self._friction)
+        explorer.listen(self._again)
 
     def _source(self) -> None:
         with ui.row().classes("items-end gap-2"):
             fields = {"size": "size along x, e.g. 40 um", "unit": "unit of the numbers", "height_unit": "unit of the heights"}
             self._given = {name: ui.input(label).props("dense outlined").classes("w-48") for name, label in fields.items()}
+        ui.label("Only for files that do not say it themselves, such as numbers in rows.").classes("text-sm")
         with ui.row().classes("items-center gap-2"):
-            ui.upload(label="scan", auto_upload=True, max_files=1, max_file_size=_MOST_UPLOAD, on_upload=self._uploaded).props(
-                'flat bordered aria-label="upload a scan"'
-            )
+            upload_button(self._explorer, "Upload a scan", self._uploaded, self._refused, LARGEST_UPLOAD)
             ui.button("Make an example", on_click=self._example).props("no-caps outline")
 
-    def _band(self) -> None:
+    def _options(self) -> None:
         with ui.row().classes("items-center gap-3"):
-            self._form = ui.select(
-                {0: "no form", 1: "plane", 2: "curved", 3: "order 3", 4: "order 4"}, value=1, label="form taken off"
-            )
-            self._form.on_value_change(self._ask).classes("w-32").props("dense outlined")
+            self._form = ui.select(_FORMS, value=1, label="form taken off", on_change=self._let_go)
+            self._form.classes("w-32").props("dense outlined")
+            labels = {_NO_METHOD: "none"} | {key: one.label for key, one in methods().items()}
+            self._method = ui.select(labels, value="eight_neighbour", label="asperities on the map", on_change=self._marked)
+            self._method.classes("w-56").props("dense outlined")
             use = "use it in the case, as the first body"
-            self._used = attributes(ui.switch(use, on_change=self._ask), aria_label=use)
-        self._ends: dict[str, Any] = {}
-        for name in ("shortest", "longest"):
-            with ui.row().classes("items-center w-full no-wrap gap-3"):
-                label = ui.label(f"{name} wave").classes("w-56")
-                slider = ui.slider(min=-9.0, max=-3.0, step=0.01, value=-9.0).classes("grow")
-                attributes(slider, aria_label=f"{name} wave that is kept, logarithm of metres")
-                slider.on("update:model-value", self._ask, throttle=0.2)
-                self._ends[name] = slider, label
+            self._used = attributes(ui.switch(use, on_change=self._let_go), aria_label=use)
 
-    async def _uploaded(self, event: Any) -> None:
+    def _handles(self) -> None:
+        """Two handles under the spectrum, each at its wavevector, so that the picture is their scale."""
+        self._ends: dict[str, Any] = {}
+        for name in ("longest", "shortest"):
+            label = ui.label().classes("text-sm")
+            slider = ui.slider(min=0.0, max=1.0, step=_STEP, value=0.0)
+            slider.style(f"margin: 0 {MARGINS[1]}px 0 {MARGINS[0]}px; width: auto; align-self: stretch")
+            attributes(slider, aria_label=f"{name} wave that is kept, by the logarithm of its wavevector")
+            slider.on("update:model-value", self._ask, throttle=0.1)
+            slider.on("change", self._let_go)
+            self._ends[name] = slider, label
+
+    async def _uploaded(self, path: str, name: str) -> None:
         told = {name: str(one.value).strip() for name, one in self._given.items() if str(one.value or "").strip()}
-        await self._read(self._explorer.upload(event.file.name, await event.file.read()), told)
+        await self._read(path, told, name)
+
+    def _refused(self, why: str) -> None:
+        self._said.set_text(why)
 
     async def _example(self) -> None:
         path = self._explorer.upload("example.npy", b"")
-        await self._read(path, example_scan(Path(path)))
+        await self._read(path, example_scan(Path(path)), "the example")
 
-    async def _read(self, path: str, told: dict[str, str]) -> None:
+    async def _read(self, path: str, told: dict[str, str], name: str) -> None:
         try:
-            self._scan = await run(read_bounded, Path(path), told)
+            surface = replace(await run(read_bounded, Path(path), told), name=name)
         except InputError as error:
-            self._said.set_text(str(error).replace(path, Path(path).name))
+            self._said.set_text(str(error).replace(path, name))
             return
-        self._file, self._told = path, told
-        low, high = (float(np.log10(one)) for one in (2.0 * self._scan.coarsest_pitch, max(self._scan.size)))
-        for name, place in (("shortest", low), ("longest", high)):
-            attributes(self._ends[name][0], min=low, max=high)
-            self._ends[name][0].set_value(place)
+        whole = await run(spectrum_of, surface, Band(int(self._form.value)))
+        if isinstance(whole, InputError):
+            self._said.set_text(str(whole))
+            return
+        self._scan, self._whole = Scan(surface, path, told), whole
+        low, high = map(math.log10, wavevectors(surface))
+        for end, place in (("longest", low), ("shortest", high)):
+            attributes(self._ends[end][0], min=low, max=high)
+            self._ends[end][0].set_value(place)
         self._body.set_visibility(True)
-        self._said.set_text("; ".join(self._scan.history))
-        await self._ask()
+        self._said.set_text("; ".join(surface.history))
+        await self._let_go()
 
     def _wanted(self) -> Band:
-        """The band of the sliders; at the end of a slider there is no cutoff."""
+        """The band of the handles; at the end of the spectrum there is no cutoff."""
         assert self._scan is not None
-        places = {name: float(slider.value) for name, (slider, _) in self._ends.items()}
-        ends = {"shortest": 2.0 * self._scan.coarsest_pitch, "longest": max(self._scan.size)}
-        found = {name: None if abs(place - np.log10(ends[name])) < 0.011 else 10.0**place for name, place in places.items()}
-        for name, (_, label) in self._ends.items():
-            value = found[name]
-            label.set_text(f"{name} wave: " + ("as it is" if value is None else show(value, "scan_size", 3)))
+        ends = dict(zip(("longest", "shortest"), map(math.log10, wavevectors(self._scan.surface)), strict=True))
+        found: dict[str, float | None] = {}
+        for name, (slider, label) in self._ends.items():
+            place = float(slider.value)
+            found[name] = None if abs(place - ends[name]) < 1.1 * _STEP else 2.0 * math.pi / 10.0**place
+            said = "as it is" if found[name] is None else show(found[name], "scan_size", 3)
+            label.set_text(f"{name} wave that is kept: {said}")
+            attributes(slider, aria_valuetext=said)
         return Band(int(self._form.value), found["shortest"], found["longest"])
 
     async def _ask(self) -> None:
+        """Spectrum and friction of the band: each of the newest, as the handles may have moved while the other was asked."""
         if self._scan is None:
             return
-        band = self._wanted()
-        await self._latest.ask(self._scan, band)
-        if self._used.value and "contact" in self._explorer.question.tables:
-            rough = {"first": {"file": self._file, **self._told}, **band.tables()}
-            await self._explorer.put(("contact", "roughness"), rough)
-            self._explorer.rebuild()
+        explorer = self._explorer
+        await self._spectra.ask(self._scan.surface, self._wanted())
+        load = float(explorer.good.curve["load"].values.reshape(-1)[explorer.here])
+        if load > 0.0:
+            question = explorer.question.with_tables(explorer.good.question.tables)
+            await self._friction.ask(question, self._scan, self._wanted(), load)
+        else:
+            self._mu.set_text("Friction with this surface: at a load above 0; choose a point of the tab Contact that presses.")
 
-    def _show(self, found: tuple[Analysis, str, str] | InputError) -> None:
+    async def _let_go(self) -> None:
+        """Everything of the band; and the case, where the scan is in it."""
+        if self._scan is None:
+            return
+        await self._ask()
+        if self._used.value and "contact" in self._explorer.question.tables:
+            await self._explorer.put(("contact", "roughness"), self._scan.roughness(self._wanted()))
+            self._explorer.rebuild()
+        await self._pictures.ask(self._scan.surface, self._wanted(), self._method.value)
+
+    def _show_spectrum(self, found: BinnedSpectrum | InputError) -> None:
         if isinstance(found, InputError):
             self._said.set_text(str(found))
             return
-        analysis, picture, asperities = found
-        self._spectrum.show(self._spectrum_chart(analysis))
-        self._pictures.clear()
-        with self._pictures:
-            show_image(picture, "the heights in colours, and their histogram")
-            show_image(asperities, "heights of the asperities by each method")
-            for method, why in analysis.failures.items():
-                ui.label(f"{method}: {why}").classes("text-sm")
-        self._solid.set_visibility(not analysis.surface.is_profile)
-        if not analysis.surface.is_profile:
+        assert self._scan is not None and self._whole is not None
+        self._said.set_text("; ".join(self._scan.surface.history))
+        dark = self._explorer.view.dark
+        self._spectrum.show(spectrum_chart(self._whole, found, self._wanted(), wavevectors(self._scan.surface), dark))
+
+    def _show_pictures(self, found: Pictures | InputError) -> None:
+        if isinstance(found, InputError):
+            self._said.set_text(str(found))
+            return
+        self._drawn = found
+        self._show_map(found.map)
+        surface = found.analysis.surface
+        self._above.set_visibility(not surface.is_profile)
+        if not surface.is_profile:
             self._solid.options.clear()
-            self._solid.options.update(_solid_chart(analysis.surface))
+            self._solid.options.update(solid_chart(surface, self._explorer.view.dark))
             self._solid.update()
 
-    def _friction(self) -> None:
-        from stiction.web.words import headline
+    def _show_map(self, source: str) -> None:
+        assert self._drawn is not None
+        named = methods().get(self._method.value)
+        self._map.clear()
+        with self._map:
+            marked = "" if named is None else f"; marked: {named.label}"
+            show_image(source, f"the heights in colours, and their histogram{marked}")
+            show_image(self._drawn.heights, "heights of the asperities by each method")
+            for method, why in self._drawn.analysis.failures.items():
+                ui.label(f"{methods()[method].label}: {why}").classes("text-sm")
 
-        error = self._explorer.answer.error
-        said = str(error) if error is not None else ", ".join(headline(self._explorer.good, self._explorer.here))
-        self._mu.set_text(said if self._used.value else "")
+    async def _marked(self) -> None:
+        """The same map with the asperities of another method."""
+        if self._drawn is not None:
+            self._show_map(await run(map_picture, self._drawn.analysis, self._method.value))
 
-    def _spectrum_chart(self, found: Analysis) -> dict[str, Any]:
-        spectrum, dark = found.spectrum, self._explorer.view.dark
-        ends = [one for one in (self._wanted().shortest, self._wanted().longest) if one is not None]
-        limits = [float(np.min(spectrum.density[spectrum.density > 0.0])), float(np.max(spectrum.density))]
-        series = [line("power spectral density", spectrum.wavevector, spectrum.density, 0)]
-        series += [
-            line(f"cutoff {show(one, 'scan_size', 3)}", [2.0 * np.pi / one] * 2, limits, 3, showSymbol=False) for one in ends
-        ]
-        unit = "m^3" if spectrum.is_profile else "m^4"
-        x, y = {"type": "log", "name": "wavevector q [rad/m]"}, {"type": "log", "name": f"C [{unit}]"}
-        return chart("radially averaged power spectrum", x, y, series, dark)
+    def _again(self) -> None:
+        """The case has changed: so has friction with this surface."""
+        if self._scan is not None:
+            ui.timer(0.0, self._ask, once=True)
 
     def _fan(self, progress: Progress) -> str:
         case = self._explorer.good.case
@@ -218,31 +215,10 @@ class SurfaceTab:
         load = float(self._explorer.good.curve["load"].values.reshape(-1)[self._explorer.here])
         pressed = subject if load > 0.0 else None
         assert self._scan is not None
-        return fan_picture(
-            prepared(self._scan, int(self._form.value)), pressed, load if pressed is not None else None, progress
-        )
+        surface = prepared(self._scan.surface, int(self._form.value))
+        return fan_picture(surface, pressed, load if pressed is not None else None, progress)
 
     def _show_fan(self, source: str) -> None:
         self._below.clear()
         with self._below:
             show_image(source, "sigma, R, N and mu against the shortest wave that is left, by each method")
-
-
-def _solid_chart(surface: HeightMap) -> dict[str, Any]:
-    """The heights in three dimensions, of some of the points; the vertical is stretched."""
-    rows, columns = (max(count // _SHOWN, 1) for count in surface.heights.shape)
-    heights = surface.heights[::rows, ::columns] * 1e9
-    y, x = (np.arange(count) * step * pitch * 1e6 for count, step, pitch in
-            zip(heights.shape, (rows, columns), surface.pitch, strict=True))  # fmt: skip
-    points = [[float(a), float(b), None if np.isnan(z) else float(z)] for b, row in zip(y, heights, strict=True)
-              for a, z in zip(x, row, strict=True)]  # fmt: skip
-    seen = [float(np.nanmin(heights)), float(np.nanmax(heights))]
-    axes = {
-        f"{name}Axis3D": {"type": "value", "name": said} for name, said in (("x", "x [um]"), ("y", "y [um]"), ("z", "z [nm]"))
-    }
-    colours = {"color": ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]}
-    return axes | {
-        "grid3D": {"boxHeight": 30},
-        "visualMap": {"min": seen[0], "max": seen[1], "dimension": 2, "inRange": colours, "show": False},
-        "series": [{"type": "surface", "wireframe": {"show": False}, "data": points, "dataShape": list(heights.shape)}],
-    }

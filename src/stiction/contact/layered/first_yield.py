@@ -58,7 +58,7 @@ def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0)
     the film over that of the body below."""
     found = []
     for name, (radial, r, z), strength in zip(("film", "body"), _fields(stresses), (film_strength, 1.0), strict=True):
-        forms = _forms(radial)
+        forms = forms_of(radial)
         square, cosine = _over_directions(forms, 1.0, traction)
         at = np.unravel_index(square.argmax(), square.shape)
         ahead = r[at[1]] * cosine[at] * (-1.0 if forms[1][at] < 0.0 else 1.0)
@@ -83,7 +83,7 @@ def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
 def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
     """N of the PARTS (PARTS, m) in the directions (m,) of ANGLES' kind: all but the last are of the film."""
     (film, _, _), (body, _, _) = _fields(stresses)
-    return np.stack([*_of_film(_forms(film), angles), _norm(_forms(body), angles)])
+    return np.stack([*_of_film(forms_of(film), angles), _norm(forms_of(body), angles)])
 
 
 @lru_cache(maxsize=64)
@@ -104,11 +104,11 @@ def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
     radii = ((1.0 + _SOLVED) / (1.0 - _SOLVED)) ** 2
     solved = np.stack([np.log(norms(Stresses(pair, body, radius, _REACH), ANGLES)) for radius in radii], axis=1)
     solved[3:] += np.log1p(radii**-2.0)[:, None]
-    film, below = _forms(_alone(body.nu)), _alone(body.nu_below)
+    film, below = forms_of(_alone(body.nu)), _alone(body.nu_below)
     thick = np.stack([*np.log(_of_film(film, ANGLES)[:3]), *solved[3:, 0]])
     # A film of no thickness is stretched alike all through.
-    skin = np.log(_of_film(_forms(_stretched(below, body)), ANGLES))
-    thin = np.stack([*skin, skin.max(axis=0), skin.max(axis=0), np.log(_norm(_forms(below), ANGLES))])
+    skin = np.log(_of_film(forms_of(stretched(below, body)), ANGLES))
+    thin = np.stack([*skin, skin.max(axis=0), skin.max(axis=0), np.log(_norm(forms_of(below), ANGLES))])
     whole = np.concatenate([thick[:, None], solved, thin[:, None]], axis=1)
     return Akima1DInterpolator(np.concatenate([[-1.0], _SOLVED, [1.0]]), whole, axis=1, method="makima")(PLACES)
 
@@ -148,7 +148,7 @@ def _alone(nu: float) -> Radial:
     return whole.in_film(_RADII, _IN_BODY)
 
 
-def _stretched(below: Radial, body: CoatedBody) -> Radial:
+def stretched(below: Radial, body: CoatedBody) -> Radial:
     """A film of no thickness on the surface of a half-space, which stretches it."""
     surface = Radial(*(tuple(one[:1] for one in part) for part in below))
     stiffer, nu = body.ratio * (1.0 - body.nu**2) / (1.0 - body.nu_below**2), body.nu
@@ -161,7 +161,7 @@ def _stretched(below: Radial, body: CoatedBody) -> Radial:
     return Radial((*in_plane(rr, tt, zz), rz), (*in_plane(drr, dtt, dzz), drz, body.shear_ratio * drt, dtz))
 
 
-def _forms(radial: Radial) -> Forms:
+def forms_of(radial: Radial) -> Forms:
     """What the stresses make of M."""
     *along, rt, tz = radial.dragged
     return (

@@ -18,7 +18,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from stiction.laws.asperity_method.shared.profiles import DIRECTIONS, RELATION, directions_of, per_area, profiles
+from stiction.laws.asperity_method.shared.profiles import DIRECTIONS, RELATION, directions_of, per_area, places_of, profiles
 from stiction.laws.registry import AsperityMethod, Parameter
 from stiction.laws.sources import Source
 from stiction.surfaces.asperity_set import Asperities, of_samples, rounding
@@ -36,10 +36,13 @@ def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
     """
     heights, curvatures = [np.zeros(0)], [np.zeros(0)]
     per_length: list[float] = []
+    points: list[tuple[np.ndarray, np.ndarray]] = []
     for lines, pitch in profiles(surface, directions):
-        found = [n_point_asperities(row, pitch, level) for row in _unbroken(lines)]
-        heights += [one.height + level for one in found]
-        curvatures += [1.0 / one.radius for one in found]
+        found = [(line, start, n_point_asperities(row, pitch, level)) for line, start, row in _unbroken(lines)]
+        heights += [one.height + level for _, _, one in found]
+        curvatures += [1.0 / one.radius for _, _, one in found]
+        each = [np.column_stack((np.full(len(one.middle), line), start + one.middle)) for line, start, one in found]
+        points.append(tuple(np.concatenate([np.zeros((0, 2), dtype=int), *each]).T))
         per_length.append(_rises(lines, level) / pitch)
     return of_samples(
         "n_point",
@@ -48,6 +51,7 @@ def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
         per_area(per_length),
         f"rows of points more than {level:g} m over the mean plane on the profiles along {directions_of(surface, directions)}; "
         f"{RELATION}",
+        places=places_of(points, surface, directions),
     )
 
 
@@ -58,16 +62,16 @@ def _rises(lines: np.ndarray, level: float) -> float:
     return float(rises / max(int(np.count_nonzero(known[:, :-1] & known[:, 1:])), 1))
 
 
-def _unbroken(lines: np.ndarray) -> Iterator[np.ndarray]:
-    """The stretches of every line that have no missing point and at least three."""
+def _unbroken(lines: np.ndarray) -> Iterator[tuple[int, int, np.ndarray]]:
+    """The stretches of every line that have no missing point and at least three: which line, from which point, its heights."""
     known = np.isfinite(lines)
     whole = known.all(axis=1)
     for row, (line, complete) in enumerate(zip(lines, whole.tolist(), strict=True)):
         if complete:
-            yield line
+            yield row, 0, line
         else:
             ends = np.flatnonzero(np.diff(np.concatenate([[False], known[row], [False]]).astype(np.int8)))
-            yield from (line[start:stop] for start, stop in ends.reshape(-1, 2) if stop - start >= 3)
+            yield from ((row, start, line[start:stop]) for start, stop in ends.reshape(-1, 2) if stop - start >= 3)
 
 
 RECORD = AsperityMethod(

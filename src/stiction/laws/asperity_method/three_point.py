@@ -17,7 +17,7 @@ $$
 
 import numpy as np
 
-from stiction.laws.asperity_method.shared.profiles import DIRECTIONS, RELATION, directions_of, per_area, profiles
+from stiction.laws.asperity_method.shared.profiles import DIRECTIONS, RELATION, directions_of, per_area, places_of, profiles
 from stiction.laws.registry import AsperityMethod
 from stiction.laws.sources import Source
 from stiction.surfaces.asperity_set import Asperities, of_samples, rounding
@@ -39,11 +39,13 @@ def three_point(surface: HeightMap, directions: str) -> Asperities:
         curvatures,
         per_area([one[2] for one in found]),
         f"peaks higher than both neighbours on the profiles along {directions_of(surface, directions)}; {RELATION}",
+        places=places_of([one[3] for one in found], surface, directions),
     )
 
 
-def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """Heights and curvatures of the peaks of all lines (lines, points), and how many there are per length."""
+def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, float, tuple[np.ndarray, np.ndarray]]:
+    """Heights and curvatures of the peaks of all lines (lines, points), how many there are per length, and their lines and
+    points."""
     middle = lines[:, 1:-1] - rounding(lines)
     peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # never beside NaN
     line, point = np.nonzero(peak)
@@ -51,7 +53,7 @@ def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, flo
     curvatures = (2.0 * heights - lines[line, point] - lines[line, point + 2]) / (pitch * pitch)
     known = np.isfinite(lines)
     triples = np.count_nonzero(known[:, :-2] & known[:, 1:-1] & known[:, 2:])
-    return heights, curvatures, len(heights) / (max(int(triples), 1) * pitch)
+    return heights, curvatures, len(heights) / (max(int(triples), 1) * pitch), (line, point + 1)
 
 
 RECORD = AsperityMethod(

@@ -19,7 +19,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.film.printed import bare_regimes
 from stiction.laws.joining import Law
-from stiction.laws.registry import FilmLaw, Limit, RoughSurface, Validity, select_options
+from stiction.laws.registry import JUNCTIONS, NO_JUNCTIONS, FilmLaw, Limit, RoughSurface, Validity, select_options
 from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
 
@@ -33,6 +33,8 @@ def regimes(groups: Groups, law: Law, film: FilmLaw | None, reading: str, transi
     if gradual and (printed or groups.has_film):
         allowed = "jump; gradual is for the corrected reading of a bare surface; the graded film is gradual by itself"
         raise InputError("transition", transition, allowed)
+    if (printed or gradual) and law.options.get(JUNCTIONS, NO_JUNCTIONS) != NO_JUNCTIONS:
+        raise InputError(JUNCTIONS, law.options[JUNCTIONS], f"{NO_JUNCTIONS}, for these options")
     for chosen, key in ((law.asperity, RECORD.asperity), (law.tangential, RECORD.tangential)):
         if (printed or gradual) and (chosen is None or chosen.key != key):
             kind, given = (chosen.kind, chosen.key) if chosen else ("tangential", "none")

@@ -30,6 +30,7 @@ from stiction.laws.joining import normal_states
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import TangentialLaw, Validity
 from stiction.laws.sources import Source
+from stiction.laws.tangential.shared.zero_load import zero_load
 
 
 @formula
@@ -47,9 +48,12 @@ def resistance(u, w, load, area, L_c):
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
     L_c = critical_values(groups.eta, groups.nu, groups.hardness_to_yield)[1]
     first = np.ascontiguousarray(piece.edges[:, 0])
-    # T grows as P^0.65 from first touch, which is a broken power in any smooth coordinate.
+    # T grows as P^0.65 from where the load begins to press, which is a broken power in any smooth coordinate: at first touch,
+    # or, of a plastic junction that adheres, where its tension ends.
+    begins = zero_load(piece)
+    begins = first if begins is None else begins
     touches = normal_states(piece, first)[:, 2] <= 0.0
-    return TangentialResistance(resistance, (L_c,), None, np.where(touches, first, -np.inf))
+    return TangentialResistance(resistance, (L_c,), begins[:, None], np.where(touches, begins, -np.inf))
 
 
 RECORD = TangentialLaw(
@@ -61,6 +65,7 @@ RECORD = TangentialLaw(
         Source("brizmer_kligerman_etsion_2006", "critical load in full stick"),
     ),
     tangential_resistance=tangential_resistance,
+    of_half_space="it is fitted to finite elements of one homogeneous sphere, and a film changes how that sticks and yields",
     wants={"no adhesion": "the sphere is pressed by its load alone"},
     verified="seven loads tabulated independently; evaluation at 30 digits; sums over Gaussian heights",
     needs=("hardness_group", "nu", "hardness_to_yield"),

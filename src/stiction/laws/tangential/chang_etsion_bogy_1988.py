@@ -26,7 +26,8 @@ $k$ the contact states. *Check*, at $\nu=0.3$: $K_H=0.577$, $c_1=-0.284869$, $c_
 | $\mu$ | 3.8499 | 1.6575 | 1.1372 | .7685 | .6046 | .5066 | .4395 | .3898 | .3510 | .3197 | .2936 | .2822 | .1250 |
 | $Q/P_c$ | .00385 | .01853 | .03596 | .06873 | .09934 | .12815 | .15537 | .18115 | .20558 | .22874 | .25071 | .26126 | .12317 |
 
-The axis takes over at 0.9512. The adhesion of the 1988 papers is left out.
+The axis takes over at 0.9512. The adhesion of the 1988 papers is left out. With `plastic_junctions` asperities beyond
+$\omega_c$ resist as another law says; the paper's is `none`, and results then say by how much mu differs from it.
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """
@@ -40,8 +41,9 @@ from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.joining import coordinates
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import TangentialLaw, Validity
+from stiction.laws.registry import NO_JUNCTIONS, TangentialLaw, Validity
 from stiction.laws.sources import Source
+from stiction.laws.tangential.shared.plastic_junctions import LAWS, beyond, of_whole_piece
 
 # Both come from Y/H = 0.354 and are kept as rounded in print: 0.354/sqrt(3) and 4.5 (0.354)^2 would be 0.20438 and 0.56392.
 _ON_AXIS, _AT_EDGE = 0.2045, 0.56
@@ -102,15 +104,18 @@ def resistance(u, w, load, area, w_c, nu, K_H):
     return 0.0, load * friction_coefficient(w / w_c, nu, K_H) if 0.0 < w < w_c else 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
+def tangential_resistance(
+    piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
+) -> TangentialResistance | None:
     """On any piece that starts elastic: the condition is on Hertz's stresses, and nothing withstands beyond first yield."""
     if piece.state == "plastic":
-        return None
+        return of_whole_piece(plastic_junctions, piece, groups)
     K_H = hardness_coefficient(groups.nu)
     w_c = critical_interference(groups.eta, K_H)
     # The yielding place moves from the edge to the axis; there the resistance ends like a square root of w_c - w.
     kinks = [coordinates(piece, w) for w in (first_on_axis(groups.nu, K_H) * w_c, w_c)]
-    return TangentialResistance(resistance, (w_c, groups.nu, K_H), np.stack(kinks, axis=1), kinks[1][:, None])
+    published = TangentialResistance(resistance, (w_c, groups.nu, K_H), np.stack(kinks, axis=1), kinks[1][:, None])
+    return beyond(plastic_junctions, w_c, published, piece, groups)
 
 
 RECORD = TangentialLaw(
@@ -122,15 +127,18 @@ RECORD = TangentialLaw(
         Source("hamilton_1983", "stresses on the axis and at the edge"),
     ),
     tangential_resistance=tangential_resistance,
+    of_half_space="the two places it looks at are where a half-space first yields",
+    like="layered_first_yield",
     wants={
         "Hertz": "the stresses are those of a Hertz contact",
         "no adhesion": "adhesion of the 1988 papers is left out",
     },
     verified="friction of single asperities tabulated independently; evaluation at 30 digits",
     needs=("hardness_group", "nu"),
+    junctions=LAWS,
     validity=(
         Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above", "effect"),
     ),
     notes="The critical interference is that of Chang, Etsion and Bogy, whichever law carries the load; from there on an "
-    "asperity resists nothing. Only two places are asked whether they yield: the axis at one depth, and the trailing edge.",
+    "asperity resists nothing, or as the law named by plastic_junctions says. Only two places are asked whether they yield: the axis at one depth, and the trailing edge.",
 )

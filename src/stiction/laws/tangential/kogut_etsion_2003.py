@@ -12,7 +12,8 @@ $$
 $\mu=0.516\,(P/P_c)^{-0.345}$ to 1.2 %, and the cubic times 1.03 is the two-digit print of 2004. *Trap*: that print
 is negative above $r=4.3$; three digits are needed. *Jumps*: $\mu$ falls from 0.520 to 0.511 at 1 (with the
 authors' load $Q$ rises by 1.2 %) and from 0.036 to 0 at 6. The friction coefficient is taken over, so that on
-another asperity law $Q$ is that coefficient times its load.
+another asperity law $Q$ is that coefficient times its load. With `plastic_junctions` asperities from $6\,\omega_c$ on resist as
+another law says; the paper's is `none`, and results then say by how much mu differs from it.
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """
@@ -24,8 +25,9 @@ from stiction.engine.compiled import formula
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.joining import coordinates, normal_states
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import TangentialLaw, Validity
+from stiction.laws.registry import NO_JUNCTIONS, TangentialLaw, Validity
 from stiction.laws.sources import Source
+from stiction.laws.tangential.shared.plastic_junctions import LAWS, beyond
 
 NONE_FROM = 6.0  # omega/omega_c from which the plastic zone reaches the surface, and no shear is withstood
 
@@ -48,13 +50,14 @@ def resistance(u, w, load, area, w_c):
     return 0.0, load * friction_coefficient(w / w_c) if w > 0.0 else 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
+def tangential_resistance(piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS) -> TangentialResistance:
     w_c = critical_interference(groups.eta, hardness_coefficient(groups.nu))
     kinks = np.stack([coordinates(piece, w_c), coordinates(piece, NONE_FROM * w_c)], axis=1)
     first = np.ascontiguousarray(piece.edges[:, 0])
     # Q grows as w^0.982 from first touch, which is a broken power in any smooth coordinate.
     touches = normal_states(piece, first)[:, 0] <= 0.0
-    return TangentialResistance(resistance, (w_c,), kinks, np.where(touches, first, -np.inf))
+    published = TangentialResistance(resistance, (w_c,), kinks, np.where(touches, first, -np.inf))
+    return beyond(plastic_junctions, NONE_FROM * w_c, published, piece, groups)
 
 
 RECORD = TangentialLaw(
@@ -66,14 +69,16 @@ RECORD = TangentialLaw(
         Source("kogut_etsion_2004", "", "the same fits times the load, with two digits"),
     ),
     tangential_resistance=tangential_resistance,
+    of_half_space="it is fitted to finite elements of one homogeneous sphere, and a film moves the zone that yields",
     wants={"no adhesion": "the sphere is pressed by its load alone"},
     verified="the quoted forms agree with each other and with the two-digit print of 2004; evaluation at 30 digits",
     needs=("hardness_group", "nu"),
+    junctions=LAWS,
     validity=(
         Validity("plasticity_index", 0.0, 2.0, "asperities beyond six critical interferences are given no friction", "effect"),
     ),
     notes="Taken over is the friction coefficient of one asperity against its interference; the load is that of the asperity "
-    "law it is joined to. So mu is the authors' on any of them, and with their own load so is Q. The published pieces do not "
+    "law it is joined to. plastic_junctions names another law for asperities beyond six critical interferences. So mu is the authors' on any of them, and with their own load so is Q. The published pieces do not "
     "meet: mu falls from 0.520 to 0.511 at one critical interference (with their load Q rises by 1.2 %), and from 0.036 to 0 "
     "at six.",
 )

@@ -25,8 +25,6 @@ $t\to\infty$; the bodies' own for $t\to0$. *Check*, $\nu=0.3$, rigid sphere: $K\
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """
 
-import math
-
 import numpy as np
 
 from stiction.contact.indices import Groups
@@ -35,14 +33,13 @@ from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import Limit, TangentialLaw
 from stiction.laws.sources import Source
 from stiction.laws.tangential.savkoor_briggs_1977 import tangential_resistance as of_a_half_space
-from stiction.laws.tangential.shared.coated_peeling import peeling_at, peelings
+from stiction.laws.tangential.shared.coated_peeling import peeling_columns, peeling_force
 from stiction.quantities.errors import InputError
 
 
 @formula
 def resistance(u, w, load, area, *row):
-    """row: sqrt(32 pi n_g/(theta zeta)), where the curve starts, its coefficients."""
-    return row[0] * peeling_at(u, row[1], row[2:]), 0.0
+    return peeling_force(u, load, area, row), 0.0
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
@@ -52,12 +49,10 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
     if piece.state != "elastic":
         return None
     whole = groups.resolved()
-    share = 1.0 if whole.peeling is None else whole.peeling
-    if np.any(share == 0.0):
+    if whole.peeling is not None and np.any(whole.peeling == 0.0):
         raise InputError("peeling", 0.0, "more than 0: what never peels has no peeling force; take another tangential law")
-    scale = np.broadcast_to(np.sqrt(32.0 * math.pi * whole.n_g / (whole.theta * share)), len(groups))
-    curve, vanishes = peelings(piece, whole)
-    return TangentialResistance(resistance, (scale, *curve), vanishes[:, None] if piece.lowest < 0.0 else None)
+    own, vanishes = peeling_columns(piece, whole)
+    return TangentialResistance(resistance, own, vanishes)
 
 
 RECORD = TangentialLaw(

@@ -92,6 +92,8 @@ RECORD = TangentialLaw(
         ),
     ),
     tangential_resistance=tangential_resistance,
+    of_half_space="the stiffness in its energy balance is a half-space's",
+    like="layered_peeling",
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
     verified="energy balance; forces and peeled areas of four contacts tabulated independently; evaluation at 30 digits",
     needs=("theta", "K_beta"),

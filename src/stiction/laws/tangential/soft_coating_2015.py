@@ -9,7 +9,9 @@ T=\min(T_\text{slip},\,T_\text{yield}),\qquad
 T_\text{slip}=\frac4{\sqrt{\zeta K\beta}}\sqrt{\frac{2\pi}\theta P+\frac{3\pi^2}{\theta^2}}
 $$
 
-$T_\text{yield}$ is (S3.7). $\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. *Reconstructed*: the seven
+$T_\text{yield}$ is (S3.7). $\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. With `plastic_junctions` asperities
+that have yielded resist as another law says; the paper's is `none`, and results then say by how much mu differs from it.
+*Reconstructed*: the seven
 coefficients of the paper's yield condition, eq. (11), which it does not print (departure D12).
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
@@ -20,18 +22,13 @@ import math
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import TangentialLaw
+from stiction.laws.registry import NO_JUNCTIONS, TangentialLaw
 from stiction.laws.sources import Source
 from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
-from stiction.laws.tangential.shared.edge_yield import yield_resistance
+from stiction.laws.tangential.shared.edge_yield import lesser, yield_resistance
+from stiction.laws.tangential.shared.lesser import Force, lesser_of
+from stiction.laws.tangential.shared.plastic_junctions import LAWS, of_whole_piece
 from stiction.laws.tangential.shared.slip_or_yield import kinks_of
-
-
-@formula
-def _lesser(slip_limited, yield_limited):
-    """Both, the greater of them set to zero."""
-    slips = slip_limited <= yield_limited
-    return slip_limited if slips else 0.0, 0.0 if slips else yield_limited
 
 
 @formula
@@ -39,7 +36,7 @@ def resistance(u, w, load, area, *row):
     """Slip resistance, or yield resistance where that is less. row: theta, eta, K_beta (times the peeling), nu, k = H/Y."""
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance(load, theta, K_beta)
-    return _lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
+    return lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
 
 
 @formula
@@ -47,12 +44,29 @@ def resistance_printed(u, w, load, area, *row):
     """The same, of the same row, with eq (10) to the letter."""
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance_printed(area, theta, K_beta)
-    return _lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
+    return lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """On a JKR asperity in the coordinate u = x^(1/4)."""
+def tangential_resistance(
+    piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
+) -> TangentialResistance | None:
+    """On a JKR asperity in the coordinate u = x^(1/4); with a film and its body as one, by the stiffness and the stresses of
+    the two."""
+    if piece.state != "elastic":
+        return of_whole_piece(plastic_junctions, piece, groups)
+    if groups.n_E is not None:
+        return _on_a_film(piece, groups)
     return _grip(piece, groups, resistance, printed=False)
+
+
+def _on_a_film(piece: NormalPiece, groups: Groups) -> TangentialResistance:
+    # What a bare contact, and a film of half-spaces, do without, and is slow to import.
+    from stiction.laws.tangential.shared.coated_edge import edge_columns, edge_root
+    from stiction.laws.tangential.shared.coated_peeling import peeling_columns, peeling_force
+
+    whole = groups.resolved()
+    own, vanishes = peeling_columns(piece, whole)
+    return lesser_of(piece, Force(peeling_force, own), Force(edge_root, edge_columns(whole)), vanishes)
 
 
 def grip_printed(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
@@ -80,9 +94,12 @@ RECORD = TangentialLaw(
         Source("hamilton_1983", "stresses at the trailing edge"),
     ),
     tangential_resistance=tangential_resistance,
+    layered=True,
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
     verified="independent evaluation at 30 digits",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     takes=("peeling",),
-    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic.",
+    junctions=LAWS,
+    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic; plastic_junctions names "
+    "another law for these.",
 )

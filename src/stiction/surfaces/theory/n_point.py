@@ -47,12 +47,14 @@ class NPointAsperities:
     """The n-point asperities of a profile at a level, from left to right; arrays of one length.
 
     points: n, with the two neighbours below the level; height: of the highest point over the level; radius: of the parabola
-    through it over the chord between the neighbours. Lengths in the unit of the profile.
+    through it over the chord between the neighbours. Lengths in the unit of the profile. middle: which point of the profile is
+    in the middle of the row.
     """
 
     points: np.ndarray
     height: np.ndarray
     radius: np.ndarray
+    middle: np.ndarray
 
 
 def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperities:
@@ -73,10 +75,10 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
         past = past[1:]  # of a row that began before the profile
     first = first[: len(past)]
     if not len(first):
-        return NPointAsperities(np.zeros(0, dtype=int), np.zeros(0), np.zeros(0))
+        return NPointAsperities(np.zeros(0, dtype=int), np.zeros(0), np.zeros(0), np.zeros(0, dtype=int))
     height = np.maximum.reduceat(heights, np.column_stack([first, past]).ravel())[::2] - level
     chord = (past - first + 1) * spacing
-    return NPointAsperities(past - first + 2, height, chord * chord / (8.0 * height))
+    return NPointAsperities(past - first + 2, height, chord * chord / (8.0 * height), (first + past - 1) // 2)
 
 
 # ---- on a Gaussian profile with exponential autocorrelation

@@ -16,7 +16,7 @@ from stiction.quantities.errors import InputError
 from stiction.surfaces.asperity_set import over_mean_plane
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["DIRECTIONS", "RELATION", "directions_of", "per_area", "profiles"]
+__all__ = ["DIRECTIONS", "RELATION", "directions_of", "per_area", "places_of", "profiles"]
 
 _SUMMITS_PER_PEAKS_SQUARED = 2.0 * math.pi / (3.0 * math.sqrt(3.0))  # of equation (1)
 RELATION = f"N = {_SUMMITS_PER_PEAKS_SQUARED:.4f} D_x D_y (one direction: D^2) of an isotropic Gaussian surface"
@@ -38,6 +38,13 @@ def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, floa
 def directions_of(surface: HeightMap, directions: str) -> str:
     """Those of the directions, a value of DIRECTIONS, that the surface has."""
     return "x" if surface.is_profile else directions
+
+
+def places_of(points: Sequence[tuple[np.ndarray, np.ndarray]], surface: HeightMap, directions: str) -> np.ndarray:
+    """(n, 2), row and column in the map of points (line, point) on the profiles along each direction, one after the other."""
+    chosen = directions_of(surface, directions)
+    along = [one if way == "x" else one[::-1] for way, one in zip(chosen, points, strict=True)]
+    return np.concatenate([np.column_stack(one) for one in along])
 
 
 def per_area(per_length: Sequence[float]) -> float:

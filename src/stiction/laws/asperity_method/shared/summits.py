@@ -41,7 +41,8 @@ def fitted(
     for i, j in zip(*np.nonzero(stencil), strict=True):
         curvatures += stencil[i, j] * heights[row + i - reach, column + j - reach]
     area = max(int(np.count_nonzero(whole)), 1) * dy * dx
-    return of_samples(method, heights[row, column], curvatures, len(row) / area, note, **more)
+    places = np.column_stack((row, column))
+    return of_samples(method, heights[row, column], curvatures, len(row) / area, note, places=places, **more)
 
 
 def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarray:

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula
+from stiction.engine.crossings import MOST, crossing
 from stiction.engine.regime import Regime, columns
 from stiction.laws.joining import Law, Weights, coordinates, states
 from stiction.laws.piece import NormalPiece
 
-SAMPLES, HALVINGS, MOST = 24, 60, 6  # on a piece, of a bracket, crossings that are looked for
 _DEEPEST = 1e3  # over sigma: no asperity that counts is pressed so far
 
 
@@ -51,38 +51,6 @@ def _back(coordinate: Callable, of_substrate: int) -> Any:
     return back
 
 
-@cache
-def _crossings(excess: Callable, parameters: int) -> Any:
-    @kernel
-    def fill_crossings(table, edges, out):
-        """Where the weaker of both changes between two edges (n, m): at most MOST places (n, MOST), the first edge for none."""
-        for i in range(edges.shape[0]):
-            row, found = unpack(table[i], parameters), 0
-            out[i] = edges[i, 0]
-            for at in range(edges.shape[1] - 1):
-                low, step = edges[i, at], (edges[i, at + 1] - edges[i, at]) / SAMPLES
-                if not step > 0.0:
-                    continue
-                u = low + 1e-9 * step
-                before = excess(u, row)
-                for k in range(1, SAMPLES + 1):
-                    v = low + (k if k < SAMPLES else SAMPLES - 1e-9) * step
-                    value = excess(v, row)
-                    if (value > 0.0) != (before > 0.0) and found < out.shape[1]:
-                        left, right = u, v
-                        for _ in range(HALVINGS):
-                            middle = 0.5 * (left + right)
-                            if (excess(middle, row) > 0.0) == (before > 0.0):
-                                left = middle
-                            else:
-                                right = middle
-                        out[i, found] = right
-                        found += 1
-                    u, before = v, value
-
-    return fill_crossings
-
-
 def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
     """What resists beyond the displacement tau, without load and area: of the film at all of the displacement and the substrate
     at what is left of it, the weaker; in units of the substrate. law: with a tangential law that is not of the interface."""
@@ -111,7 +79,7 @@ def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, f
     along, excess = _weaker(below.along, above.along, back, len(below.parameters), len(above.parameters))
     parameters = (*below.parameters, *above.parameters)
     out = np.empty((len(edges), MOST))
-    _crossings(excess, len(parameters))(columns(parameters, len(edges)), np.ascontiguousarray(edges), out)
+    crossing(excess, len(parameters))(columns(parameters, len(edges)), np.ascontiguousarray(edges), out)
     edges = np.sort(np.concatenate([edges, out], axis=1), axis=1)
     return Regime(
         along,

@@ -23,12 +23,14 @@ from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
 from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
 
-__all__ = ["peeling_at", "peelings"]
+__all__ = ["peeling_columns", "peeling_force"]
 
 # The logarithm of u over its first value that lies halfway along the knots.
 _HALFWAY = 2.0
 _GOLDEN, _NARROWING = 0.5 * (math.sqrt(5.0) - 1.0), 16
 _MOST_STEPS = 60
+# The least share of the tangential energy, in place of none.
+_LEAST_SHARE = 1e-200
 
 
 @formula
@@ -113,9 +115,19 @@ def _fill(rows, root, curves, first, out):
         out[i, PIECES] = math.exp(-0.5 * curves[i, 1])
 
 
-def peelings(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Where the curve starts, and its coefficients, columns (n,), for the JKR asperity of a film law that solves film and body
-    as one; and the coordinate (n,) at which the force vanishes, or the first. groups: complete, of contacts with a film."""
+def peeling_columns(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
+    """What `peeling_force` is told, columns (n,), on the JKR asperity of a film law that solves film and body as
+    one; and the coordinates (n, 1) at which the force of a contact that is drawn apart vanishes. groups: complete, of contacts
+    with a film. What never peels (`peeling` 0) has a force without end."""
+    share = np.maximum(1.0 if groups.peeling is None else groups.peeling, _LEAST_SHARE)
+    scale = np.broadcast_to(np.sqrt(32.0 * math.pi * groups.n_g / (groups.theta * share)), len(groups))
+    curve, vanishes = _curves(piece, groups)
+    return (scale, *curve), vanishes[:, None] if piece.lowest < 0.0 else None
+
+
+def _curves(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    """Where the curve starts, and its coefficients, columns (n,); and the coordinate (n,) at which the force vanishes, or the
+    first."""
     laws, first = len(groups), np.ascontiguousarray(piece.edges[:, 0])
     different, which = bodies_of(groups)
     shapes = np.array([shear_curve(one) for one in different])[which]
@@ -136,10 +148,10 @@ def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 @formula
-def peeling_at(u, first, coefficients):
-    """sqrt(T^2 theta zeta/(32 pi n_g)) at the coordinate u."""
+def peeling_force(u, load, area, row):
+    """T at the coordinate u. row: sqrt(32 pi n_g/(theta zeta)), where the curve starts, its coefficients."""
     y = 1.0
     if u < 1e100:
-        part = math.log(max(u / first, 1.0))
+        part = math.log(max(u / row[1], 1.0))
         y = part / (part + _HALFWAY)
-    return u**3 * abs(spline(y, coefficients))
+    return row[0] * u**3 * abs(spline(y, row[2:]))

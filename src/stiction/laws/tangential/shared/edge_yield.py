@@ -28,3 +28,10 @@ def yield_resistance(load, strength, nu):
     discriminant = (ceiling - pull) * (ceiling + pull)
     root = (math.sqrt(max(discriminant, 0.0)) - 3.0 * n * (p - q) * load) / (2.0 * d)
     return max(root, 0.0) if discriminant >= 0.0 else 0.0
+
+
+@formula
+def lesser(slip_limited, yield_limited):
+    """Both, the greater of them set to zero."""
+    slips = slip_limited <= yield_limited
+    return slip_limited if slips else 0.0, 0.0 if slips else yield_limited

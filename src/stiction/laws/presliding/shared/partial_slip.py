@@ -1,0 +1,121 @@
+"""Partial slip of single contacts as a tangential law: the force that is carried at a displacement, in place of the strength.
+
+So that the engine sums it over heights: equations and sources in `laws/presliding/mindlin_1949.py`.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.engine.crossings import crossing
+from stiction.engine.regime import columns
+from stiction.laws.joining import coordinates, with_kinks
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.presliding.mindlin_1949 import loss_share, slip_share, stiffness
+from stiction.laws.registry import TangentialLaw
+
+_DEEPEST = 100.0  # over sigma: no asperity that counts is pressed so far
+_MOST = 4  # places on a piece where an asperity begins to slide, or no longer does
+
+
+@cache
+def _slipping(resistance: Callable, own: int) -> Any:
+    """The formula of force and energy lost in a cycle, of a strength with so many parameters."""
+    compliance, moved, left = own, own + 1, own + 2
+
+    @formula
+    def slipping(u, w, load, area, *row):
+        slip_limited, yield_limited = resistance(u, w, load, area, *row[:own])
+        strength = slip_limited + yield_limited
+        if strength <= 0.0:
+            return 0.0, 0.0
+        slides_at = 1.5 * strength / stiffness(area, row[compliance])
+        s = row[moved] / slides_at
+        force = strength * slip_share(s) if s < 1.0 else strength * row[left]
+        return force, strength * slides_at * loss_share(s)
+
+    return slipping
+
+
+@cache
+def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) -> Any:
+    whole = parameters + own
+
+    @formula
+    def not_yet(u, row):
+        """Positive where the displacement at which the asperity slides is still to come."""
+        w, _, load, area = normal(u, *row[:parameters])
+        slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:whole])
+        return 1.5 * (slip_limited + yield_limited) - row[whole + 1] * stiffness(max(area, 0.0), row[whole])
+
+    return not_yet
+
+
+def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, kept: float) -> TangentialLaw:
+    """The tangential law of contacts that are moved by the displacements (n,) over sigma: its slip-limited part is the force
+    that they carry, its yield-limited part the energy lost in a cycle of that amplitude, in the unit of force times sigma.
+
+    kept: the share of its strength that an asperity keeps once it slides.
+    """
+
+    def resistance(piece: NormalPiece, groups: Groups, **options: str) -> TangentialResistance | None:
+        strength = tangential.tangential_resistance(piece, groups, **options)
+        if strength is None:
+            return None
+        more = groups.K_beta, displacement, np.full(len(displacement), kept)
+        begins = _begins(piece, strength, more[:2])
+        branches = [begins] if strength.branch is None else [np.reshape(strength.branch, (len(begins), -1)), begins]
+        kinks = begins if strength.kinks is None else np.concatenate([strength.kinks, begins], axis=1)
+        return TangentialResistance(
+            _slipping(strength.resistance, len(strength.parameters)),
+            (*strength.parameters, *more),
+            kinks,
+            np.concatenate(branches, axis=1),
+        )
+
+    return replace(tangential, tangential_resistance=resistance)
+
+
+@cache
+def _sticking(resistance: Callable, own: int) -> Any:
+    compliance = own
+
+    @formula
+    def sticking(u, w, load, area, *row):
+        slip_limited, yield_limited = resistance(u, w, load, area, *row[:own])
+        return (stiffness(area, row[compliance]) if slip_limited + yield_limited > 0.0 else 0.0), 0.0
+
+    return sticking
+
+
+def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
+    """The slope of that force at rest: the stiffness of the contacts that have a strength."""
+
+    def resistance(piece: NormalPiece, groups: Groups, **options: str) -> TangentialResistance | None:
+        strength = tangential.tangential_resistance(piece, groups, **options)
+        if strength is None:
+            return None
+        formula_of = _sticking(strength.resistance, len(strength.parameters))
+        first = np.array(piece.edges[:, :1])
+        branches = [first] if strength.branch is None else [np.reshape(strength.branch, (len(first), -1)), first]
+        return TangentialResistance(
+            formula_of, (*strength.parameters, groups.K_beta), strength.kinks, np.concatenate(branches, axis=1)
+        )
+
+    return replace(tangential, tangential_resistance=resistance)
+
+
+def _begins(piece: NormalPiece, strength: TangentialResistance, more: tuple[np.ndarray, ...]) -> np.ndarray:
+    """Coordinates (n, 4) at which an asperity is just about to slide; the first of the piece for none."""
+    edges = with_kinks(piece.edges, strength.kinks)
+    edges = np.ascontiguousarray(np.minimum(edges, coordinates(piece, _DEEPEST)[:, None]))
+    excess = _not_yet(piece.normal, len(piece.parameters), strength.resistance, len(strength.parameters))
+    parameters = (*piece.parameters, *strength.parameters, *more)
+    out = np.empty((len(edges), _MOST))
+    crossing(excess, len(parameters))(columns(parameters, len(edges)), edges, out)
+    return out

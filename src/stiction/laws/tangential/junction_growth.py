@@ -1,0 +1,98 @@
+r"""From a weak interface to full stick: junctions that grow as Tabor has it, to where Brizmer et al. 2007 have them slide.
+
+*Assumes*: as [`tabor_1959`](#tabor_1959), the area of a junction grows with its shear force as $A^2=A_0^2+gT^2$; the growth ends,
+instead of nowhere, where a junction in full stick slides, at the force $T_s$ of
+[`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007), its mean shear stress then being the strength $\tau_b$ of the
+bulk: $A_s=T_s/\tau_b$. *Sources*: [tabor_1959] for the growth, [brizmer_kligerman_etsion_2007] for the force in full stick, and
+[brizmer_kligerman_etsion_2007_junction] for it that areas grow until the junction has lost its tangential stiffness.
+
+An interface of the strength $\tau_0=c\,\tau_b$ gives way where $T=\tau_0A(T)$:
+
+$$
+\frac1{T^2}=\frac{1-c^2}{(\tau_0A_0)^2}+\frac1{T_s^2}\quad(c\le1);\qquad T=T_s\quad(c\ge1)\quad\text{(SI)}
+$$
+
+$$
+\frac{A^2}{A_0^2}=1+\left(\frac{A_s^2}{A_0^2}-1\right)\frac{T^2}{T_s^2}
+$$
+
+*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for $c\to0$; full stick, $T_s$, for $c=1$ and above, where the bulk shears;
+[`tabor_1959`](#tabor_1959) of a plastic junction for $T_s\to\infty$. It rises from one to the other without a step.
+*Reconstructed*: that the area follows Tabor's form between the two ends, and the area at the second; the growth that Brizmer,
+Kligerman and Etsion computed, and the fit they give for it, were not available. *Check*: with $\alpha=3(H/Y)^2$,
+$\tau_b=Y/\sqrt3$; Hertz's asperity at the load $P_c$ of full stick for $\nu=0.3$, $H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.805A_0$):
+
+| $c$ | 0.01 | 0.1 | 0.3 | 0.5 | 0.8 | 0.95 | 1 |
+|---|---|---|---|---|---|---|---|
+| $\mu$ | 0.0057 | 0.0569 | 0.1758 | 0.3120 | 0.6085 | 0.8808 | 1.0242 |
+
+*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import Limit, TangentialLaw
+from stiction.laws.sources import Source
+from stiction.laws.tangential import brizmer_kligerman_etsion_2007 as full_stick
+from stiction.laws.tangential.bowden_tabor_1943 import shear_force
+from stiction.laws.tangential.shared.junctions import ALPHA, share_of_bulk
+
+_force_of_full_stick = full_stick.resistance
+
+
+@formula
+def together(of_interface, of_full_stick, share):
+    """T with 1/T^2 = (1 - c^2)/(tau_0 A)^2 + 1/T_s^2: full stick for c = 1, the interface alone for T_s without end."""
+    if of_interface == 0.0 or of_full_stick == 0.0:
+        return 0.0
+    weaker = (1.0 - share) * (1.0 + share) * (of_full_stick / of_interface) ** 2
+    return of_full_stick / math.sqrt(1.0 + weaker)
+
+
+@formula
+def resistance(u, w, load, area, L_c, eta, shear_strength, share):
+    """What gives way is the interface, up to full stick, where it is the bulk."""
+    _, of_full_stick = _force_of_full_stick(u, w, load, area, L_c)
+    force = together(shear_force(area, eta, shear_strength), of_full_stick, share)
+    return (force, 0.0) if share < 1.0 else (0.0, force)
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups, alpha: str) -> TangentialResistance:
+    stick = full_stick.tangential_resistance(piece, groups)
+    share = np.minimum(share_of_bulk(groups, alpha), 1.0)
+    return TangentialResistance(
+        resistance, (*stick.parameters, groups.eta, groups.shear_strength, share), stick.kinks, stick.branch
+    )
+
+
+RECORD = TangentialLaw(
+    key="junction_growth",
+    title="From a weak interface to full stick: junctions that grow until they slide",
+    grade="C",
+    sources=(
+        Source("tabor_1959", "", "area growing with the shear force, as commonly quoted; here to the end that full stick has"),
+        Source("brizmer_kligerman_etsion_2007", "", "sliding inception in full stick, as commonly quoted"),
+        Source(
+            "brizmer_kligerman_etsion_2007_junction",
+            "",
+            "that areas grow until the junction has lost its stiffness; the growth itself could not be looked up: reconstructed",
+        ),
+    ),
+    tangential_resistance=tangential_resistance,
+    wants={"no adhesion": "the sphere is pressed by its load alone"},
+    verified="shear stress and grown area solved together by bisection at 30 digits; its three limits",
+    needs=("hardness_group", "nu", "hardness_to_yield", "shear_strength"),
+    validity=full_stick.RECORD.validity,
+    limits=(
+        Limit("bowden_tabor_1943", {"shear_strength": 1e-7}, ("friction_force",), 1e-11),
+        Limit("brizmer_kligerman_etsion_2007", {"shear_strength": 1.0}, ("friction_force",), 1e-12),
+    ),
+    own_options={"alpha": tuple(ALPHA)},
+    notes="alpha: von_mises for 3 (H/Y)^2, or 9 as quoted from experiments; the strength of the bulk is H/sqrt(alpha). From that "
+    "strength on it is full stick. The way from one end to the other is this project's.",
+)

@@ -1,0 +1,59 @@
+"""The tangential force at which the film yields at the trailing edge of a contact: `contact.layered.edge` for every contact."""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.contact.layered.bodies import bodies_of, per_root
+from stiction.contact.layered.edge import EDGE_TERMS, FORMS, edge_curves
+from stiction.engine.compiled import formula, plain
+from stiction.laws.tangential.shared.edge_yield import coefficients
+
+__all__ = ["edge_columns", "edge_root"]
+
+_WIDTH = 2 + EDGE_TERMS
+# Where ln D, A and B begin and end in a row.
+_D, _A, _B, _END = (2 + at * _WIDTH for at in range(FORMS + 1))
+
+
+@formula
+def _curve(z, row):
+    value = 0.0
+    for at in range(EDGE_TERMS - 1, -1, -1):
+        value = value * z + row[2 + at]
+    return 0.5 * (1.0 - z) * row[0] + 0.5 * (1.0 + z) * row[1] + (1.0 - z * z) * value
+
+
+@formula
+def edge_root(u, load, area, row):
+    """The discriminant of D (A P^2 + 2 B P T + T^2) = S^2, S the yield stress times the area, and its larger root, which counts
+    where both are above 0; as `Force` has them. row: of `edge_columns`."""
+    z = 1.0 - 2.0 / (row[1] * u + 1.0)
+    A, B = _curve(z, row[_A:_B]), _curve(z, row[_B:_END])
+    strength = row[0] * area
+    part = strength * strength * math.exp(-_curve(z, row[_D:_A]))
+    discriminant = part + (B * B - A) * load * load
+    return discriminant, math.sqrt(max(discriminant, 0.0)) - B * load, 1.0
+
+
+def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
+    """What `edge_root` is told of contacts with a film, columns (n,). groups: complete. Without a film it is
+    the body that yields."""
+    laws = len(groups)
+    different, which = bodies_of(groups)
+    curves = np.array([edge_curves(one) for one in different])[which]
+    there = np.broadcast_to((groups.film_aspect > 0.0) & (groups.tau > 0.0), laws)
+    curves[~there] = _of_half_space(np.broadcast_to(groups.nu, laws)[~there])
+    strength = np.where(there, groups.n_H, 1.0) * groups.eta / groups.hardness_to_yield
+    return np.broadcast_to(strength, laws), per_root(groups), *curves.reshape(laws, -1).T
+
+
+def _of_half_space(nu: np.ndarray) -> np.ndarray:
+    """The curves (n, FORMS, ...) of half-spaces of these Poisson's ratios (n,)."""
+    n, p, q = plain(coefficients)(nu)
+    d = p * p + q * q - p * q
+    curves = np.zeros((len(nu), FORMS, _WIDTH))
+    values = np.log(math.pi**2 * d), 3.0 * n * n / d, 1.5 * n * (p - q) / d
+    curves[:, :, :2] = np.stack(values, axis=1)[:, :, None]
+    return curves

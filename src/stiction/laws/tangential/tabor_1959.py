@@ -1,0 +1,89 @@
+r"""Junctions that grow under shear until their interface gives way: McFarlane & Tabor 1950, Tabor 1959.
+
+*Assumes*: a junction is fully plastic where its mean pressure and shear stress obey $p^2+\alpha\tau^2=H^2$; one that is
+plastic grows under shear, its load unchanged, so that the pressure falls and the shear stress may rise; its interface gives way
+at $\tau_0=c\,\tau_b$, a share $c$ of the strength $\tau_b=H/\sqrt\alpha$ of the bulk. *Sources*: [mcfarlane_tabor_1950] and
+[tabor_1959]; the texts were not available, the criterion and what follows are as they are commonly quoted, and derived again
+here.
+
+With the pressure $p=H\sqrt{1-c^2}$ at which the interface gives way, an asperity below that does not grow, and any other grows
+until it is there:
+
+$$
+T=\tau_0\max\left(A,\ \frac P{H\sqrt{1-c^2}}\right)\quad\text{(SI)};\qquad
+\frac TP=\frac c{\sqrt{\alpha\,(1-c^2)}}\ \text{of a junction that was plastic}
+$$
+
+A mean pressure above $H$, which some asperity laws have, counts as $H$. `alpha`: `von_mises`, $3(H/Y)^2$, for a bulk that
+shears at $Y/\sqrt3$; or 9, quoted from Tabor's experiments.
+
+*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for a weak interface. For $c\to1$, clean metal, $T$ has no bound: from $c=1$
+on the law is refused. What ends the growth (hardening, the shape of the junction) is not in it;
+[`junction_growth`](#junction_growth) ends it where full stick slides. *Check*, plastic junctions, $\alpha=9$ and
+$3\cdot2.8^2=23.52$:
+
+| $c$ | 0.1 | 0.3 | 0.5 | 0.8 | 0.95 | 0.99 |
+|---|---|---|---|---|---|---|
+| $\mu$, $\alpha=9$ | 0.0335 | 0.1048 | 0.1925 | 0.4444 | 1.0141 | 2.3393 |
+| $\mu$, $\alpha=23.52$ | 0.0207 | 0.0648 | 0.1190 | 0.2749 | 0.6273 | 1.4471 |
+| area over that before | 1.0050 | 1.0483 | 1.1547 | 1.6667 | 3.2026 | 7.0888 |
+
+*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import Limit, TangentialLaw
+from stiction.laws.sources import Source
+from stiction.laws.tangential.shared.junctions import ALPHA, share_of_bulk, where_pressure_is
+from stiction.quantities.errors import InputError
+
+
+@formula
+def grown_area(load, area, eta, share):
+    """The area at which the interface gives way: W^2 + alpha T^2 = H^2 A^2 with T = c H A/sqrt(alpha), and no growth before.
+
+    A pressure H on the area x is the load eta x; a junction that bears more than that counts as if it bore that."""
+    return max(area, min(load / eta, area) / math.sqrt((1.0 - share) * (1.0 + share)))
+
+
+@formula
+def resistance(u, w, load, area, eta, shear_strength, share):
+    return shear_strength * eta * grown_area(load, area, eta, share), 0.0
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups, alpha: str) -> TangentialResistance:
+    """On every piece: with kinks where growth begins, and where the pressure is the hardness."""
+    share = share_of_bulk(groups, alpha)
+    if np.any(share >= 1.0):
+        found = float(groups.shear_strength[share >= 1.0][0])
+        bound = float((groups.shear_strength / share)[share >= 1.0][0])
+        why = f"below {bound:.4g}, the shear strength of the bulk over H: what is as strong as that grows without end"
+        raise InputError("shear_strength", found, f"{why} under tabor_1959; junction_growth ends it")
+    pressures = [groups.eta * np.sqrt((1.0 - share) * (1.0 + share)), groups.eta]
+    kinks = np.concatenate([where_pressure_is(piece, pressure) for pressure in pressures], axis=1)
+    return TangentialResistance(resistance, (groups.eta, groups.shear_strength, share), kinks)
+
+
+RECORD = TangentialLaw(
+    key="tabor_1959",
+    title="Junctions that grow under shear until their interface gives way",
+    grade="B",
+    sources=(
+        Source("mcfarlane_tabor_1950", "", "yield under pressure and shear together, p^2 + alpha tau^2 = H^2, as commonly quoted"),
+        Source("tabor_1959", "", "growth ended by an interface weaker than the bulk, as commonly quoted; derived again"),
+    ),
+    tangential_resistance=tangential_resistance,
+    verified="the criterion solved by bisection at 30 digits; closed form of plastic junctions; constant strength for c -> 0",
+    needs=("hardness_group", "shear_strength", "hardness_to_yield"),
+    limits=(Limit("bowden_tabor_1943", {"shear_strength": 1e-7}, ("friction_force",), 1e-11),),
+    own_options={"alpha": tuple(ALPHA)},
+    notes="alpha: von_mises for 3 (H/Y)^2, or 9 as quoted from experiments. Refused where the interface is as strong as the "
+    "bulk, tau_0 sqrt(alpha) >= H: there the growth has no end. Asperities that are elastic under load and shear hold as after "
+    "bowden_tabor_1943.",
+)

@@ -1,0 +1,81 @@
+"""A picture of the mean touching asperity of a coated contact in section, and of what its interface bears."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from stiction.quantities.units import show
+from stiction.report.pictures import BLUE, GREY, ORANGE, RED, doubts_below, finish, heading
+from stiction.report.tables import shown
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["film_figure"]
+
+_LEVELS = 12
+
+
+def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = "") -> Figure:
+    """The von Mises stress over the yield stress of what is there, in section, with the largest marked; and the stresses along
+    the interface. data: one point of `film_stresses`; section: of `film_section`."""
+    figure = Figure(figsize=(11.0, 5.4), layout="constrained")
+    left, right = figure.subplots(1, 2, width_ratios=(1.45, 1.0))
+    _section_panel(figure, left, section)
+    _interface_panel(right, section)
+    lines = [heading(data, title), _sizes(data, section)]
+    figure.suptitle("\n".join(lines), fontsize=10)
+    if notes := doubts_below(data, 150):
+        figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
+    return figure
+
+
+def _sizes(data: "xarray.Dataset", section: "xarray.Dataset") -> str:
+    """The load, and what the mean asperity is, with units where the contact has them."""
+    used = section.attrs
+    load = shown(float(data["load"]), "load") if data["load"].attrs.get("units", "1") != "1" else f"{float(data['load']):.4g}"
+    words = [f"load {load}", f"a/t = {1.0 / used['thickness_over_radius']:.3g}"]
+    if "mean_pressure" in used:
+        lengths = (show(used[name], "mean_separation", 3) for name in ("contact_radius", "film_thickness"))
+        words += [f"a = {next(lengths)}", f"t = {next(lengths)}", f"mean pressure {show(used['mean_pressure'], 'hardness', 3)}"]
+    return "mean touching asperity: " + ", ".join(words)
+
+
+def _section_panel(figure: Figure, axes: Axes, section: "xarray.Dataset") -> None:
+    used, x, z = section.attrs, section["x"].values, section["z"].values
+    field = section["stress_over_yield"].values
+    levels = MaxNLocator(_LEVELS).tick_values(0.0, max(float(field.max()), 1e-12))
+    drawn = axes.contourf(x, z, field, levels=levels, cmap="viridis_r")
+    label = r"von Mises stress / yield stress $\sigma_\mathrm{M}/Y$"
+    figure.colorbar(drawn, ax=axes, label=label, format="%.3g", location="bottom")
+    if field.max() > 1.0:
+        axes.contour(x, z, field, levels=[1.0], colors=RED, linewidths=1.5)
+    axes.plot([-1.0, 1.0], [0.0, 0.0], color="black", linewidth=4.0, solid_capstyle="butt", label="contact", clip_on=False)
+    if used["thickness_over_radius"] <= z[-1]:
+        axes.axhline(used["thickness_over_radius"], color=ORANGE, linewidth=1.8, label="interface")
+    where = {"film": "in the film", "interface": "at the interface", "body": "in the body"}[used["where"]]
+    said = f"largest: {used['largest']:.3g}, {where}"
+    axes.plot(used["largest_x"], used["largest_z"], marker="X", color=RED, markeredgecolor="white", markersize=11,
+              linestyle="none", label=said, clip_on=False)  # fmt: skip
+    axes.set(xlim=(x[0], x[-1]), ylim=(z[-1], 0.0), aspect="equal", xlabel="$x/a$, along the tangential force",
+             ylabel="depth $z/a$")  # fmt: skip
+    axes.set_title("stresses are elastic" + ("; inside the red line it yields" if field.max() > 1.0 else ""), fontsize=9)
+    axes.legend(fontsize=8, loc="lower right", framealpha=0.9)
+
+
+def _interface_panel(axes: Axes, section: "xarray.Dataset") -> None:
+    x, normal, shear = (section[name].values for name in ("x", "interface_normal_stress", "interface_shear_stress"))
+    in_si = section["interface_normal_stress"].attrs["units"] == "Pa"
+    most = max(float(np.abs(normal).max()), float(np.abs(shear).max()), 1e-300)
+    size = 10.0 ** np.floor(np.log10(most))
+    number, _, unit = show(size, "hardness").partition(" ") if in_si else ("1", "", "of the mean pressure")
+    factor = float(number) / size if in_si else 1.0
+    axes.plot(x, factor * normal, color=BLUE, label="across it, tension above 0")
+    axes.plot(x, factor * shear, color=ORANGE, linestyle="--", label="shear on it, along x")
+    axes.axhline(0.0, color=GREY, linewidth=0.8)
+    finish(axes)
+    axes.set(xlim=(x[0], x[-1]), xlabel="$x/a$, along the tangential force", ylabel=f"stress at the interface [{unit}]")
+    axes.legend(fontsize=8, framealpha=0.9)

@@ -1,0 +1,37 @@
+"""A number with as many digits as its doubt leaves it."""
+
+import math
+
+__all__ = ["rounded"]
+
+_MOST = 3  # digits, of a friction coefficient that is computed: what is read off an instrument has no more
+
+
+def rounded(value: float, ends: list[float], unknown: int = 2) -> str:
+    """The value, to the place of the leading digit of half the width of all that it may be, or one further where that digit is
+    1; at least one digit and at most three. ends: low and high ends of what it may be, in any order; where there are none, or
+    they are no width, `unknown` digits. "not defined" where the value is no number."""
+    if not math.isfinite(value):
+        return "not defined"
+    if value == 0.0:
+        return "0"
+    half = 0.5 * (max([value, *ends]) - min([value, *ends]))
+    digits = unknown
+    if half > 1e-12 * abs(value):
+        place = _place(half) - (1 if f"{half:e}".startswith("1") else 0)
+        digits = min(max(1 + _place(value) - place, 1), _MOST)
+    text = f"{value:.{digits}g}"
+    if "e" in text and 1e-4 <= abs(value) < 1e5:  # 1e+01 of a number of one digit
+        text = f"{float(text):.0f}"
+    return text if "e" in text else _padded(text, digits)
+
+
+def _place(value: float) -> int:
+    """The power of ten of the leading digit."""
+    return int(f"{abs(value):e}".partition("e")[2])
+
+
+def _padded(text: str, digits: int) -> str:
+    """With the zeros at the end that are digits: 0.30 of two."""
+    shown = len(text.replace(".", "").lstrip("-0"))
+    return text if shown >= digits else text + ("" if "." in text else ".") + "0" * (digits - shown)

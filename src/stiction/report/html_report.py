@@ -1,0 +1,175 @@
+"""One case as one page of HTML that holds all of itself: read without a network and without scripts, printed, sent."""
+
+import base64
+import datetime
+import json
+import os
+import tempfile
+from collections.abc import Callable, Iterable
+from functools import partial
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from stiction.laws.overview import cite
+from stiction.quantities.errors import InputError
+from stiction.report import report_sections as say
+from stiction.report.honest_digits import rounded
+from stiction.report.html_tables import FORMULAS
+from stiction.report.html_words import formula
+from stiction.report.printed_sources import printed
+from stiction.report.report_answer import answer_in_words, beside_headline, best_of, doubts_here, headline, question, spreads
+from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
+from stiction.report.report_pictures import (
+    all_of_one,
+    pictures_of_comparison,
+    pictures_of_curve,
+    pictures_of_scan,
+    pictures_of_uncertainty,
+)
+from stiction.studies.case import Case, as_case
+from stiction.studies.case_text import as_toml
+from stiction.studies.findings import Findings, find_out, text_of_file
+
+__all__ = ["as_html", "case_as_html", "check_place", "report_record", "write_html", "write_report"]
+
+_SUFFIXES = (".html", ".htm")
+Progress = Callable[[str], Callable[[Iterable], Iterable]]
+
+
+def write_report(
+    case: Any, path: Any, *, load: Any = None, ranges: bool | None = None, progress: Progress = lambda text: iter
+) -> dict[str, Any]:
+    """A report of a case as one file of HTML: question, answer with its doubt, inputs with their sources, pictures, all models
+    compared, uncertainty, validity, measured surfaces, citations, versions, and the case to run it again.
+
+    case: path of a case file, its tables as a dict, or a Case. path: of the file to be written, .html; one that is there is
+    replaced, when the new one is finished. load: the working load [N], or text with its unit; by default the middle one of the
+    case. ranges: whether numbers of materials vary within their ranges, in place of what the case says. progress: from a text,
+    what wraps a list of steps. Returns the answer as numbers and words, a dict. Raises InputError.
+    """
+    check_place(Path(path), case)
+    read = as_case(case, ranges)
+    text, name = "", "case.toml"
+    if isinstance(case, str | os.PathLike):
+        text, name = text_of_file(Path(case)), Path(case).name
+    elif not isinstance(case, Case):
+        text = as_toml(case)
+    findings = find_out(read, text, load=load, progress=progress)
+    write_html(Path(path), as_html(findings, name, say.command(name, load, ranges), progress))
+    return report_record(findings)
+
+
+def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progress = lambda text: iter) -> str:
+    """The page of a case that was read from this text. Raises InputError."""
+    return as_html(find_out(case, text, progress=progress), name, say.command(name, None, None), progress)
+
+
+def as_html(findings: Findings, name: str, again: str, progress: Progress = lambda text: iter) -> str:
+    """The page; name: of the case file; again: the command line that makes it. The same findings give the same text but for the
+    date."""
+    import jinja2
+
+    loader = jinja2.PackageLoader("stiction.report")
+    templates = jinja2.Environment(
+        loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    templates.filters["formula"] = formula
+    own, of_materials, others = say.sources_of(findings)
+    style = resources.files("stiction.report").joinpath("templates/report.css").read_text(encoding="utf-8")
+    pictures = dict(_pictures(findings, progress))
+    return templates.get_template("report.html").render(
+        findings=findings,
+        style=style,
+        title=findings.case.title or "A contact",
+        date=datetime.datetime.now(datetime.UTC).date().isoformat(),
+        question=question(findings),
+        headline=headline(findings),
+        beside=beside_headline(findings),
+        answer=answer_in_words(findings),
+        say=say,
+        inputs=[*groups_of_inputs(findings), *groups_of_groups(findings)],
+        formulas=FORMULAS,
+        all_of_one=all_of_one(findings),
+        pictures=pictures,
+        comparison=say.comparison_lines(findings),
+        sources=printed(own),
+        material_sources=printed(of_materials),
+        other_sources=printed(others),
+        bibtex=_as_link(cite([*own, *of_materials, *others])),
+        name=name,
+        again=again,
+        case_link=_as_link(findings.text) if findings.text else "",
+    )
+
+
+def _as_link(text: str) -> str:
+    """What a browser saves as a file when it is asked to."""
+    return f"data:text/plain;charset=utf-8;base64,{base64.b64encode(text.encode()).decode('ascii')}"
+
+
+def _pictures(findings: Findings, progress: Progress) -> Iterable[tuple[str, list]]:
+    """The pictures, section by section."""
+    sections: dict[str, Callable[[], Iterable]] = {
+        "curve": lambda: pictures_of_curve(findings),
+        "comparison": lambda: pictures_of_comparison(findings),
+        "uncertainty": lambda: pictures_of_uncertainty(findings),
+    }
+    for body in findings.analyses:
+        sections[f"{body.capitalize()} body"] = partial(pictures_of_scan, findings, body)
+    for name in progress("Drawing")(list(sections)):
+        yield name, list(sections[name]())
+
+
+def report_record(findings: Findings) -> dict[str, Any]:
+    """The answer as numbers and words, for JSON."""
+    data, here, best = findings.answer.data, findings.answer.here, best_of(findings)
+    found = spreads(findings)
+    known = [end for one in found if one.known for end in (one.low, one.high)]
+    mu = None if here is None or "friction_coefficient" not in here else float(here["friction_coefficient"])
+    unit = data["load"].attrs.get("units", "1")
+    own, of_materials, _ = say.sources_of(findings)
+    return {
+        "title": findings.case.title,
+        "question": question(findings),
+        "answer": answer_in_words(findings),
+        "model": data.attrs["model"],
+        "grade": data.attrs["grade"],
+        "working_load": findings.answer.load,
+        "working_load_unit": unit,
+        "friction_coefficient": mu,
+        "friction_coefficient_rounded": None if mu is None else rounded(mu, known),
+        "spreads": {one.name: {"low": one.low, "high": one.high, "factor": one.factor} for one in found},
+        "recommended": None if best is None else str(best["model"].item()),
+        "recommended_friction_coefficient": None if best is None else float(best["friction_coefficient_at_load"]),
+        "doubts": [one.as_data() for one in doubts_here(findings)],
+        "measured_error": json.loads(findings.result.attrs.get("measured_error", "null")),
+        "not_compared": findings.not_compared,
+        "sources": [*own, *of_materials],
+        "versions": dict(say.versions()),
+    }
+
+
+def check_place(path: Path, case: Any = None) -> None:
+    """Raise InputError for a place where no report can be, before anything is computed for it."""
+    allowed = "a file that ends in .html, new or existing"
+    if path.suffix.lower() not in _SUFFIXES:
+        raise InputError("--out", str(path), allowed)
+    if path.is_dir():
+        raise InputError("--out", str(path), f"{allowed}; this is a folder")
+    if isinstance(case, str | os.PathLike) and path.exists() and Path(case).exists() and path.samefile(case):
+        raise InputError("--out", str(path), f"{allowed}; this is the case itself")
+
+
+def write_html(path: Path, text: str) -> None:
+    """Write the page, finished beside its place and then moved there. Raises InputError where it cannot be written."""
+    check_place(path)
+    path = path.resolve()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}-") as beside:
+            made = Path(beside) / "made"  # with the usual permissions, which a temporary file has not
+            made.write_text(text, encoding="utf-8", newline="\n")
+            made.replace(path)
+    except OSError as error:
+        raise InputError("--out", str(path), f"a file that can be written ({error.strerror or error})") from None

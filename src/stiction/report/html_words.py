@@ -1,0 +1,24 @@
+"""Symbols as a page shows them: Greek letters, indices below, powers above."""
+
+import re
+
+from markupsafe import Markup, escape
+
+__all__ = ["formula", "letters"]
+
+_GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "epsilon": "ε", "eta": "η", "theta": "θ", "lambda": "λ", "lam": "λ",
+          "mu": "μ", "nu": "ν", "omega": "ω", "pi": "π", "psi": "ψ", "sigma": "σ", "tau": "τ", "Delta": "Δ"}  # fmt: skip
+_WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=True))})(?![A-Za-z])")
+
+
+def letters(text: str) -> str:
+    """Greek letters in place of their names: "σ/R" of "sigma/R"."""
+    return _WORD.sub(lambda found: _GREEK[found[1]], text)
+
+
+def formula(text: str) -> Markup:
+    """HTML of a symbol, or of a meaning with formulas; all of it is escaped."""
+    shown = str(escape(letters(text))).replace("&lt;=", "≤").replace("&gt;=", "≥")
+    shown = re.sub(r"(?<=\w)_(\w+)", r"<sub>\1</sub>", shown)
+    shown = re.sub(r"\^\(([^()]*)\)|\^(-?\w+)", lambda found: f"<sup>{found[1] or found[2]}</sup>", shown)
+    return Markup(shown)  # what came in was escaped

@@ -1,0 +1,53 @@
+"""Entries of the bibliography as they are printed: authors, title, where, year and a link, out of BibTeX."""
+
+import re
+import unicodedata
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from stiction.laws.overview import cite
+
+__all__ = ["Printed", "in_letters", "printed"]
+
+_ENTRY = re.compile(r"^@(\w+)\{([^,\s]+),$(.*?)^\}$", re.MULTILINE | re.DOTALL)
+_FIELD = re.compile(r"^\s*(\w+)\s*=\s*\{(.*)\},?$", re.MULTILINE)
+_ACCENTS = {'"': "\u0308", "'": "\u0301", "`": "\u0300", "^": "\u0302", "~": "\u0303", "v": "\u030c", "c": "\u0327"}
+_ACCENT = re.compile(r"""\\(["'`^~]|[vc]\s)\s*\{?\\?([A-Za-z])\}?""")
+_LETTERS = {r"\kappa": "κ", r"\ss": "ß", r"\o": "ø", r"\&": "&", "---": " – ", "--": "–", "~": " "}
+_LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+@dataclass(frozen=True)
+class Printed:
+    """One entry: key, what is printed of it, and its DOI, "" where none was checked."""
+
+    key: str
+    text: str
+    doi: str
+
+
+def printed(keys: Iterable[str]) -> list[Printed]:
+    """The entries of these keys, in the order of the bibliography. Raises InputError for one that is not in it."""
+    wanted = list(keys)
+    return [_printed(*entry.groups()) for entry in _ENTRY.finditer(cite(wanted))] if wanted else []
+
+
+def _printed(kind: str, key: str, body: str) -> Printed:
+    fields = {name: in_letters(text) for name, text in _FIELD.findall(body)}
+    where = fields.get("journal") or fields.get("booktitle") or fields.get("publisher", "")
+    volume = fields.get("volume", "") + (f" ({fields['number']})" if "number" in fields else "")
+    place = ", ".join(filter(None, [f"{where} {volume}".strip(), fields.get("pages")]))
+    authors = fields.get("author", "").replace(" and others", " et al.").replace(" and ", "; ")
+    title, year = fields.get("title", ""), fields.get("year", "no year")
+    who = [f"{authors} ({year})", title] if authors else [f"{title} ({year})"]
+    parts = [*who, place, fields.get("note", "")]
+    return Printed(key, ". ".join(one.rstrip(".") for one in parts if one) + ".", fields.get("doi", ""))
+
+
+def in_letters(text: str) -> str:
+    """TeX as plain text: letters with their accents, no braces."""
+    text = _ACCENT.sub(lambda found: unicodedata.normalize("NFC", found[2] + _ACCENTS[found[1].strip()]), text)
+    text = re.sub(r"\$_(\d)\$", lambda found: found[1].translate(_LOW), text)
+    for tex, letter in _LETTERS.items():
+        text = text.replace(tex, letter)
+    return re.sub(r"[{}$]", "", text)

@@ -1,0 +1,161 @@
+"""The pictures of a report, each with a caption and with words for those who do not see it."""
+
+import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stiction.report.inline_pictures import inline
+from stiction.report.pictures import panel_of_curve, panels
+from stiction.report.report_answer import value_in_words
+from stiction.report.several_tables import shown_quantity
+from stiction.studies.findings import Findings
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+__all__ = [
+    "Picture",
+    "all_of_one",
+    "pictures_of_comparison",
+    "pictures_of_curve",
+    "pictures_of_scan",
+    "pictures_of_uncertainty",
+]
+
+_TITLES = {
+    "friction_coefficient": "Static friction coefficient against load",
+    "contact_area": "Real contact area against load",
+    "load": "Load against mean separation",
+    "friction_force": "Friction force against load",
+}
+_NEARLY_ALL = 0.995  # a share above which the other parts could not be seen
+
+
+@dataclass(frozen=True)
+class Picture:
+    """content: HTML; wide: it needs a line for itself, and scrolls where there is little room."""
+
+    content: str
+    caption: str
+    wide: bool = False
+
+
+def _picture(make: "Callable[[], Figure]", name: str, caption: str, words: str = "", wide: bool = False) -> Picture:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # letters that the font of a picture has not are boxes there
+        return Picture(inline(make(), name, words or caption), caption, wide)
+
+
+def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
+    """What a line does: from where to where."""
+    x, y = (np.asarray(data[name].values, dtype=float) for name in (against, what))
+    known = np.flatnonzero(np.isfinite(x) & np.isfinite(y) & ((x > 0.0) | (against != "load")))
+    if not known.size:
+        return "Nothing is drawn: nothing presses here."
+    first, last = known[np.argmin(x[known])], known[np.argmax(x[known])]
+    ends = [(value_in_words(data[against], x[at]), value_in_words(data[what], y[at])) for at in (first, last)]
+    return f"At {ends[0][0]} it is {ends[0][1]}, at {ends[1][0]} it is {ends[1][1]}."
+
+
+def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
+    """Friction, area and force against load, load against separation, and what bears them; of numbers that are several one
+    picture of what varies."""
+    # Doubts stand in words on the page, and not below every picture.
+    data = findings.answer.data.assign_attrs(doubts="[]", outside_validity="")
+    if findings.case.is_several:
+        from stiction.report.several_pictures import several_figure
+
+        name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
+        yield _picture(lambda: several_figure(data), "several", f"The {name} over what varies.", wide=True)
+        return
+    for what, against in panels(data):
+        title = _TITLES[what]
+        make = partial(panel_of_curve, data, what, against)
+        yield _picture(make, f"p-{what}", f"{title}.", f"{title}. {_in_words(data, what, against)}")
+    from stiction.report.share_pictures import part_in_words, share_figure, stacks
+
+    for at, (what, (total, parts)) in enumerate(stacks(data).items()):
+        if _the_one(data, parts):
+            continue  # said in words
+        said = ", ".join(part_in_words(name, total) for name in parts)
+        tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
+        words = f"Shares of the {what}, over the load: {said}" + (", of their sizes: some pull." if tension else ".")
+        yield _picture(partial(share_figure, data, what), f"share{at}", words)
+
+
+def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
+    """The part that is nearly all of its stack wherever something presses; "" where there is none."""
+    from stiction.report.share_pictures import shares_of
+
+    shares = shares_of(data, parts)[:, np.asarray(data["load"].values) > 0.0]
+    return next((name for name, one in zip(parts, shares, strict=True) if one.size and np.nanmin(one) > _NEARLY_ALL), "")
+
+
+def all_of_one(findings: Findings) -> list[str]:
+    """What a picture of shares would be of one colour for."""
+    from stiction.report.share_pictures import part_in_words, stacks
+
+    data, lines = findings.answer.data, []
+    for what, (total, parts) in stacks(data).items() if not findings.case.is_several else ():
+        if name := _the_one(data, parts):
+            lines.append(f"Shares of the {what}: {part_in_words(name, total)} for more than {_NEARLY_ALL:.1%} at every load.")
+    return lines
+
+
+def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
+    """Every model at the working load, and along the loads."""
+    told = findings.answer.told
+    if told is None:
+        return
+    from stiction.report.comparison_pictures import comparison_figure
+    from stiction.report.model_pictures import models_figure
+
+    best = told.attrs.get("recommended", "none")
+    words = f"Friction coefficient by each model at the working load; recommended: {best}. The table below has the numbers."
+    yield _picture(lambda: models_figure(told), "models", "Friction at the working load by every model; the recommended one "
+                   "shaded, its name bold.", words, wide=True)  # fmt: skip
+    families = dict.fromkeys(str(one) for one in told["family_of_curve"].values if one)
+    for at, family in enumerate(families):
+        mine = np.flatnonzero(told["family_of_curve"].values == family)
+        some = told.isel(model=mine).assign_attrs(reason="why is said above")
+        caption = f"Friction against load by every model, {family}; faint where a model is outside its range."
+        yield _picture(partial(comparison_figure, some, " "), f"compared{at}", caption, wide=True)
+
+
+def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
+    """The band over the inputs, and what friction differs by: three colours."""
+    data = findings.answer.data
+    from stiction.report.uncertainty_pictures import spread_figure, uncertainty_figure
+
+    if "spread_factor" in data and np.isfinite(data["spread_factor"].values).any():
+        caption = "What friction at the working load differs by: inputs, methods and models, each by itself."
+        yield _picture(lambda: spread_figure(data, " "), "spread", caption)
+    if "friction_coefficient_quantile" in data and not findings.case.is_several:
+        plain = data.drop_vars([name for name in data.variables if str(name).startswith("spread")])
+        caption = "The friction coefficient with its band over what is uncertain of the inputs."
+        yield _picture(lambda: uncertainty_figure(plain), "band", caption)
+    if "friction_coefficient_by_method" in data:
+        from stiction.report.surface_pictures import method_spread_figure
+
+        plain = data.assign_attrs(doubts="[]")
+        caption = "Friction against load after every way of finding asperities in the scans."
+        yield _picture(lambda: method_spread_figure(plain), "methods", caption, wide=True)
+
+
+def pictures_of_scan(findings: Findings, body: str) -> Iterator[Picture]:
+    """Heights, spectrum and asperities of the scan of one body."""
+    from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
+
+    found = findings.analyses[body]
+    surface = replace(found.surface, name="")
+    caption = f"Heights of the {body} body as prepared, and their histogram."
+    yield _picture(lambda: map_figure(surface, " "), f"map-{body}", caption, wide=True)
+    yield _picture(lambda: spectrum_figure(found.spectrum, " "), f"spectrum-{body}", f"Power spectrum of the {body} body.")
+    if found.asperities:
+        yield _picture(lambda: asperity_figure(found.asperities.values(), surface, " "), f"asperities-{body}",
+                       f"Asperities that each method finds in the {body} body.", wide=True)  # fmt: skip

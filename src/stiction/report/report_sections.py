@@ -1,0 +1,246 @@
+"""What the sections of a report say, as plain text and tables: the template sets it, and escapes all of it."""
+
+import json
+import platform
+import re
+import shlex
+from dataclasses import replace
+from importlib.metadata import PackageNotFoundError, version
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.laws.claims import KINDS_OF_DOUBT
+from stiction.laws.registry import GRADES
+from stiction.laws.sources import bibliography
+from stiction.laws.validity import Doubt, doubts_of, read_doubts
+from stiction.quantities.table import QUANTITIES
+from stiction.report.html_tables import Table, of_printed
+from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
+from stiction.report.report_inputs import groups_of_inputs, with_powers
+from stiction.report.tables import comparison_table, curve_table, doubts, run_notes
+from stiction.studies.findings import Findings
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.uncertain import Uncertain
+
+__all__ = ["compared", "comparison_lines", "curve_rows", "doubt_table", "here_table", "model_lines", "notes", "scan_parts",
+           "spread_table_of", "uncertainty_lines", "versions"]  # fmt: skip
+
+_RESULTS = ("friction_coefficient", "friction_force", "contact_area", "area_fraction", "nominal_pressure", "mean_separation",
+            "touching_asperities", "pull_off_force")  # fmt: skip
+_PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotlib")
+
+
+def _doubt_in_words(doubt: Doubt) -> str:
+    return f"{KINDS_OF_DOUBT[doubt.kind].capitalize()}: {doubt}"
+
+
+def here_table(findings: Findings) -> Table | None:
+    """Results at the working load, each with the doubts that are of this quantity; those of no quantity in the list stand
+    beside the first."""
+    here = findings.answer.here
+    if here is None:
+        return None
+    names = [name for name in _RESULTS if name in here]
+    every, rows = doubts_here(findings), []
+    for at, name in enumerate(names):
+        mine: Any = [_doubt_in_words(one) for one in every if one.quantity == name or (at == 0 and one.quantity not in names)]
+        row = QUANTITIES[name]
+        if at == 0 and not every:
+            mine = "none: within the ranges that are claimed"
+        rows.append([row.meaning, row.symbol, value_in_words(here[name], float(here[name]), 4), mine])
+    caption = "Results to four digits, as computed, so that they can be compared; the answer has the digits that count"
+    return Table(caption, ["quantity", "symbol", "value", "doubts"], rows, [False, False, True, False], stacked=True)
+
+
+def model_lines(findings: Findings) -> list[str]:
+    """By which model and laws, and how well these are founded."""
+    used = findings.answer.data.attrs
+    laws = [f"{kind} law {used[kind]}" for kind in ("asperity", "tangential", "film") if used.get(kind, "none") != "none"]
+    options = [f"{name.replace('_', ' ')}: {used[name]}" for name in used["options"].split()]
+    words = ", ".join([used["model"], *laws, *options, f"{used['heights']} heights"])
+    return [f"Model {words}.", f"Grade {used['grade']}: {GRADES[used['grade']]}."]
+
+
+def curve_rows(findings: Findings) -> Table:
+    """Some points of the curve, or of the numbers that are several."""
+    data = findings.answer.data
+    if findings.case.is_several:
+        from stiction.report.several_tables import several_table
+
+        return of_printed(several_table(data), "Some of the combinations")
+    table = of_printed(curve_table(data), "Some points of the curve")
+    return replace(table, heads=["touching asperities" if head == "touching" else head for head in table.heads])
+
+
+def compared(findings: Findings) -> Table | None:
+    """Every model at the working load."""
+    told = findings.answer.told
+    if told is None:
+        return None
+    table = of_printed(comparison_table(told), "Every model at the working load, from the least friction up")
+    known = {"error": "measured error of the area"}
+    return replace(table, heads=[known.get(head, head) for head in table.heads])
+
+
+def comparison_lines(findings: Findings) -> dict[str, Any]:
+    """What is recommended and why, what counts for nothing, what each doubt of the table is, what is left out."""
+    told, best = findings.answer.told, best_of(findings)
+    if told is None:
+        return {}
+    used, lines = told.attrs, []
+    if best is not None:
+        low, high = used["recommended_range"]
+        mu = float(best["friction_coefficient_at_load"])
+        lines.append(f"Recommended: {best['model'].item()}, which says μ = {mu:.3g}.")
+        lines += [f"{one[0].upper()}{one[1:]}." for one in re.split(r"; (?![^()]*\))", used["reason"])]
+        lines.append(f"Two thirds of the weight of its family: μ = {low:.3g} to {high:.3g}." if low < high else
+                     "It is one opinion, and no range.")  # fmt: skip
+        words = str(best["measured_error_in_words"].item())
+        lines += [f"Its measured error: {words}."] if words and "measured error" not in used["reason"] else []
+    elif used.get("reason"):
+        lines.append(f"No model is recommended: {used['reason']}.")
+    lines += [f"What would have to change: {used['advice']}."] if used.get("advice") else []
+    lines += [f"Set aside: {line}." for line in used.get("set_aside", "").splitlines()]
+    lines += [f"{line}." for line in used["criteria"].splitlines()]
+    return {"lines": lines, "doubts": _numbered_doubts(told), "left_out": used["left_out"].splitlines()}
+
+
+def _numbered_doubts(told: "xarray.Dataset") -> list[str]:
+    """The doubts of the table, in its order, with what their symbols mean."""
+    every = [one for text in told["doubts"].values for one in read_doubts(str(text))]
+    meant = {
+        one.rule: f"{QUANTITIES[one.quantity].meaning} ({QUANTITIES[one.quantity].symbol})" for one in every if one.quantity
+    }
+    return [f"{meant[rule]} {rule[rule.index('is not') :]}" if rule in meant else rule for rule in doubts(told)]
+
+
+def spread_table_of(findings: Findings) -> Table | None:
+    """What friction at the working load differs by, each by itself."""
+    found: list[Spread] = spreads(findings)
+    if not found:
+        return None
+    rows = [[one.words, *((f"{one.low:.3g}", f"{one.high:.3g}") if one.known else ("not known", "not known")),
+             _factor(one)] for one in found]  # fmt: skip
+    heads = ["μ differs by", "from", "to", "a factor of"]
+    return Table("What is known of the error of μ at the working load", heads, rows, [False, True, True, True], stacked=True)
+
+
+def _factor(one: Spread) -> str:
+    """What the two ends differ by; one model is no range."""
+    if not np.isfinite(one.factor):
+        return "not known"
+    return "one alone: no range" if one.name == "models" and one.high == one.low else f"{one.factor:.3g}"
+
+
+def uncertainty_lines(findings: Findings) -> list[str]:
+    """What is uncertain, how it was drawn, and what is not known."""
+    used = findings.answer.data.attrs
+    if "uncertain_inputs" not in used:
+        return ["No input of the case is uncertain, so that nothing is known of what their errors do to μ."]
+    lines = [f"Uncertain: {_unknown(some)}." for some in findings.case.unknowns.values()]
+    lines.append(
+        "What follows ± is one standard deviation, a factor is one of the logarithm, and between two ends all is alike."
+    )
+    lines += [f"Drawn: {used['uncertainty']} (Sobol's sequence, scrambled)."] if "uncertainty" in used else []
+    shares: dict[str, float] = json.loads(used.get("doubts_of_points", "{}"))
+    return lines + [f"In {share:.1%} of the points drawn: {_with_meaning(text)}." for text, share in shares.items()]
+
+
+def _unknown(some: "list[Uncertain]") -> str:
+    """Numbers that are drawn together: what they are, where they stand, and what is known of them."""
+    names = dict.fromkeys(QUANTITIES[one.quantity].meaning for one in some)
+    places = ", ".join(one.where for one in some)
+    return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"
+
+
+def _with_meaning(text: str) -> str:
+    name = re.match(r"\w+", text)
+    return text if name is None or name[0] not in QUANTITIES else QUANTITIES[name[0]].meaning + text.removeprefix(name[0])
+
+
+def doubt_table(findings: Findings) -> Table | None:
+    """Every doubt of the whole curve: the quantity, its value, what is claimed, and what that means."""
+    found = doubts_of(findings.answer.data)
+    if not found:
+        return None
+    rows = [_doubt_row(one) for one in found]
+    heads = ["what is doubtful", "it is", "claimed is", "at", "why, and what that means"]
+    return Table("Where the result leaves what the authors of its laws claim", heads, rows, stacked=True)
+
+
+def _doubt_row(doubt: Doubt) -> list[str]:
+    if not doubt.quantity:
+        return ["the result", "", "", "", f"{doubt.why} ({KINDS_OF_DOUBT[doubt.kind]})"]
+    row = QUANTITIES[doubt.quantity]
+    unit = f" {row.unit}" if row.unit else ""
+    ends = " to ".join(dict.fromkeys((f"{doubt.least:.3g}", f"{doubt.most:.3g}")))
+    low, high = (f"{end:g}{unit}" if np.isfinite(end) else "" for end in (doubt.low, doubt.high))
+    claimed = f"{low} to {high}" if low and high else f"{low} or more" if low else f"{high} or less"
+    at = f"{doubt.outside} of {doubt.points} points" if doubt.points > 1 else "the point"
+    return [f"{row.meaning} ({row.symbol})", ends + unit, claimed, at, f"{doubt.why} ({KINDS_OF_DOUBT[doubt.kind]})"]
+
+
+def notes(findings: Findings) -> list[str]:
+    """What else is to be known of the result: measured errors, inputs that change nothing, what mu means."""
+    questioned = [f"Questioned: {one}" for one in findings.questions]
+    return [*questioned, *(f"{one[0].upper()}{one[1:]}." for one in run_notes(findings.answer.data))]
+
+
+def scan_parts(findings: Findings) -> list[tuple[str, list[tuple[str, str]], Table, list[str]]]:
+    """Of each scan its title, facts, asperities by every method, and notes."""
+    from stiction.report.surface_tables import asperity_table, surface_notes, surface_summary
+
+    parts = []
+    for body, found in findings.analyses.items():
+        summary = of_printed(surface_summary(found), "")
+        told = [(row[0], row[1]) for row in summary.rows]
+        table = of_printed(asperity_table(found), f"Asperities of the {body} body by every method")
+        parts.append((f"{body.capitalize()} body", told, table, [one.plain for one in surface_notes(found)]))
+    return parts
+
+
+def versions() -> list[tuple[str, str]]:
+    """What computed this: programs with their versions, no place on any machine."""
+    rows = [("stiction", version("stiction")), ("Python", platform.python_version())]
+    for name in _PACKAGES:
+        try:
+            rows.append((name, version(name)))
+        except PackageNotFoundError:  # pragma: no cover - all of them are required
+            continue
+    return [*rows, ("system", f"{platform.system()} {platform.machine()}")]
+
+
+def command(name: str, load: Any, ranges: bool | None) -> str:
+    """The command line that makes the report again."""
+    words = ["stiction", "report", name, "--out", "report.html"]
+    words += ["--load", str(load)] if load is not None else []
+    words += [] if ranges is None else ["--ranges" if ranges else "--no-ranges"]
+    return shlex.join(words)
+
+
+def measured_table(findings: Findings) -> Table | None:
+    """sigma, R and N of a measured surface by every method, with the friction that follows."""
+    if findings.case.measured is None:
+        return None
+    from stiction.report.surface_tables import roughness_table
+
+    found = roughness_table(findings.case.measured, findings.answer.data)
+    return of_printed(found, "The roughness of both bodies together by every method; the one taken is bold")
+
+
+def sources_of(findings: Findings) -> tuple[list[str], list[str], list[str]]:
+    """Keys of the bibliography: what the answer used, what the numbers of its materials are from, and what only the models
+    compared with it did."""
+    measured = findings.case.measured
+    own = dict.fromkeys(findings.answer.data.attrs["sources"].split())
+    own |= dict.fromkeys([] if measured is None else measured.sources())
+    known = bibliography()
+    said = " ".join(str(row[-1]) for table in groups_of_inputs(findings) for row in table.rows)
+    of_materials = [key for key in dict.fromkeys(re.findall(r"\[(\w+)\]", said)) if key in known and key not in own]
+    told = findings.answer.told
+    others = [] if told is None else [key for key in told.attrs["sources"].split() if key not in (*own, *of_materials)]
+    return list(own), of_materials, others

@@ -1,0 +1,71 @@
+"""What bears load, area and friction: the parts of a result as stacked shares."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from stiction.quantities.table import QUANTITIES
+from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, finish, label, say
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["part_in_words", "share_figure", "shares_of", "stacks"]
+
+_COLOURS = (BLUE, ORANGE, GREEN, RED, SKY)
+_HATCHES = ("", "//", "..", "\\\\", "xx")
+
+
+def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
+    """What may be drawn as shares: words -> the total and its parts, found by their names and units among the results."""
+    found: dict[str, tuple[str, list[str]]] = {}
+    for total, stem, words in (("contact_area", "contact_area", "contact area"), ("friction_force", "friction", "friction"),
+                               ("load", "load", "load")):  # fmt: skip
+        if total not in curve:
+            continue
+        parts = [str(name) for name in curve.data_vars
+                 if str(name).startswith(f"{stem}_") and name != total and name in QUANTITIES
+                 and QUANTITIES[str(name)].unit == QUANTITIES[total].unit]  # fmt: skip
+        bodies = [name for name in parts if name.endswith(("_film", "_substrate"))]
+        states = [name for name in parts if name not in bodies]
+        for kind, names in (("by state", states), ("film and substrate", bodies)):
+            if len(names) > 1:
+                found[f"{words}, {kind}"] = (total, names)
+    return found
+
+
+def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
+    """Shares (parts, points) of the sizes of parts; not a number where there are none."""
+    sizes = np.abs([np.asarray(curve[name].values, dtype=float) for name in parts])
+    total = sizes.sum(axis=0)
+    return np.divide(sizes, total, out=np.full(sizes.shape, np.nan), where=total > 0.0)
+
+
+def part_in_words(name: str, total: str) -> str:
+    """What a part is called: "elastic-plastic" of contact_area_elastic_plastic."""
+    stem = "friction_" if total == "friction_force" else f"{total}_"
+    return name.removeprefix(stem).replace("_", "-")
+
+
+def share_figure(curve: "xarray.Dataset", what: str, size: tuple[float, float] = (5.2, 3.9)) -> Figure:
+    """One of the stacks of a curve, over the loads that press; colours with hatches, for those who cannot tell them apart."""
+    total, parts = stacks(curve)[what]
+    figure = Figure(figsize=size, layout="constrained")
+    axes = figure.subplots()
+    load, shares = curve["load"].values, shares_of(curve, parts)
+    order = np.argsort(load)
+    drawn = order[(load[order] > 0.0) & np.isfinite(shares[:, order]).all(axis=0)]
+    axes.set(xlabel=label(curve["load"]), ylabel=f"share of {what.partition(',')[0]}")
+    if drawn.size < 2:
+        say(axes, "fewer than two loads press here")
+        return figure
+    edges = np.vstack([np.zeros(drawn.size), np.cumsum(shares[:, drawn], axis=0)])
+    for at, name in enumerate(parts):
+        look: dict[str, Any] = {"facecolor": _COLOURS[at % 5], "hatch": _HATCHES[at % 5], "edgecolor": "white", "linewidth": 0.0}
+        axes.fill_between(load[drawn], edges[at], edges[at + 1], label=part_in_words(name, total), **look)
+    axes.set(xscale="log", ylim=(0.0, 1.0), xlim=(load[drawn][0], load[drawn][-1]))
+    finish(axes)
+    figure.legend(loc="outside upper center", ncols=min(len(parts), 3), fontsize=9, frameon=False)
+    return figure

@@ -1,0 +1,228 @@
+"""From rest to sliding: the tangential force that a rough surface carries as it is moved aside, asperity by asperity.
+
+Every asperity sticks, slips from its rim inwards, and slides at a displacement of its own: which of them are at their strength
+together is summed here, and not assumed. At each displacement the asperities are another law, summed over heights at the mean
+separation that the load had made (`laws/presliding/mindlin_1949.py` has the equations).
+"""
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.contact.subject import Subject, as_subject
+from stiction.engine.heights import Heights
+from stiction.engine.summation import FARTHEST
+from stiction.laws.presliding.shared.partial_slip import slipping_law, sticking_law
+from stiction.quantities.dimensions import aligned
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import floats
+from stiction.solving.candidates import choice_of
+from stiction.solving.choice import without_old_names
+from stiction.solving.problem import Problem, Sum, as_asked, make_problem
+from stiction.solving.results import labelled, summary_of
+from stiction.solving.solve import all_dims, inverted, point_coordinates, points_asked, summed
+
+if TYPE_CHECKING:
+    import xarray
+
+_PRESLIDING = "mindlin_1949"
+_AT_ONCE = 50_000  # displacements at once, each of which is a law of its own: bounds the memory
+_POINTS = 61  # of a curve, where none are given
+_NEARLY = 0.99  # of a force that is only tended to
+# Where a largest force is looked for, over the displacement that the strength would need at the first stiffness; and how often
+# the step there is narrowed.
+_WAY = np.geomspace(1e-3, 1e3, 121)
+_NARROWED = 40
+
+
+def slide(
+    contact: Subject,
+    *,
+    separation: Any = None,
+    load: Any = None,
+    displacement: Any = None,
+    kept: float = 1.0,
+    model: str = "soft_coating_2015",
+    heights: Heights | str | None = None,
+    **laws: str | None,
+) -> "xarray.Dataset":
+    """Tangential force against displacement of a contact that is pressed and moved aside, up to sliding.
+
+    contact, separation or load, model, heights, laws: as in `solve`, without a film; the model must be a sum over an asperity
+    law and have a tangential law, which gives each asperity its strength. displacement: tangential displacements from rest, m
+    for a Contact, over sigma for Indices; by default 61 of them, to one and a half times the largest sliding displacement. kept:
+    the share of its strength that an asperity keeps once it slides, 0 to 1; 1 is Coulomb's law.
+
+    Returns an xarray.Dataset with friction_force and friction_coefficient, all asperities at their strength together, which the
+    force cannot pass; tangential_stiffness, the slope of the force at rest, of all asperities that have a strength;
+    largest_tangential_force,
+    largest_friction_coefficient and sliding_displacement, where that is; and along `displacement` the tangential_force, which
+    keeps its largest value only if kept is 1, and, then, the energy_loss of a cycle between that displacement and its opposite.
+    Asperities are moved together, whatever holds the bodies; plastic ones stick as if they were elastic. Raises InputError.
+    """
+    subject = as_subject(contact)
+    choice = choice_of(model, {**without_old_names(laws), "presliding": _PRESLIDING}, subject)
+    problem = _checked(make_problem(contact, choice, heights))
+    sliding = Sliding(problem, _share(kept))
+    subject = problem.subject
+    if (separation is None) == (load is None):
+        raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
+    name, given = ("load", load) if separation is None else ("mean_separation", separation)
+    point = points_asked(subject, name, given)
+    factors = subject.scales().factors()
+    dims = all_dims(problem, [point, *factors.values()])
+    static = _static(problem, name, point, factors, dims)
+    static["tangential_stiffness"] = sliding.stiffness(static["mean_separation"])
+    ends = sliding.ends(static)
+    moved = _displacements(subject, displacement, ends["sliding_displacement"] * aligned(factors["m"], dims))
+    whole = all_dims(problem, [point, *factors.values(), moved])
+    curve = sliding.curve(static, np.broadcast_to(aligned(moved, whole) / aligned(factors["m"], whole), tuple(whole.values())))
+    coords = problem.coords | point_coordinates(point, moved)
+    data = labelled(subject, static | ends, factors, dims, coords)
+    data = data.merge(labelled(subject, curve, factors, whole, problem.coords | point_coordinates(moved)))
+    for coordinate in ("displacement", name):
+        if coordinate in data.coords:
+            data[coordinate].attrs = subject.attributes(coordinate)
+    return data.assign_attrs(sliding.summary(static))
+
+
+def _share(kept: Any) -> float:
+    value = floats(kept, "kept", "a number from 0 to 1")
+    if value.ndim or not 0.0 <= value <= 1.0:
+        raise InputError("kept", kept, "a number from 0 to 1")
+    return float(value)
+
+
+def _checked(problem: Problem) -> Sum:
+    """The problem, if it is known how its asperities slip; InputError, with the reason, where not."""
+    model = problem.record
+    if problem.groups.has_film:
+        raise InputError("contact", "with a film", "a bare contact: how film and substrate share a displacement is not known")
+    if problem.chosen.tangential is None:
+        wanted = f"a tangential law, which says what an asperity withstands: {model.key} takes none by itself"
+        raise InputError("tangential", "none", wanted)
+    assert isinstance(problem, Sum)  # theories in closed form know no presliding
+    for name, values in model.own_options.items() if model.regimes is not None else ():
+        if problem.options[name] != values[0]:
+            raise InputError(name, problem.options[name], f"{values[0]}: of other readings single asperities are not known")
+    return problem
+
+
+def _static(problem: Sum, name: str, point: Any, factors: Any, dims: dict[str, int]) -> dict[str, np.ndarray]:
+    """What `solve` has at these points, normalised, of the shape of these dimensions; mean_separation first."""
+    shape = tuple(dims.values())
+    wanted = np.broadcast_to(aligned(point, dims) / aligned(factors["N" if name == "load" else "m"], dims), shape)
+    if name == "load":
+        h = inverted(problem, wanted, aligned(factors["N"], dims)).h.reshape(shape)
+    elif np.abs(wanted).max(initial=0.0) <= FARTHEST:
+        h = wanted
+    else:
+        raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
+    results = summed(problem, h, shape)
+    return {"mean_separation": h} | (as_asked(results, wanted) if name == "load" else results)
+
+
+def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
+    """The displacements asked for, with a dimension; by default beyond where the last of the contacts slides."""
+    if given is None:
+        farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
+        if not farthest > 0.0:
+            raise InputError("displacement", None, "displacements: this contact has no friction, and none at which it slides")
+        given = np.linspace(0.0, 1.5 * farthest, _POINTS)
+    moved = points_asked(subject, "displacement", given)
+    if not np.size(moved):
+        raise InputError("displacement", "no values", "at least one value")
+    if float(np.min(moved)) < 0.0:
+        raise InputError("displacement", subject.show(float(np.min(moved)), "displacement"), "0 or more")
+    return moved
+
+
+@dataclass(frozen=True)
+class Sliding:
+    """A problem whose asperities are moved aside; kept: the share of its strength that one keeps once it slides."""
+
+    problem: Sum
+    kept: float
+
+    def at(self, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
+        """Force and energy lost in a cycle, normalised (2, *shape), at separations and displacements over sigma, of one shape in
+        which the contacts' dimensions come first."""
+        laws = len(self.problem.groups)
+        row = np.repeat(np.arange(laws), math.prod(h.shape) // laws)
+        flat, moved = h.reshape(-1), np.ascontiguousarray(displacement, dtype=float).reshape(-1)
+        parts = []
+        for start in range(0, flat.size, _AT_ONCE):
+            some = slice(start, start + _AT_ONCE)
+            parts.append(self._summed(row[some], flat[some], moved[some]))
+        return np.concatenate(parts, axis=1).reshape(2, *h.shape)
+
+    def stiffness(self, h: np.ndarray) -> np.ndarray:
+        """The slope of the force at rest, of the shape of the separations: of all asperities that have a strength."""
+        chosen = self.problem.chosen
+        assert chosen.tangential is not None
+        still = replace(self.problem, chosen=replace(chosen, tangential=sticking_law(chosen.tangential), presliding=None))
+        laws = len(self.problem.groups)
+        return still.forces(h.reshape(-1), np.repeat(np.arange(laws), h.size // laws))[0].reshape(h.shape)
+
+    def _summed(self, row: np.ndarray, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
+        chosen = self.problem.chosen
+        assert chosen.tangential is not None
+        law = slipping_law(chosen.tangential, displacement, self.kept)
+        moved = replace(self.problem, groups=self.problem.groups[row], chosen=replace(chosen, tangential=law, presliding=None))
+        return moved.forces(h, np.arange(h.size))
+
+    def curve(self, static: dict[str, np.ndarray], displacement: np.ndarray) -> dict[str, np.ndarray]:
+        """The force at displacements of the full shape, and the energy lost in cycles."""
+        h = static["mean_separation"]
+        wide = np.broadcast_to(h.reshape(h.shape + (1,) * (displacement.ndim - h.ndim)), displacement.shape)
+        force, loss = self.at(wide, displacement)
+        # What the branches of a cycle are like when asperities have let go is not known.
+        return {"tangential_force": force} | ({"energy_loss": loss} if self.kept == 1.0 else {})
+
+    def ends(self, static: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        """The largest force and where it is: Coulomb's comes to 99 % of its own there, another has its peak."""
+        h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
+        held = (strength > 0.0) & (stiffness > 0.0)
+        unit = np.divide(1.5 * strength, stiffness, where=held, out=np.ones_like(strength))
+        if self.kept == 1.0:
+            where, largest = self._nearly(h, unit, _NEARLY * strength), strength
+        else:
+            where, largest = self._peak(h, unit)
+        where = np.where(held & np.isfinite(where), where, np.nan)
+        ratio = np.divide(largest, static["load"], where=static["load"] > 0.0, out=np.full(h.shape, np.nan))
+        return {
+            "largest_tangential_force": np.where(held, largest, strength),
+            "largest_friction_coefficient": ratio,
+            "sliding_displacement": where,
+        }
+
+    def _nearly(self, h: np.ndarray, unit: np.ndarray, force: np.ndarray) -> np.ndarray:
+        """Where this force is reached, by bisection; not a number where that is beyond all that is looked at."""
+        low, high = np.log(unit * _WAY[0]), np.log(unit * _WAY[-1])
+        reached = self.at(h, np.exp(high))[0] >= force
+        for _ in range(_NARROWED):
+            middle = 0.5 * (low + high)
+            above = self.at(h, np.exp(middle))[0] >= force
+            low, high = np.where(above, low, middle), np.where(above, middle, high)
+        return np.where(reached, np.exp(high), np.nan)
+
+    def _peak(self, h: np.ndarray, unit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Where the force is largest, and it: the best of many displacements, and golden sections around that."""
+        found = np.stack([self.at(h, unit * one)[0] for one in _WAY])
+        best = np.clip(found.argmax(axis=0), 1, len(_WAY) - 2)
+        low, high = np.log(unit * _WAY[best - 1]), np.log(unit * _WAY[best + 1])
+        golden = 0.5 * (math.sqrt(5.0) - 1.0)
+        for _ in range(_NARROWED):
+            left, right = high - golden * (high - low), low + golden * (high - low)
+            falls = self.at(h, np.exp(left))[0] > self.at(h, np.exp(right))[0]
+            low, high = np.where(falls, low, left), np.where(falls, right, high)
+        where = np.exp(0.5 * (low + high))
+        return where, self.at(h, where)[0]
+
+    def summary(self, static: dict[str, np.ndarray]) -> dict[str, Any]:
+        known = summary_of(self.problem.subject, self.problem, static)
+        how = "all of its strength" if self.kept == 1.0 else f"{self.kept:g} of its strength"
+        title = f"Tangential force up to sliding after {known['model']}"
+        return known | {"title": title, "kept": self.kept, "sliding": f"an asperity that slides keeps {how}"}

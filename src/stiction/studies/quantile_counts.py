@@ -1,0 +1,93 @@
+"""Quantiles of any number of values in bounded memory: how many values there are of each size.
+
+A size is a value's sign, exponent and first seven binary digits: bins that are 1/128 of their lower end wide or less, and the
+same for everybody, so that counts of parts add up to those of the whole, in whatever order and to the last one. A quantile is
+the middle of its bin, within 1/256 of the true one. Source: counts in bins of constant relative width, which bound the relative
+error of quantiles and can be added, Masson, Rim & Lee 2019 (DDSketch), section 2.
+"""
+
+from collections.abc import Iterable, Mapping
+from itertools import pairwise
+
+import numpy as np
+
+__all__ = ["PERCENTILES", "counted", "quantiles_of", "sizes_of", "values_at"]
+
+# Share of the values that are not above it, by the name of a statistic.
+PERCENTILES: Mapping[str, float] = {
+    "percentile_1": 0.01,
+    "percentile_5": 0.05,
+    "percentile_25": 0.25,
+    "median": 0.5,
+    "percentile_75": 0.75,
+    "percentile_95": 0.95,
+    "percentile_99": 0.99,
+}
+_CUT = 52 - 7  # binary digits that are left out of the 52 that a number has
+_FLIPPED = np.int64(2**63 - 1)  # of a negative number all but the sign: then they are in order, too
+_MIDDLE = 1 << (63 - _CUT)  # sizes below belong to negative numbers
+
+
+def sizes_of(values: np.ndarray) -> np.ndarray:
+    """The sizes (uint32, above 0) of finite float64 values, of the same shape: in the order of the values."""
+    bits = np.ascontiguousarray(values, dtype=np.float64).view(np.int64)
+    return (((bits ^ ((bits >> 63) & _FLIPPED)) >> _CUT) + _MIDDLE).astype(np.uint32)
+
+
+def values_at(sizes: np.ndarray) -> np.ndarray:
+    """The middles of the bins of these sizes; 0 of the bins beside 0."""
+    first = (sizes.astype(np.int64) - _MIDDLE) << _CUT
+    ends = (first, first + ((1 << _CUT) - 1))
+    low, high = ((end ^ ((end >> 63) & _FLIPPED)).view(np.float64) for end in ends)
+    middle = 0.5 * low + 0.5 * high
+    return np.where(np.abs(middle) < np.finfo(float).tiny, 0.0, middle)
+
+
+def counted(values: np.ndarray) -> np.ndarray:
+    """Of values (n, points), not numbers left out: sizes and how many there are of each, (2, points, n) uint32; those of each
+    point ascend, and there are none of size 0, which fills the rest."""
+    there = np.isfinite(values)
+    sizes = np.where(there, sizes_of(np.where(there, values, 0.0)), np.uint32(0)).T.copy()
+    sizes.sort(axis=1)
+    found = np.zeros((2, *sizes.shape), dtype=np.uint32)
+    if not sizes.size:
+        return found
+    flat, (points, n) = sizes.ravel(), sizes.shape
+    is_first = np.append(True, flat[1:] != flat[:-1])
+    is_first[::n] = True
+    start = np.flatnonzero(is_first)
+    many = np.diff(start, append=flat.size)
+    kept = flat[start] > 0
+    start, many = start[kept], many[kept]
+    point = start // n
+    place = np.arange(point.size) - np.searchsorted(point, np.arange(points))[point]
+    found[0, point, place], found[1, point, place] = flat[start], many
+    return found
+
+
+def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[float]) -> np.ndarray:
+    """The quantiles (shares, points) of all parts together, each (2, points, n) as `counted` gives: of the least size such that
+    so large a share of the values is of no larger one. Not a number where there are no values."""
+    keys, counts = np.empty(0, dtype=np.uint64), np.empty(0, dtype=np.int64)
+    for sizes, many in parts:
+        there = np.nonzero(sizes)
+        keys, counts = _added(keys, counts, (there[0].astype(np.uint64) << np.uint64(32)) | sizes[there], many[there])
+    shares = list(shares)
+    found = np.full((len(shares), points), np.nan)
+    ends = np.searchsorted(keys >> np.uint64(32), np.arange(points + 1, dtype=np.uint64))
+    for point, (start, stop) in enumerate(pairwise(ends)):
+        if stop > start:
+            up_to = np.cumsum(counts[start:stop])
+            rank = np.maximum(np.ceil(np.array(shares) * up_to[-1]), 1.0)
+            found[:, point] = values_at((keys[start:stop] & np.uint64(0xFFFFFFFF))[np.searchsorted(up_to, rank)])
+    return found
+
+
+def _added(keys: np.ndarray, counts: np.ndarray, more: np.ndarray, many: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Every key once, ascending, with its counts together; so are both that are given."""
+    place = np.searchsorted(keys, more)
+    known = place < keys.size
+    known[known] = keys[place[known]] == more[known]
+    counts[place[known]] += many[known]
+    new = ~known
+    return np.insert(keys, place[new], more[new]), np.insert(counts, place[new], many[new])

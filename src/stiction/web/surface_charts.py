@@ -1,0 +1,77 @@
+"""Charts of a scan: its spectrum with the waves that are kept, its heights in three dimensions."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.units import show
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.spectrum import BinnedSpectrum
+from stiction.web.charts import chart, ink_of, line
+from stiction.web.surface_work import Band
+
+__all__ = ["MARGINS", "solid_chart", "spectrum_chart", "wavevectors"]
+
+MARGINS = (74, 18)  # pixels from the left and the right edge of a chart to its axes
+_SHOWN = 96  # points along a side of the map in three dimensions
+_SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]
+_DECADES = 10  # of the spectrum; a filter leaves rounding below
+
+
+def wavevectors(surface: HeightMap) -> tuple[float, float]:
+    """Wavevectors [rad/m] of the longest and the shortest wave that a scan can have."""
+    return 2.0 * math.pi / max(surface.size), math.pi / surface.coarsest_pitch
+
+
+def spectrum_chart(
+    whole: BinnedSpectrum, kept: BinnedSpectrum, band: Band, ends: tuple[float, float], dark: bool
+) -> dict[str, Any]:
+    """The spectrum as it was and of what is kept, between the ends [rad/m]; shaded where waves are taken out."""
+    most = float(np.max(whole.density))
+    top = math.ceil(math.log10(most))
+    limits = [10.0 ** (top - _DECADES), 10.0**top]
+    left_out = []
+    if band.longest is not None:
+        left_out.append((ends[0], 2.0 * math.pi / band.longest, f"longer than {show(band.longest, 'scan_size', 3)}"))
+    if band.shortest is not None:
+        left_out.append((2.0 * math.pi / band.shortest, ends[1], f"shorter than {show(band.shortest, 'scan_size', 3)}"))
+    area = {
+        "silent": True,
+        "itemStyle": {"color": "rgba(128, 128, 128, 0.25)"},
+        "label": {"color": ink_of(dark), "position": "insideTop"},
+        "data": [[{"xAxis": low, "name": said}, {"xAxis": high}] for low, high, said in left_out],
+    }
+    series = []
+    for name, one, at in (("as measured", whole, 1), ("of the waves that are kept", kept, 0)):
+        seen = np.where(one.density > limits[0], one.density, np.nan)
+        series.append(line(name, one.wavevector, seen, at, showSymbol=False, clip=True))
+    series[1]["markArea"] = area
+    unit = "m^3" if whole.is_profile else "m^4"
+    x = {"type": "log", "name": "wavevector q [rad/m]", "min": ends[0], "max": ends[1]}
+    y = {"type": "log", "name": f"C [{unit}]", "min": limits[0], "max": limits[1]}
+    options = chart("radially averaged power spectrum against the wavevector", x, y, series, dark)
+    options["grid"] |= {"left": MARGINS[0], "right": MARGINS[1]}
+    return options
+
+
+def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
+    """The heights in three dimensions, of some of the points; the vertical is stretched."""
+    rows, columns = (max(count // _SHOWN, 1) for count in surface.heights.shape)
+    heights = surface.heights[::rows, ::columns] * 1e9
+    y, x = (np.arange(count) * step * pitch * 1e6 for count, step, pitch in
+            zip(heights.shape, (rows, columns), surface.pitch, strict=True))  # fmt: skip
+    points = [[float(a), float(b), None if np.isnan(z) else float(z)] for b, row in zip(y, heights, strict=True)
+              for a, z in zip(x, row, strict=True)]  # fmt: skip
+    seen = [float(np.nanmin(heights)), float(np.nanmax(heights))]
+    ink = ink_of(dark)
+    look = {"axisLine": {"lineStyle": {"color": ink}}, "axisLabel": {"color": ink}, "nameTextStyle": {"color": ink}}
+    axes = {
+        f"{name}Axis3D": {"type": "value", "name": said, "nameGap": 30, "splitNumber": 3, **look}
+        for name, said in (("x", "x [um]"), ("y", "y [um]"), ("z", "z [nm]"))
+    }
+    return axes | {
+        "grid3D": {"boxHeight": 30, "viewControl": {"distance": 230}},
+        "visualMap": {"min": seen[0], "max": seen[1], "dimension": 2, "inRange": {"color": _SHADES}, "show": False},
+        "series": [{"type": "surface", "wireframe": {"show": False}, "data": points, "dataShape": list(heights.shape)}],
+    }

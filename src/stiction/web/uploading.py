@@ -1,0 +1,33 @@
+"""A button that takes a file from the visitor. What is refused is said; it goes to the folder of this visitor alone."""
+
+from collections.abc import Awaitable, Callable
+
+from nicegui import ui
+from nicegui.events import UploadEventArguments
+
+from stiction.web.drawn import attributes
+from stiction.web.explorer import Explorer
+
+__all__ = ["upload_button"]
+
+
+def upload_button(
+    explorer: Explorer,
+    label: str,
+    taken: Callable[[str, str], Awaitable[None]],
+    refused: Callable[[str], None],
+    most: int,
+) -> None:
+    """The button. taken(path, name): told where the file is kept and what it was called; refused: told why one is not
+    taken; most: bytes."""
+
+    async def arrived(event: UploadEventArguments) -> None:
+        await taken(explorer.upload(event.file.name, await event.file.read()), event.file.name)
+        hidden.reset()  # another one may come
+
+    hidden = ui.upload(auto_upload=True, max_files=1, max_file_size=most, on_upload=arrived)
+    hidden.on_rejected(lambda: refused(f"{label}: refused; allowed: one file of {most // 2**20} MiB at most"))
+    # Of the library's own box only what sends the file is used: it has parts without a name.
+    attributes(hidden, aria_label=label).style("display: none")
+    button = ui.button(label, icon="upload_file").props("no-caps outline")
+    button.on("click", js_handler=f"() => getElement({hidden.id}).pickFiles()")
