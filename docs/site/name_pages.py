@@ -15,8 +15,8 @@ from pydantic import BaseModel
 GROUPS = {
     "A contact": ("Contact", "Roughness", "Coating", "Material", "material", "work_of_adhesion", "Indices", "axis",
                   "height_distribution"),
-    "Friction": ("solve", "unload", "evaluate", "Evaluation", "summary"),
-    "Case files": ("read_case", "solve_case", "compare_case"),
+    "Friction": ("solve", "unload", "slide", "evaluate", "Evaluation", "summary"),
+    "Case files": ("read_case", "solve_case", "compare_case", "slide_case", "write_report"),
     "Studies": ("compare", "uncertainty", "sensitivity", "sweep", "fit", "design", "validate", "film_stresses"),
     "Measured surfaces": ("read_scan", "HeightMap", "prepared", "analyse", "asperities", "resolution_study", "fan",
                           "gaussian_surface", "non_gaussian_surface", "SelfAffine"),
