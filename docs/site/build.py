@@ -23,10 +23,10 @@ sys.path += [str(HERE), str(HERE.parent), str(HERE.parents[1] / "tests" / "docs"
 import case_pages  # noqa: E402 - beside this file
 import command_pages  # noqa: E402
 import gallery  # noqa: E402
-import links  # noqa: E402
 import model_pages  # noqa: E402
 import name_pages  # noqa: E402
 import notebooks  # noqa: E402
+from dead_links import dead_links  # noqa: E402
 from links import ROOT, place_of, relinked  # noqa: E402
 
 # Pages of the project that are in the site though they are not in docs/; more come by links to them.
@@ -98,9 +98,12 @@ def main() -> int:
     began = time.monotonic()
     failed = build(given.out)
     print(f"{'sphinx':14} {time.monotonic() - began:5.1f} s")
-    if not failed:
+    dead = list(dead_links(given.out / "html"))
+    if dead:
+        print(*dead, sep="\n", file=sys.stderr)
+    if not (failed or dead):
         print(f"The site is {given.out / 'html' / 'index.html'}")
-    return failed
+    return failed or bool(dead)
 
 
 if __name__ == "__main__":
