@@ -1,8 +1,10 @@
 """Friction against film thickness, with error bars.
 
-Silver on bearing steel at 1 N. Nobody knows the strength of the interface, the work of adhesion and the hardness of a thin film to
-a few per cent: each is given with its error, and the bars hold 90 % of what comes of that.
+Silver on bearing steel at 1 N. Nobody knows the strength of the interface, the work of adhesion and the hardness of a thin
+film to a few per cent: each is given with its error, and the bars hold 90 % of what comes of that.
 """
+
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 
@@ -40,8 +42,7 @@ film = "layered"
 count = 128
 """
 
-with open("film.toml", "w", encoding="utf-8") as file:
-    file.write(CASE)
+Path("film.toml").write_text(CASE, encoding="utf-8")
 data = st.solve_case(st.read_case("film.toml")).squeeze()
 mu = data["friction_coefficient"]
 thickness = data["thickness"].values * 1e9

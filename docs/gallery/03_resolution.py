@@ -1,7 +1,7 @@
 """Friction against the resolution of the scan.
 
-A scan shows more and sharper asperities the finer it is. Here the shortest waves are taken out of one made surface, step by step;
-each line is one way of finding asperities. Where the lines do not become level, the answer is one of the instrument.
+A scan shows more and sharper asperities the finer it is. Here the shortest waves are taken out of one made surface, step by
+step; each line is one way of finding asperities. Where the lines do not become level, the answer is one of the instrument.
 """
 
 import matplotlib.pyplot as plt

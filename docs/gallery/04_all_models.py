@@ -1,8 +1,8 @@
 """All models on one contact.
 
-Every model that applies to two bearing steels with a boundary film, each with its friction over four decades of load. Grey lines
-are outside of what their authors claim at the working load; the thick one is recommended, by the errors that were measured
-against solved surfaces (docs/trust.md).
+Every model that applies to two bearing steels with a boundary film, each with its friction over four decades of load. Grey
+lines are outside of what their authors claim at the working load; the thick one is recommended, by the errors that were
+measured against solved surfaces (docs/trust.md).
 """
 
 import matplotlib.pyplot as plt

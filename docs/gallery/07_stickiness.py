@@ -1,7 +1,7 @@
 """When does a rough surface stick?
 
-Rubber-like and stiff bodies against the roughness: the pull-off force that is left of smooth contact (fuller_tabor_1975: an array of
-contacts, solved at once), and the border of Pastewka & Robbins, beyond which contact needs a load.
+Rubber-like and stiff bodies against the roughness: the pull-off force that is left of smooth contact (fuller_tabor_1975: an
+array of contacts, solved at once), and the border of Pastewka & Robbins, beyond which contact needs a load.
 """
 
 import matplotlib.pyplot as plt
@@ -38,7 +38,9 @@ figure, axes = plt.subplots(figsize=(6.5, 4.5), layout="constrained")
 levels = np.geomspace(1e-6, 1.0, 13)
 shown = axes.contourf(sigma * 1e9, modulus, np.maximum(left_over, 1e-6), levels=levels, norm="log", cmap="viridis")
 axes.contour(sigma * 1e9, modulus, border, levels=[1.0], colors="red", linewidths=2.5)
-axes.set(xscale="log", yscale="log", xlabel="sigma of the asperity heights [nm]", ylabel="Young's modulus of the softer body [Pa]")
+axes.set(
+    xscale="log", yscale="log", xlabel="sigma of the asperity heights [nm]", ylabel="Young's modulus of the softer body [Pa]"
+)
 axes.set_title("Pull-off, over that of asperities all at one height; red: Pastewka & Robbins", fontsize="medium")
 figure.colorbar(shown, label="pull-off force, relative")
 figure.savefig("stickiness.png", dpi=120)

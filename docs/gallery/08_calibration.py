@@ -4,6 +4,8 @@ The measured points are synthetic: 150 MPa that rise by 0.05 of the pressure, wi
 their intervals, and a band for what was not measured.
 """
 
+from pathlib import Path
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -44,8 +46,7 @@ CASE = {
     },
 }
 
-with open("measured.csv", "w", encoding="utf-8") as file:
-    file.write(MEASURED)
+Path("measured.csv").write_text(MEASURED, encoding="utf-8")
 data = st.fit(CASE, "measured.csv")
 load, mu, error = np.loadtxt("measured.csv", delimiter=",", skiprows=1, unpack=True)
 
@@ -57,7 +58,9 @@ axes.plot(predicted["load"], predicted, label="fitted")
 axes.fill_between(predicted["load"], low, high, alpha=0.2, label="band of the fit")
 told = "\n".join(
     f"{name.item()}: {value:.3g} ({least:.3g} to {most:.3g})"
-    for name, value, least, most in zip(data["parameter"], data["value"].values, data["low"].values, data["high"].values, strict=True)
+    for name, value, least, most in zip(
+        data["parameter"], data["value"].values, data["low"].values, data["high"].values, strict=True
+    )
 )
 axes.set(xscale="log", xlabel="load [N]", ylabel="static friction coefficient", ylim=(0.0, None))
 axes.set_title(told, fontsize="small")

@@ -25,7 +25,11 @@ axes.plot(down["mean_separation"] * 1e9, down["load"], color="black", label="pre
 for load in (0.5, 2.0, 6.0):
     distance = np.linspace(0.0, 40e-9, 200)
     back = st.unload(contact, pressed_with=load, distance=distance, **laws)
-    axes.plot(back["mean_separation"] * 1e9, back["load"], label=f"back from {load:g} N: pull-off {float(back['pull_off_force']):.2g} N")
+    axes.plot(
+        back["mean_separation"] * 1e9,
+        back["load"],
+        label=f"back from {load:g} N: pull-off {float(back['pull_off_force']):.2g} N",
+    )
 axes.axhline(0.0, color="grey", linewidth=0.8)
 axes.set(xlabel="mean separation [nm]", ylabel="net load [N]", title="Silver on silver, w = 1 J/m$^2$")
 axes.legend(fontsize="small")

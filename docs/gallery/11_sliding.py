@@ -1,8 +1,8 @@
 """From rest to sliding: the tangential force against the displacement.
 
-Asperities stick, slip from their rims inwards, and slide, each at a displacement of its own: high ones later than low ones. The force
-bends over smoothly, though every asperity obeys Coulomb's law; where asperities keep only a part of their strength once they
-slide, it falls, and the largest force is less than that of all at their strength together.
+Asperities stick, slip from their rims inwards, and slide, each at a displacement of its own: high ones later than low ones.
+The force bends over smoothly, though every asperity obeys Coulomb's law; where asperities keep only a part of their strength
+once they slide, it falls, and the largest force is less than that of all at their strength together.
 """
 
 import matplotlib.pyplot as plt

@@ -1,7 +1,8 @@
 """What the answer is uncertain by: inputs, or models?
 
-Two bearing steels with three numbers that are known within factors. Above, the band of the inputs by one model; below, what is left
-by the inputs, and by the choice of the model, each as if the other were known; and which of the inputs to measure better.
+Two bearing steels with three numbers that are known within factors. Above, the band of the inputs by one model; below, what
+is left by the inputs, and by the choice of the model, each as if the other were known; and which of the inputs to measure
+better.
 """
 
 import matplotlib.pyplot as plt
@@ -33,7 +34,9 @@ left.plot(data["load"], data["friction_coefficient"], label="as given")
 quantiles = data["friction_coefficient_quantile"]
 for low, high, alpha in ((0, -1, 0.2), (1, -2, 0.3)):
     left.fill_between(data["load"], quantiles.isel(quantile=low), quantiles.isel(quantile=high), alpha=alpha, color="C0")
-left.set(xscale="log", xlabel="load [N]", ylabel="static friction coefficient", title="Half, and 90 %, of the draws", ylim=(0, None))
+left.set(
+    xscale="log", xlabel="load [N]", ylabel="static friction coefficient", title="Half, and 90 %, of the draws", ylim=(0, None)
+)
 spreads = data.dropna("spread", subset=["spread_factor"]) if "methods" in data["spread"].values else data
 for at, name in enumerate(spreads["spread"].values):
     one = spreads.sel(spread=name)

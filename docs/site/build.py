@@ -3,8 +3,8 @@
     python docs/site/build.py            # all of it; warnings are errors
     python docs/site/build.py --only-sources    # only what Sphinx reads: build/docs/source
 
-What Sphinx reads is laid out first: the pages of docs/ as they are, with the links of the site, and the pages that are made here
-of what is said elsewhere: models, names, commands, the case file, executed tutorials and the gallery.
+What Sphinx reads is laid out first: the pages of docs/ as they are, with the links of the site, and the pages that are made
+here of what is said elsewhere: models, names, commands, the case file, executed tutorials and the gallery.
 """
 
 import argparse

@@ -43,7 +43,10 @@ def write(out: Path) -> list[PurePosixPath]:
 
 def page(schema: dict[str, Any]) -> Iterator[str]:
     yield from ("# Case file", "")
-    yield schema["description"] + " It is TOML. `stiction schema` prints the schema from which this page is made, for editors that"
+    yield (
+        schema["description"]
+        + " It is TOML. `stiction schema` prints the schema from which this page is made, for editors that"
+    )
     yield from ("complete and check as you type. Every number with a dimension is text with its unit.", "")
     yield from _table(schema)
     for name, title in TABLES.items():
@@ -68,7 +71,9 @@ def _table(part: dict[str, Any]) -> Iterator[str]:
     yield from ("| key | value | default | what it is |", "|---|---|---|---|")
     for name, one in rows.items():
         must = "**must be given**" if name in part.get("required", ()) else ""
-        default = f"`{one['default']}`" if one.get("default") not in (None, "") and not isinstance(one["default"], dict) else must
+        default = (
+            f"`{one['default']}`" if one.get("default") not in (None, "") and not isinstance(one["default"], dict) else must
+        )
         yield f"| `{name}` | {value_of(one)} | {default} | {_meaning(one)} |"
     yield ""
 

@@ -1,6 +1,6 @@
 """Links of the built site that lead nowhere: to no file of it, or to no place in a page.
 
-    python docs/site/dead_links.py build/docs/html
+python docs/site/dead_links.py build/docs/html
 """
 
 import sys

@@ -63,7 +63,9 @@ def write(out: Path) -> list[PurePosixPath]:
             f"```python\n{code}\n```\n\nAs a file: {{download}}`{script.name} </project/{FOLDER}/{script.name}>`.\n",
             encoding="utf-8",
         )
-        cards.append(f"::::{{grid-item-card}} {title}\n:link: {name}\n:link-type: doc\n:img-top: {name}.png\n:img-alt: {title}\n::::")
+        cards.append(
+            f"::::{{grid-item-card}} {title}\n:link: {name}\n:link-type: doc\n:img-top: {name}.png\n:img-alt: {title}\n::::"
+        )
     (folder / "index.md").write_text(_index(cards), encoding="utf-8")
     files = out / "project" / FOLDER
     files.mkdir(parents=True)
@@ -75,6 +77,6 @@ def write(out: Path) -> list[PurePosixPath]:
 def _index(cards: list[str]) -> str:
     names = "\n".join(name_of(script) for script in scripts())
     return (
-        "# Gallery\n\nPictures that people want to make, each with the short script that makes it; all of them run in the tests.\n\n"
+        "# Gallery\n\nPictures that people want to make, each with the short script that makes it; all run in the tests.\n\n"
         ":::::{grid} 1 2 2 3\n:gutter: 3\n\n" + "\n\n".join(cards) + f"\n:::::\n\n:::{{toctree}}\n:hidden:\n\n{names}\n:::\n"
     )

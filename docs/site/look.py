@@ -3,8 +3,8 @@
     python docs/site/look.py                        # thirty pages of build/docs/html
     python docs/site/look.py --out /some/folder     # and keeps what they look like
 
-Broken is: a picture that is not there, a formula that is not set, a page that is wider than the screen, an error of a script, and
-anything that is asked of a network. Chromium must be installed.
+Broken is: a picture that is not there, a formula that is not set, a page that is wider than the screen, an error of a script,
+and anything that is asked of a network. Chromium must be installed.
 """
 
 import argparse
@@ -21,7 +21,8 @@ FIRST = ("index", "tutorials/1-bare-metal", "theory", "published-models", "refer
 _BROKEN = """() => ({
   pictures: [...document.images].filter(one => one.complete && !one.naturalWidth).map(one => one.src),
   formulas: [...document.querySelectorAll('mjx-merror, mjx-container mtext[mathcolor=red]')].map(one => one.textContent)
-    .concat([...document.querySelectorAll('.math')].filter(one => !one.querySelector('mjx-container')).map(one => one.textContent)),
+    .concat([...document.querySelectorAll('.math')].filter(one => !one.querySelector('mjx-container'))
+      .map(one => one.textContent)),
   wide: document.documentElement.scrollWidth > window.innerWidth + 1 ? [document.documentElement.scrollWidth] : [],
 })"""
 

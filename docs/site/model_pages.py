@@ -5,10 +5,10 @@ from pathlib import Path, PurePosixPath
 
 import make_tables
 import matplotlib.pyplot as plt
-import stiction as st
 from links import relinked
 from model_pictures import picture
 
+import stiction as st
 from stiction.laws.registry import KINDS, Record, records
 from stiction.laws.sources import bibliography
 
@@ -60,14 +60,15 @@ def page(row: dict, record: Record) -> str:
     named = _also_named(record)
     entries = st.cite(list(dict.fromkeys(source.key for source in record.sources))).strip() if record.sources else ""
     cited = f"\n\n## BibTeX\n\n```bibtex\n{entries}\n```" if entries else ""
-    return f"{heading}\n\n*{record.kind}: {record.title}.* {named}\n\n{rest}\n\n## As a picture\n\n{drawn}\n\n## Its record\n\n{points}{cited}\n"
+    parts = [heading, f"*{record.kind}: {record.title}.* {named}", rest, "## As a picture", drawn, "## Its record", points]
+    return "\n\n".join(parts) + f"{cited}\n"
 
 
 def _also_named(record: Record) -> str:
     """How it is chosen."""
     if not record.keyword:
         return ""
-    return f"Chosen with `{record.keyword}=\"{record.key}\"`."
+    return f'Chosen with `{record.keyword}="{record.key}"`.'
 
 
 def _with_sources(text: str, record: Record) -> str:
@@ -80,7 +81,12 @@ def _with_sources(text: str, record: Record) -> str:
 
 def index() -> str:
     """The list of all models, by kind."""
-    lines = ["# Every model", "", "What is behind each name: equations, picture, record and BibTeX. [Models](../models.md) explains the list.", ""]
+    lines = [
+        "# Every model",
+        "",
+        "What is behind each name: equations, picture, record and BibTeX. [Models](../models.md) explains the list.",
+        "",
+    ]
     for kind in KINDS:
         mine = [one for one in records() if type(one) is kind]
         lines += [f"## {TITLES[kind.kind]}", "", "| key | what it is | grade |", "|---|---|---|"]

@@ -7,9 +7,10 @@ from enum import Enum
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-import stiction as st
 from docstrings import as_markdown, summary
 from pydantic import BaseModel
+
+import stiction as st
 
 # What the public names are for; every name stands in exactly one group (held by a test).
 GROUPS = {

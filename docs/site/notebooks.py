@@ -1,8 +1,8 @@
 """The tutorials, executed: a page with what was printed and drawn, and a notebook that a reader can download.
 
-A tutorial is Markdown like every page of docs/, and its examples run in the tests as theirs do. Here its blocks of Python are run
-again, as a notebook would run them: a block shows what it prints, the figures that it leaves open in pyplot, and the value
-of its last line.
+A tutorial is Markdown like every page of docs/, and its examples run in the tests as theirs do. Here its blocks of Python are
+run again, as a notebook would run them: a block shows what it prints, the figures that it leaves open in pyplot, and the
+value of its last line.
 """
 
 import ast
@@ -135,8 +135,8 @@ def _code(text: str, shown: Shown) -> dict:
         outputs.append({"output_type": "stream", "name": "stdout", "text": _lines(shown.text)})
     if shown.html:
         outputs.append(_data({"text/html": _lines(shown.html), "text/plain": ["a table"]}))
-    for content in shown.pictures:
-        outputs.append(_data({"image/png": base64.b64encode(content).decode("ascii"), "text/plain": ["a figure"]}))
+    pictures = (base64.b64encode(content).decode("ascii") for content in shown.pictures)
+    outputs += [_data({"image/png": content, "text/plain": ["a figure"]}) for content in pictures]
     return {
         "cell_type": "code", "execution_count": None, "metadata": {}, "outputs": outputs, "source": _lines(text.rstrip("\n")),
     }  # fmt: skip

@@ -1,4 +1,4 @@
-"""What the site is laid out from: links, pages that are made, tutorials as notebooks, the gallery, and the search for dead links."""
+"""What the site is laid out from: links, pages that are made, tutorials, the gallery; and the search for dead links."""
 
 import json
 import re
@@ -58,7 +58,9 @@ def test_links_of_a_page_become_those_of_the_site(written, there, leads):
 
 
 def test_links_of_a_text_that_stands_elsewhere_are_meant_from_where_it_was():
-    text, _ = relinked("[a](theory.md) [b](#4-films)", PurePosixPath("docs/published-models.md"), PurePosixPath("models-by-name/x.md"))
+    text, _ = relinked(
+        "[a](theory.md) [b](#4-films)", PurePosixPath("docs/published-models.md"), PurePosixPath("models-by-name/x.md")
+    )
     assert text == "[a](../theory.md) [b](../published-models.md#4-films)"
 
 
@@ -78,7 +80,10 @@ def test_page_of_a_name_says_what_its_docstring_says():
 
 def test_arguments_in_a_docstring_become_a_list():
     text = "What it is.\n\npath: of the\nfile. unit: of it.\nother: not listed.\n\nRaises InputError: never."
-    assert as_markdown(text, {"path"}) == "What it is.\n\n- `path`: of the\n  file. unit: of it.\n  other: not listed.\n\nRaises InputError: never."
+    assert (
+        as_markdown(text, {"path"})
+        == "What it is.\n\n- `path`: of the\n  file. unit: of it.\n  other: not listed.\n\nRaises InputError: never."
+    )
 
 
 def test_every_part_of_the_schema_has_its_section():
@@ -152,9 +157,10 @@ two = 2
 
 ```python
 import tomllib
+from pathlib import Path
 import matplotlib.pyplot as plt
 
-print(tomllib.load(open("two.toml", "rb"))["two"] + 3)
+print(tomllib.loads(Path("two.toml").read_text())["two"] + 3)
 plt.plot([1, 2]);
 ```
 
@@ -170,7 +176,6 @@ More.
 """
 
 
-@pytest.mark.filterwarnings("ignore::ResourceWarning")
 def test_tutorial_is_executed():
     page, notebook, pictures = notebooks.executed(TUTORIAL, "one")
     assert "an old output" not in page
@@ -187,8 +192,12 @@ def test_tutorial_is_executed():
 
 
 def test_dead_links_are_found(tmp_path):
-    (tmp_path / "a.html").write_text('<h1 id="x">A</h1><a href="b.html#y"></a><a href="#x"></a><img src="no.png">', encoding="utf-8")
-    (tmp_path / "b.html").write_text('<a href="a.html#x"></a><a href="a.html#z"></a><a href="https://example.org">', encoding="utf-8")
+    (tmp_path / "a.html").write_text(
+        '<h1 id="x">A</h1><a href="b.html#y"></a><a href="#x"></a><img src="no.png">', encoding="utf-8"
+    )
+    (tmp_path / "b.html").write_text(
+        '<a href="a.html#x"></a><a href="a.html#z"></a><a href="https://example.org">', encoding="utf-8"
+    )
     assert list(dead_links(tmp_path)) == [
         "a.html: b.html#y: no such place in the page",
         "a.html: no.png: no such file",
