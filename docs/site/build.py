@@ -56,7 +56,7 @@ def lay_out(out: Path) -> None:
         print(f"{write.__module__:14} {time.monotonic() - began:5.1f} s", flush=True)
     done: set[PurePosixPath] = set()
     while waiting:
-        path = waiting.pop()
+        path = waiting.pop(0)  # our own first: the README stands where docs/index.md does
         target = out / place_of(path)
         if path in done or target.exists():
             continue

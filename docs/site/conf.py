@@ -18,6 +18,7 @@ root_doc = "index"
 nitpicky = True
 templates_path: list[str] = []
 exclude_patterns: list[str] = []
+smartquotes = False  # options of commands have two hyphens
 
 myst_enable_extensions = ["attrs_block", "attrs_inline", "colon_fence", "deflist", "dollarmath", "html_image"]
 myst_heading_anchors = 5
@@ -38,3 +39,23 @@ html_theme_options = {
 copybutton_exclude = ".linenos, .gp, .go"
 pygments_style = "default"
 pygments_dark_style = "github-dark"
+
+
+def setup(app):
+    """Tables of measured series are shown as they are; formulas with a number of their own are not wrapped."""
+    from pygments.lexers.special import TextLexer
+
+    app.add_lexer("csv", TextLexer)
+    app.connect("doctree-read", numbered_as_written)
+
+
+def numbered_as_written(app, doctree):
+    r"""Sphinx puts formulas of several lines into an environment in which no \tag may stand: these are left as they are."""
+    from docutils import nodes
+
+    for formula in doctree.findall(nodes.math_block):
+        if r"\tag" in formula.astext():
+            text = rf"\[{formula.astext()}\]"
+            formula["nowrap"] = formula["no-wrap"] = True
+            formula.children = [nodes.Text(text)]
+            formula.rawsource = text

@@ -1,49 +1,45 @@
 """Docstrings of the project as Markdown.
 
-They are paragraphs, in which what is said of an argument begins a line with its name and a colon. Here each of those becomes an
-item of a list.
+They are paragraphs, in which what is said of an argument begins with its name and a colon. Here each becomes an item of
+a list.
 """
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 
-_SAYS = re.compile(r"^(\*{0,2}[a-z_]\w*(?:, [a-z_]\w*)*)(?=: )", re.IGNORECASE)
+# What is said of an argument, or of several: their names at the beginning of a sentence, and a colon.
+_SAYS = re.compile(r"(?:^|(?<=[.;)]) )(\*{0,2}[a-z_]\w*(?:, [a-z_]\w*)*): ", re.IGNORECASE)
 _NUMBERS = "Numbers, each with its SI unit:"
 _BLOCK = re.compile(r"^(?: {4}|[-|>]|\d+\. |```)")
+_PAGE = re.compile(r"(?<![\w/(])docs/([\w-]+)\.md")
 
 
-def as_markdown(text: str, names: Collection[str] = ()) -> str:
-    """The docstring as Markdown. names: those whose lines become items of a list."""
-    return "\n\n".join(_paragraph(one, names) for one in re.split(r"\n\s*\n", text.strip()))
+def as_markdown(text: str, names: Collection[str] = (), root: str = "") -> str:
+    """The docstring as Markdown. names: what is said of these becomes items of a list; root: the way to the pages of docs/."""
+    said = "\n\n".join(_paragraph(one, names) for one in re.split(r"\n\s*\n", text.strip()))
+    return _PAGE.sub(rf"[\1]({root}\1.md)", said) if root else said
 
 
 def _paragraph(text: str, names: Collection[str]) -> str:
     lines = text.split("\n")
-    every = lines[0] == _NUMBERS
-    if _BLOCK.match(lines[0]) or not any(_told(line, names, every) for line in lines):
+    if _BLOCK.match(text):
         return text
-    return "\n".join(_items(lines, names, every))
+    if lines[0] == _NUMBERS:
+        return "\n".join(
+            [_NUMBERS, "", *(f"- `{name}`: {rest}" for name, _, rest in (one.partition(": ") for one in lines[1:]))]
+        )
+    whole = " ".join(lines)
+    found = [one for one in _SAYS.finditer(whole) if all(name.lstrip("*") in names for name in one[1].split(", "))]
+    if not found:
+        return text
+    ends = [one.start() for one in found[1:]] + [len(whole)]
+    items = [f"- {_code(one[1])}: {whole[one.end() : end].strip()}" for one, end in zip(found, ends, strict=True)]
+    before = whole[: found[0].start()].strip()
+    return "\n".join([before, "", *items] if before else items)
 
 
-def _items(lines: list[str], names: Collection[str], every: bool) -> Iterator[str]:
-    inside = False
-    for at, line in enumerate(lines):
-        found = _told(line, names, every)
-        if found:
-            if at and not inside:
-                yield ""
-            inside = True
-            told = ", ".join(f"`{name}`" for name in found[1].split(", "))
-            yield f"- {told}{line[found.end() :]}"
-        else:
-            yield f"  {line}" if inside else line
-
-
-def _told(line: str, names: Collection[str], every: bool) -> re.Match | None:
-    """What a line is about, if that is names of arguments (or any name, with `every`)."""
-    found = _SAYS.match(line)
-    known = found and (every or all(name.lstrip("*") in names for name in found[1].split(", ")))
-    return found if known else None
+def _code(names: str) -> str:
+    return ", ".join(f"`{name}`" for name in names.split(", "))
 
 
 def summary(text: str) -> str:

@@ -59,7 +59,7 @@ def write(out: Path) -> list[PurePosixPath]:
         run(script, folder / f"{name}.png")
         code = script.read_text(encoding="utf-8").split('"""', 2)[2].strip("\n")
         (folder / f"{name}.md").write_text(
-            f"# {title}\n\n{as_markdown(text)}\n\n```{{image}} {name}.png\n:alt: {title}\n:class: drawn\n```\n\n"
+            f"# {title}\n\n{as_markdown(text, (), '../')}\n\n```{{image}} {name}.png\n:alt: {title}\n:class: drawn\n```\n\n"
             f"```python\n{code}\n```\n\nAs a file: {{download}}`{script.name} </project/{FOLDER}/{script.name}>`.\n",
             encoding="utf-8",
         )

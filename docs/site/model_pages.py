@@ -72,8 +72,11 @@ def _also_named(record: Record) -> str:
 
 
 def _with_sources(text: str, record: Record) -> str:
-    """Names of sources in brackets lead to the bibliography."""
+    """Names of sources in brackets lead to the bibliography, those of models to their pages."""
     known = bibliography()
+    for one in records():  # a model leads to the page of another, not to its section on the page of all
+        there = make_tables.anchor({"key": one.key, "kind": one.kind})
+        text = text.replace(f"](../{make_tables.SECTIONS}#{there})", f"]({file_of(one)}.md)")
     return _NAMED.sub(
         lambda found: f"[{found[1]}](../reference/bibliography.md#{found[1]})" if found[1] in known else found[0], text
     )

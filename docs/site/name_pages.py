@@ -19,7 +19,7 @@ GROUPS = {
     "Friction": ("solve", "unload", "slide", "evaluate", "Evaluation", "summary"),
     "Case files": ("read_case", "solve_case", "compare_case", "slide_case", "write_report"),
     "Studies": ("compare", "uncertainty", "sensitivity", "sweep", "fit", "design", "validate", "film_stresses"),
-    "Measured surfaces": ("read_scan", "HeightMap", "prepared", "analyse", "asperities", "resolution_study", "fan",
+    "Measured surfaces": ("read_scan", "HeightMap", "prepared", "analyse", "asperities", "resolution_study",
                           "gaussian_surface", "non_gaussian_surface", "SelfAffine"),
     "What is known, and by whom": ("models", "cite"),
     "What is wrong with an input": ("InputError", "InputDoubt"),
@@ -54,7 +54,7 @@ def page(name: str, thing: Any) -> Iterator[str]:
     kind = "exception" if _is(thing, Exception) else "class" if inspect.isclass(thing) else "function"
     yield f"::::::{{py:{kind}}} stiction.{name}{_signature(thing)}"
     yield ":single-line-parameter-list:" if kind == "function" and len(_parameters(thing)) < 4 else ""
-    yield from ("", as_markdown(inspect.getdoc(thing) or "", _names(thing)), "")
+    yield from ("", as_markdown(inspect.getdoc(thing) or "", _names(thing), "../../"), "")
     if inspect.isclass(thing):
         for member, value in _members(thing):
             yield from _member(member, value)
@@ -111,9 +111,14 @@ def _told(value: Any) -> str:
 
 def _member(name: str, value: Any) -> Iterator[str]:
     if isinstance(value, property):
-        yield from (f":::::{{py:property}} {name}", "", as_markdown(inspect.getdoc(value) or ""), "", ":::::", "")
+        yield from (f":::::{{py:property}} {name}", "", as_markdown(inspect.getdoc(value) or "", (), "../../"), "", ":::::", "")
         return
     inner = getattr(value, "__func__", value)
     signature = re.sub(r"^\((?:self|cls)(?:, )?", "(", _signature(inner))
-    yield from (f":::::{{py:method}} {name}{signature}", "", as_markdown(inspect.getdoc(inner) or "", _names(inner)), "")
+    yield from (
+        f":::::{{py:method}} {name}{signature}",
+        "",
+        as_markdown(inspect.getdoc(inner) or "", _names(inner), "../../"),
+        "",
+    )
     yield from (":::::", "")

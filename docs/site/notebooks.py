@@ -2,7 +2,7 @@
 
 A tutorial is Markdown like every page of docs/, and its examples run in the tests as theirs do. Here its blocks of Python are
 run again, as a notebook would run them: a block shows what it prints, the figures that it leaves open in pyplot, and the
-value of its last line.
+value of its last line, unless that ends in a semicolon.
 """
 
 import ast
@@ -90,7 +90,8 @@ def _fence(text: str, block: Block) -> tuple[int, int]:
 def _run(block: Block, space: dict, name: str) -> Shown:
     """What the block shows in a notebook."""
     tree = ast.parse("\n" * (block.line - 1) + block.text, name)
-    last = ast.Expression(tree.body.pop().value) if isinstance(tree.body[-1], ast.Expr) else None
+    silent = block.text.rstrip().endswith(";")  # as in a notebook
+    last = ast.Expression(tree.body.pop().value) if isinstance(tree.body[-1], ast.Expr) and not silent else None
     shown = Shown()
     with contextlib.redirect_stdout(io.StringIO()) as printed:
         exec(compile(tree, name, "exec"), space)

@@ -79,10 +79,9 @@ def test_page_of_a_name_says_what_its_docstring_says():
 
 
 def test_arguments_in_a_docstring_become_a_list():
-    text = "What it is.\n\npath: of the\nfile. unit: of it.\nother: not listed.\n\nRaises InputError: never."
-    assert (
-        as_markdown(text, {"path"})
-        == "What it is.\n\n- `path`: of the\n  file. unit: of it.\n  other: not listed.\n\nRaises InputError: never."
+    text = "What it is.\n\npath: of the\nfile. unit, scale: of it.\nother: not listed.\n\nAs in docs/theory.md."
+    assert as_markdown(text, {"path", "unit", "scale"}, "../") == (
+        "What it is.\n\n- `path`: of the file.\n- `unit`, `scale`: of it. other: not listed.\n\nAs in [theory](../theory.md)."
     )
 
 
@@ -105,7 +104,9 @@ def test_every_option_of_every_command_is_on_the_page(tmp_path):
             assert one.hidden or all(f"`{opt}`" in section for opt in one.opts if opt.startswith("-")), (name, one.name)
 
 
-@pytest.mark.parametrize(("row", "record"), zip(st.models(), records(), strict=True), ids=lambda one: getattr(one, "key", ""))
+@pytest.mark.parametrize(
+    ("row", "record"), list(zip(st.models(), records(), strict=True)), ids=lambda one: getattr(one, "key", "row")
+)
 def test_page_of_a_model(row, record):
     """Its equations, its record, and the BibTeX of all its sources."""
     page = model_pages.page(row, record)
