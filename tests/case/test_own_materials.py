@@ -70,6 +70,28 @@ def test_a_file_beside_the_case_says_the_same(read):
     assert read(BESIDE, MATERIALS).subject == read(MATERIALS + CONTACT).subject
 
 
+def test_numbers_in_the_file_may_be_uncertain(tmp_path):
+    """The same as in the case itself; values from a file are beside the file of materials."""
+    uncertain = MATERIALS.replace('"1.2 GPa"', '"1.2 +/- 0.1 GPa"').replace(
+        '"110 GPa"', '{ samples = "moduli.txt", unit = "GPa" }'
+    )
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "elsewhere" / "my_materials.toml").write_text(uncertain, encoding="utf-8")
+    for folder in (tmp_path, tmp_path / "elsewhere"):
+        (folder / "moduli.txt").write_text("100\n110\n120\n", encoding="utf-8")
+    (tmp_path / "one.toml").write_text(uncertain + CONTACT, encoding="utf-8")
+    (tmp_path / "two.toml").write_text('materials = "elsewhere/my_materials.toml"\n' + CONTACT, encoding="utf-8")
+    one, two = (read_case(tmp_path / f"{name}.toml") for name in ("one", "two"))
+    assert [x.as_table() for x in one.uncertain] == [x.as_table() for x in two.uncertain] and len(one.uncertain) == 3
+    assert {x.where for x in two.uncertain} == {x.where for x in one.uncertain}
+    assert two.subject == one.subject and two.subject.first.hardness == 1.2e9
+    (tmp_path / "elsewhere" / "moduli.txt").unlink()
+    with pytest.raises(
+        InputError, match=r"materials: my_materials.toml: materials\.bronze\.youngs_modulus\.samples: 'moduli.txt'"
+    ):
+        read_case(tmp_path / "two.toml")
+
+
 def test_presets_stay_what_they_are(read):
     case = MATERIALS + CONTACT.replace('first = "bronze"', 'first = "iron"')
     assert read(case).subject.first == material("iron")

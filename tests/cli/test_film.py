@@ -77,7 +77,9 @@ def test_one_load_as_json(case):
 
 def test_a_film_like_its_body_has_hamiltons_stresses():
     """Place by place, and along the plane of the interface; over the mean pressure, as groups have no unit."""
-    given = st.Indices(theta=1e9, lam=1e20, nu=0.3, n_E=1.0, n_H=1.0, tau=1.0, film_aspect=0.4, layer_nu=0.3, shear_strength=0.05)
+    given = st.Indices(
+        theta=1e9, lam=1e20, nu=0.3, n_E=1.0, n_H=1.0, tau=1.0, film_aspect=0.4, layer_nu=0.3, shear_strength=0.05
+    )
     laws = {"model": "greenwood_williamson_1966", "asperity": "hertz", "tangential": "bowden_tabor_1943"}
     point = st.film_stresses(given, separation=1.0, **laws)
     section = film_section(given, point)

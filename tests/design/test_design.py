@@ -232,6 +232,8 @@ def test_what_is_uncertain_is_held_for_nineteen_of_twenty():
     deviations = (0.1 * LOAD / float(found["contact_area"][0]) - STRENGTH) / 20e6
     assert 1.3 < deviations < 2.3  # 1.64 if there were more than 32 points
     assert found.attrs["uncertain"] == "interfacial_shear_strength" and bool(found["kept"][0])
+    # what is shown is what the limit is held to: not the one of 32 samples that is beyond it
+    assert float(found["friction_coefficient"][0]) == pytest.approx(0.1, rel=2e-6)
 
 
 def test_a_material_that_is_chosen_brings_its_own_ranges():
@@ -266,6 +268,11 @@ def test_the_same_seed_gives_the_same_design():
     assert one.identical(two)
 
 
+def test_what_is_told_is_a_function():
+    with pytest.raises(InputError, match="tell: 3; allowed: a function"):
+        design(case(MOST, RADIUS), tell=3)
+
+
 def test_told_at_once():
     told = []
     design(case(MOST, RADIUS), tell=lambda count, text: told.append(count))
@@ -288,6 +295,10 @@ def test_told_at_once():
         ),
         ({"choose": {"first": ["steal"]}}, "'steal'; allowed: a preset"),
         ({"choose": {"first": {"low": 1, "high": 2}}}, "a list, of which one is taken"),
+        (
+            {"choose": {"nominal_area": {"low": "1 mm^2", "high": "2 mm^2", "each_sample": True}}},
+            "each_sample: True; allowed: not here",
+        ),
         ({"limits": {"area_fraction": {}}}, "low, high or both"),
         ({"limits": {"contact_area": {"high": "1 N"}}}, "design.limits.contact_area.high: '1 N'"),
         ({"limits": {"contact_area": {"high": "1 um^2", "low": "2 um^2"}}}, "the low end first"),

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 from stiction import cli
 from stiction.quantities.errors import InputError
-from stiction.report.fit_tables import fit_notes
+from stiction.report.fit_tables import evidence_table, fit_notes
 from stiction.solving.solve import solve
 from stiction.studies import fit as fit_module
 from stiction.studies.case import parse_case, read_case
@@ -133,6 +133,31 @@ def test_errors_that_are_too_small_are_not_believed(series):
     np.testing.assert_allclose(small["high"] - small["low"], large["high"] - large["low"], rtol=1e-3)
 
 
+def test_errors_far_too_small_change_no_value(series):
+    """Weights are the same: so are the best numbers, however large chi square is."""
+    values = exact() * (1.0 + 0.1 * np.random.default_rng(7).standard_normal(LOADS.size))
+    free = {STRENGTH: {"low": "1 MPa", "high": "400 MPa", "spacing": "linear"}}
+    usual, small = (fit(case(free=free), series(values, size * values)) for size in (1e-2, 1e-8))
+    slope = exact() / 200e6
+    best = (slope / values).sum() / ((slope / values) ** 2).sum()
+    for found in (usual, small):
+        assert float(found["value"][0]) == pytest.approx(best, rel=1e-7)
+    assert small.attrs["chi_square"] == pytest.approx(1e12 * usual.attrs["chi_square"], rel=1e-6)
+    np.testing.assert_allclose(small["high"] - small["low"], usual["high"] - usual["low"], rtol=1e-4)
+    exactly = fit(case(free=free), series(exact(), 1e-8 * exact()))  # and where they are right the interval is theirs
+    deviation = 1e-8 * 200e6 / np.sqrt(LOADS.size)
+    np.testing.assert_allclose(exactly["high"] - exactly["low"], 2 * stats.norm.ppf(0.975) * deviation, rtol=1e-3)
+
+
+def test_a_model_that_is_not_near_the_data_is_said_so(series):
+    free = {STRENGTH: {"low": "1 Pa", "high": "2 Pa"}}
+    assert (
+        "the model is not near the data: what is left is 107% of the values"
+        in fit(case(free=free), series(exact())).attrs["verdict"]
+    )
+    assert "not near" not in fit(case(), series(exact() * np.linspace(0.9, 1.1, 8))).attrs["verdict"]
+
+
 def test_the_profile_agrees_with_lmfits_own(series):
     import lmfit
 
@@ -230,6 +255,30 @@ def test_bands_are_those_of_the_closed_form(series):
     np.testing.assert_allclose((high - low) / best, 2 * 1.96 * deviation, rtol=0.05)
 
 
+def test_bands_of_errors_that_are_found_are_those_of_student(tmp_path):
+    """Linear in the strength, four values, no errors: the predicted mu is off by Student's t of three degrees of freedom."""
+    loads, noise = LOADS[:4], np.array([0.01, -0.02, 0.015, -0.005])
+    slope = exact(loads=loads) / 200e6
+    values = exact(loads=loads) + noise
+    data = written(tmp_path / "measured.csv", {"load [N]": loads, "friction_coefficient": values})
+    free = {STRENGTH: {"low": "1 MPa", "high": "1 GPa", "spacing": "linear"}}
+    found = fit(case(free=free), data)
+    best = (values * slope).sum() / (slope**2).sum()
+    deviation = np.sqrt(((values - best * slope) ** 2).sum() / 3.0 / (slope**2).sum())
+    wide = 2.0 * stats.t.ppf(0.975, 3) * deviation / best
+    low, high = (found[f"predicted_friction_coefficient_{end}"] for end in ("low", "high"))
+    np.testing.assert_allclose((high - low) / found["predicted_friction_coefficient"], wide, rtol=0.1)  # of a normal 0.62 times
+    np.testing.assert_allclose((found["high"] - found["low"]) / best, wide, rtol=1e-4)
+
+
+def test_numbers_that_are_not_asked_for_take_no_value(series):
+    """Persson's model knows no adhesion: of eight values seven are to spare, whether it is free or not."""
+    values = exact(model="persson_2001") + 0.01 * np.random.default_rng(6).standard_normal(LOADS.size)
+    one, two = (fit(case("persson_2001", free), series(values)) for free in ({STRENGTH: BOTH[STRENGTH]}, BOTH))
+    assert one.attrs["degrees_of_freedom"] == two.attrs["degrees_of_freedom"] == 7
+    np.testing.assert_allclose(one["high"][0] / one["low"][0], two["high"][0] / two["low"][0], rtol=1e-6)
+
+
 def test_models_are_ranked_by_evidence(series):
     values = exact() * (1.0 + 0.01 * np.random.default_rng(9).standard_normal(LOADS.size))
     found = fit(case(free=BOTH, models=["persson_2001", "fuller_tabor_1975", "no_such_model"]), series(values, 0.01 * values))
@@ -295,6 +344,12 @@ def test_text_of_a_case_is_read_as_what_it_was():
     assert tomllib.loads(case_text(content, ["a comment"], Path(), Path())) == content
 
 
+def test_files_of_values_are_named_from_where_the_case_goes(tmp_path):
+    content = {"contact": {"nominal_area": {"samples": "areas.txt", "unit": "mm^2"}}, "fit": {"samples": "no file"}}
+    moved = tomllib.loads(case_text(content, [], tmp_path, tmp_path / "out"))
+    assert moved == {"contact": {"nominal_area": {"samples": "../areas.txt", "unit": "mm^2"}}, "fit": {"samples": "no file"}}
+
+
 @pytest.mark.parametrize(
     ("table", "said"),
     [
@@ -307,6 +362,12 @@ def test_text_of_a_case_is_read_as_what_it_was():
         ({"free": {"hardness": {"low": "1 GPa", "high": "2 GPa"}}}, "first.hardness, second.hardness"),
         ({"free": BOTH, "specific_contact_resistance": "1 ohm m^2"}, "no contact_resistance was measured"),
         ({"free": BOTH, "modles": []}, "fit.modles"),
+        ({"free": {STRENGTH: {"low": "1e-300 Pa", "high": "1e300 Pa"}}}, "less than a factor 1e300 apart"),
+        ({"free": BOTH, "predict": {"nominal_aera": "1 mm^2"}}, "fit.predict.nominal_aera"),
+        (
+            {"free": BOTH, "predict": {"nominal_area": {"start": "1 mm^2", "stop": "2 mm^2", "count": 10001}}},
+            r"fit.predict: '20002 points with those of \[solve\]'; allowed: 20000 at most",
+        ),
         ({}, "fit.free: not given"),
     ],
 )
@@ -325,6 +386,17 @@ def test_a_case_without_the_table_and_one_with_several_numbers(series):
     several["contact"][ADHESION] = ["1 mJ/m^2", "2 mJ/m^2"]
     with pytest.raises(InputError, match=r"several go under \[fit.predict\]"):
         fit(several, data)
+
+
+def test_what_is_told_is_a_function(series):
+    with pytest.raises(InputError, match="progress: 3; allowed: a function"):
+        fit(case(), series(exact()), progress=3)
+
+
+def test_a_load_that_no_numbers_carry_is_named(tmp_path):
+    data = written(tmp_path / "measured.csv", {"load [N]": [0.1, 1e30], "friction_coefficient": [0.3, 0.3]})
+    with pytest.raises(InputError, match=r"line 3, load: .*; allowed: what fuller_tabor_1975 carries"):
+        fit(case(), data)
 
 
 def test_what_is_measured_and_not_known(tmp_path):
@@ -370,8 +442,47 @@ def test_no_chi_square_is_printed_of_errors_that_were_found(series):
     noise = 1.0 + 0.02 * np.array([1, -1, 1, -1, 1, -1, 1, -1])
     free = {STRENGTH: BOTH[STRENGTH]}
     for errors, told in ((None, False), (0.01 * exact(), True)):
-        found = fit(case(free=free), series(exact() * noise, errors))
+        found = fit(case(free=free, models=["persson_2001"]), series(exact() * noise, errors))
         assert ("chi square" in str(next(fit_notes(found)))) == told
+        assert ("chi_square" in found.attrs) == ("chi_square" in found) == told
+        assert ("chi square" in [one.header for one in evidence_table(found).columns]) == told
+
+
+def test_what_is_left_of_errors_that_were_found(series):
+    """The scatter is a standard deviation with the values to spare; values left out are off by a share of the largest."""
+    slope, values = exact() / 200e6, exact() + 0.01 * np.random.default_rng(6).standard_normal(LOADS.size)
+    free = {STRENGTH: {"low": "1 MPa", "high": "400 MPa", "spacing": "linear"}}
+    found = fit(case(free=free, models=["persson_2001"]), series(values)).sel(model="fuller_tabor_1975")
+    left = values - slope * (values * slope).sum() / (slope**2).sum()
+    assert float(found["scatter"]) == pytest.approx(np.sqrt((left**2).sum() / 7), rel=1e-6)
+    off = np.empty(LOADS.size)
+    for at in range(5):
+        rest = np.setdiff1d(np.arange(LOADS.size), np.arange(at, LOADS.size, 5))
+        best = (values * slope)[rest].sum() / (slope**2)[rest].sum()
+        off[at::5] = (best * slope - values)[at::5]
+    assert float(found["left_out"]) == pytest.approx(np.sqrt((off**2).mean()) / values.max(), rel=1e-6)
+
+
+def test_as_many_values_as_numbers_need_errors(tmp_path):
+    """With errors the interval is that of the one value; without them nothing says how wide it is."""
+    one = exact(loads=np.array([0.1]))
+    free = {STRENGTH: {"low": "1 MPa", "high": "400 MPa", "spacing": "linear"}}
+    with pytest.raises(
+        InputError, match="'1 values without errors'; allowed: at least 2, one more than there are free numbers"
+    ):
+        fit(case(free=free), written(tmp_path / "a.csv", {"load [N]": [0.1], "friction_coefficient": one}))
+    columns = {"load [N]": [0.1], "friction_coefficient": one, "friction_coefficient_error": 0.05 * one}
+    found = fit(case(free=free), written(tmp_path / "b.csv", columns))
+    ends = 200e6 * (1.0 + 0.05 * stats.norm.ppf([0.025, 0.975]))
+    np.testing.assert_allclose([found["low"][0], found["high"][0]], ends, rtol=1e-4)
+
+
+def test_a_sample_that_is_left_out_whole_says_nothing_of_its_own_number(series):
+    """Seven values of one sample and one of another: without it there is nothing to fit its number to."""
+    data = series(exact(), 0.01, sample=["a"] * 7 + ["b"])
+    free = {STRENGTH: {"low": "10 MPa", "high": "2 GPa", "each_sample": True}}
+    found = fit(case(free=free, models=["persson_2001"]), data)
+    assert np.isnan(found["left_out"]).all() and np.isfinite(found["aicc"]).all()
 
 
 def test_an_interruption_keeps_the_fit(series, tmp_path, monkeypatch):

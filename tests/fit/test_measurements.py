@@ -68,6 +68,12 @@ def test_what_was_measured_without_a_load(read):
             "load [N],friction_coefficient,friction_coefficient_error\n1,0.2,0.1\n2,0.2,\n",
             "line 3, friction_coefficient_error: not given; allowed: a standard error for every value, or for none",
         ),
+        ("load [N],friction_coefficient\n0,0.2\n", "line 2, load: 0.0; allowed: above 0 where friction_coefficient"),
+        ("load [N];friction_coefficient\n1;0,2\n", "a table with commas between its cells"),
+        (
+            "load [N],friction_coefficient,friction_coefficient_error\n1,0.2,1e-12\n",
+            "line 2, friction_coefficient_error: 1e-12; allowed: 2e-11 or more, 1e-10 of the largest value",
+        ),
         ("load [N],load [mN],friction_coefficient\n1,1,0.2\n", "'load \\[N\\]'; allowed: each column once"),
         ("load [N],contact_area_error [m^2],friction_coefficient\n1,1,0.2\n", "a column contact_area beside it"),
         ("load [N],friction_coefficient\n", "at least one measured value"),

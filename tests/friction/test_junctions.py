@@ -135,7 +135,9 @@ def test_clean_copper_runs_from_bowden_tabor_to_above_one_without_a_step():
 
 def test_growth_ends_where_full_stick_slides():
     """The same way up to full stick and beyond: smooth copper, of which asperities are loaded to about first yield."""
-    smooth = {"roughness": st.Roughness(asperity_height_deviation="0.2 nm", asperity_radius="200 um", asperity_density="1e9 1/m^2")}
+    smooth = {
+        "roughness": st.Roughness(asperity_height_deviation="0.2 nm", asperity_radius="200 um", asperity_density="1e9 1/m^2")
+    }
 
     def at(tangential, shares):
         strength = st.axis("interfacial_shear_strength", shares * bulk_of_copper())
@@ -231,7 +233,10 @@ def test_what_is_added_to_chang_etsion_and_bogy(h):
     added = found["friction_force"] - found["friction_coefficient_published"] * found["load"]
     ends = (w_c, max(w_c, 12.0))
     expected = quad(
-        lambda w: 0.1 * eta * (2 * w - w_c) * math.exp(-((h + w) ** 2) / 2) / math.sqrt(2 * math.pi), *ends, epsabs=0, epsrel=1e-12
+        lambda w: 0.1 * eta * (2 * w - w_c) * math.exp(-((h + w) ** 2) / 2) / math.sqrt(2 * math.pi),
+        *ends,
+        epsabs=0,
+        epsrel=1e-12,
     )[0]
     assert added[0, 0] == pytest.approx(expected, rel=1e-8)
 

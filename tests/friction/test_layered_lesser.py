@@ -74,7 +74,9 @@ def test_yield_at_the_trailing_edge_of_one_asperity(n_E, n_H, aspect, theta):
     """What never peels holds until the von Mises stress at the trailing edge, solved at this very radius for the mean pressure
     that is there, tension or not, is the film's yield stress."""
     eta, k, nu = 0.8, 2.8, 0.3
-    given = groups(theta=theta, **FILM | {"n_E": n_E, "n_H": n_H, "film_aspect": aspect}, nu=nu, hardness_to_yield=k, peeling=0.0)
+    given = groups(
+        theta=theta, **FILM | {"n_E": n_E, "n_H": n_H, "film_aspect": aspect}, nu=nu, hardness_to_yield=k, peeling=0.0
+    )
     given = given.with_changes(hardness_group=np.array([eta]))
     regime = on_film(EDGE, given)
     held = 0
@@ -95,7 +97,9 @@ def test_yield_at_the_trailing_edge_of_one_asperity(n_E, n_H, aspect, theta):
 def test_first_yield_anywhere_of_one_asperity(n_E, n_H, aspect, theta):
     """The same where film or body first yields anywhere."""
     eta, k, nu = 0.8, 2.8, 0.3
-    given = groups(theta=theta, **FILM | {"n_E": n_E, "n_H": n_H, "film_aspect": aspect}, nu=nu, hardness_to_yield=k, peeling=0.0)
+    given = groups(
+        theta=theta, **FILM | {"n_E": n_E, "n_H": n_H, "film_aspect": aspect}, nu=nu, hardness_to_yield=k, peeling=0.0
+    )
     given = given.with_changes(hardness_group=np.array([eta]))
     regime = on_film(ANYWHERE, given)
     end = float(np.max(regime.branch))

@@ -29,10 +29,14 @@ def coulomb(**more):
 # One asperity -----------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("s", "share", "lost"), [(0.1, 0.146185, 0.0005131), (0.5, 0.646447, 0.0727922), (0.9, 0.968377, 0.5239613)])
+@pytest.mark.parametrize(
+    ("s", "share", "lost"), [(0.1, 0.146185, 0.0005131), (0.5, 0.646447, 0.0727922), (0.9, 0.968377, 0.5239613)]
+)
 def test_the_table_of_the_docstring(s, share, lost):
     assert slip_share(s) == pytest.approx(share, abs=5.1e-7) and loss_share(s) == pytest.approx(lost, abs=5.1e-8)
-    assert force(s * 0.25, 1.0, 1.0, 1.0 / 6.0, 8.0) * 6.0 == pytest.approx(share, abs=5.1e-7)  # slides at 3 f P beta/(16 a) = 1/4
+    assert force(s * 0.25, 1.0, 1.0, 1.0 / 6.0, 8.0) * 6.0 == pytest.approx(
+        share, abs=5.1e-7
+    )  # slides at 3 f P beta/(16 a) = 1/4
     assert loss_share(1.0) == pytest.approx(0.8) and loss_share(3.0) == pytest.approx(0.8 + 4.0 * 2.0)
 
 
@@ -113,7 +117,9 @@ def test_sums_written_out(asperity, tangential, kept):
     """Cattaneo and Mindlin's curve of every asperity with the strength of its law, by trapezoids that know no kinks."""
     given = st.Indices(theta=30.0, lam=50.0, shear_strength=0.1, nu=0.25)
     moved = np.array([0.02, 0.15, 0.6])
-    found = st.slide(given, separation=0.4, displacement=moved, kept=kept, model=PLAIN, asperity=asperity, tangential=tangential)
+    found = st.slide(
+        given, separation=0.4, displacement=moved, kept=kept, model=PLAIN, asperity=asperity, tangential=tangential
+    )
     flat, expected = Groups.of(given)[0], np.zeros(3)
     for piece in find(asperity, AsperityLaw).pieces(flat, **options_of(asperity, AsperityLaw)):
         law = find(tangential, TangentialLaw).tangential_resistance(piece, flat, **options_of(tangential, TangentialLaw))

@@ -184,6 +184,7 @@ def test_separations_tell_of_the_load():
         ({}, {"models": ["nothing"]}, "model: 'nothing'; allowed: "),
         ({}, {"models": "persson_2001"}, "models: 'persson_2001'; allowed: a list of names"),
         ({}, {"load": "-1 N"}, "load"),
+        ({}, {"progress": 3}, "progress: 3; allowed: a function"),
     ],
 )
 def test_what_is_wrong_is_one_line(changes, given, message):

@@ -1,6 +1,7 @@
 """Numbers of a case that are uncertain: what each form means, what is drawn, and one line about everything that is wrong."""
 
 import json
+import tomllib
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from cases import BARE
 from stiction.quantities.errors import InputError
 from stiction.studies.case import json_schema, parse_case, read_case
 from stiction.studies.case_results import solve_case
+from stiction.studies.case_text import as_toml
 from stiction.studies.sweep_plan import make_plan
 from stiction.studies.uncertain import read_distribution
 
@@ -47,6 +49,33 @@ def test_every_form_is_its_distribution(entry, wanted, nominal):
     found = read_distribution(entry, "hardness", "hardness")
     np.testing.assert_allclose(found.ppf(SHARES), wanted.ppf(SHARES), rtol=1e-9)
     assert found.nominal == pytest.approx(nominal, rel=1e-9)
+
+
+def test_a_distribution_of_scipy_stands_in_the_tables_of_a_case():
+    """In SI units, where a plain number is refused as it has no unit."""
+    found = case({"second.hardness": scipy.stats.norm(7e9, 0.5e9)})
+    assert found.subject.second.hardness == 7e9 and found.subject == case({"second.hardness": "7 GPa"}).subject
+    drawn = found.drawn(SHARES[:, None]).subject.second.hardness
+    np.testing.assert_allclose(drawn, scipy.stats.norm(7e9, 0.5e9).ppf(SHARES), rtol=1e-9)
+    with pytest.raises(InputError, match=r"second\.hardness: 7000000000.0; allowed: text with a unit"):
+        case({"second.hardness": 7e9})
+    written = as_toml({"contact": {"second": {"hardness": scipy.stats.norm(7e9, 0.5e9), "poissons_ratio": 0.3}}})
+    assert tomllib.loads(written) == {"contact": {"second": {"hardness": "7000000000 Pa", "poissons_ratio": 0.3}}}
+
+
+@pytest.mark.parametrize(
+    ("entry", "said"),
+    [
+        (scipy.stats.gamma, "'scipy.stats.gamma_gen'; allowed: a distribution with its parameters"),
+        (scipy.stats.norm(np.nan, 1e9), "a distribution with a median"),
+        (scipy.stats.norm(7e9, 9e9), "here 21.8% is beyond"),
+        ({"median": "0 GPa", "factor": 3}, "median: '0 GPa'; allowed: above 0"),
+    ],
+)
+def test_a_distribution_that_is_none(entry, said):
+    with pytest.raises(InputError, match=said) as caught:
+        read_distribution(entry, "interfacial_shear_strength", "x")
+    assert "\n" not in str(caught.value)
 
 
 def test_a_distribution_is_cut_off_at_the_bounds_of_its_quantity():

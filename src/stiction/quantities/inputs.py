@@ -14,7 +14,7 @@ from stiction.quantities.foreign import is_series
 from stiction.quantities.table import QUANTITIES, Quantity
 from stiction.quantities.units import from_series, show, to_si
 
-__all__ = ["Input", "Number", "OptionalNumber", "floats", "nearest", "unnamed"]
+__all__ = ["Input", "Number", "OptionalNumber", "floats", "nearest", "require_callable", "unnamed"]
 
 
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
@@ -62,6 +62,12 @@ OptionalNumber = Annotated[Any, BeforeValidator(_optional_number)]
 
 # Fields that tell of the numbers, and change no result.
 _SAID_BY_NOTES = ("source", "range")
+
+
+def require_callable(given: Any, field: str) -> None:
+    """InputError where what is told of progress cannot be called."""
+    if not callable(given):
+        raise InputError(field, given, "a function, or nothing")
 
 
 def require_names(table: Mapping, where: str = "") -> None:

@@ -37,7 +37,7 @@ def parameter_table(data: "xarray.Dataset") -> Table:
 def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
     """How good the fit is, and what the data do not say."""
     used = data.attrs
-    good = f"chi square {used['chi_square']:.4g} of " if used["errors_stated"] else ""  # others follow from it
+    good = f"chi square {used['chi_square']:.4g} of " if "chi_square" in used else ""
     yield Text(f"{good}{used['values']} values, {used['free']} free; errors: {used['errors']}")
     for line in filter(None, used["verdict"].split("\n")):
         yield Text(line, style="yellow")
@@ -53,14 +53,15 @@ def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
 def evidence_table(data: "xarray.Dataset") -> Table:
     """Models by what the data say for them."""
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for head in ("model", "chi square", "AICc", "weight", "error of values left out"):
+    left = "chi_square" if "chi_square" in data else "scatter"
+    for head in ("model", left.replace("_", " "), "AICc", "weight", data["left_out"].attrs["long_name"]):
         table.add_column(head, justify="left" if head == "model" else "right")
     for at, name in enumerate(data["model"].values.tolist()):
         one = data.isel(model=at)
         if str(one["why_not"].values):
             table.add_row(name, Text(str(one["why_not"].values), style="dim"))
             continue
-        cells = [f"{float(one[key]):.4g}" for key in ("chi_square", "aicc")]
+        cells = [f"{float(one[key]):.4g}" for key in (left, "aicc")]
         table.add_row(name, *cells, f"{float(one['weight']):.2g}", f"{float(one['left_out']):.3g}")
     return table
 

@@ -11,13 +11,12 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from stiction.laws.overview import cite
 from stiction.quantities.errors import InputError
 from stiction.report import report_sections as say
 from stiction.report.honest_digits import rounded
 from stiction.report.html_tables import FORMULAS
 from stiction.report.html_words import formula
-from stiction.report.printed_sources import printed
+from stiction.report.printed_sources import entries, printed
 from stiction.report.report_answer import answer_in_words, beside_headline, best_of, doubts_here, headline, question, spreads
 from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
 from stiction.report.report_pictures import (
@@ -78,7 +77,7 @@ def as_html(findings: Findings, name: str, again: str, progress: Progress = lamb
     own, of_materials, others = say.sources_of(findings)
     style = resources.files("stiction.report").joinpath("templates/report.css").read_text(encoding="utf-8")
     pictures = dict(_pictures(findings, progress))
-    return templates.get_template("report.html").render(
+    page = templates.get_template("report.html").render(
         findings=findings,
         style=style,
         title=findings.case.title or "A contact",
@@ -96,11 +95,12 @@ def as_html(findings: Findings, name: str, again: str, progress: Progress = lamb
         sources=printed(own),
         material_sources=printed(of_materials),
         other_sources=printed(others),
-        bibtex=_as_link(cite([*own, *of_materials, *others])),
+        bibtex=_as_link(entries([*own, *of_materials, *others])),
         name=name,
         again=again,
         case_link=_as_link(findings.text) if findings.text else "",
     )
+    return page.lstrip() + "\n"
 
 
 def _as_link(text: str) -> str:

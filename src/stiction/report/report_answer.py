@@ -179,7 +179,8 @@ def _along(findings: Findings) -> str:
     several = f", with {' and '.join(_span(data, name) for name in names)}," if names else ""
     text = headline(findings).replace("μ ≈ ", "the static friction coefficient is about ")
     text = text.replace("μ", "the static friction coefficient")
-    return f"{text[0].upper()}{text[1:]} {over}{several}"
+    why = ", where nothing presses," if "not defined" in text else ""
+    return f"{text[0].upper()}{text[1:]} {over}{why}{several}"
 
 
 def _span(data: "xarray.Dataset", name: str) -> str:
@@ -241,4 +242,6 @@ def _recommended(findings: Findings) -> str:
         return " It is what the comparison of all models recommends."
     apart = max(mu, here) / min(mu, here) if min(mu, here) > 0.0 else np.inf
     warned = f": the two differ by a factor of {apart:.2g}" if apart > _FAR else ""
-    return f" The comparison of all models recommends {best['model'].item()} in its place, which says {rounded(mu, [])}{warned}."
+    return (
+        f" The comparison of all models recommends {best['model'].item()} in its place, which says {rounded(mu, [])}{warned}."
+    )

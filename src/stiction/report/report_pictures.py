@@ -33,6 +33,7 @@ _TITLES = {
     "load": "Load against mean separation",
     "friction_force": "Friction force against load",
 }
+_FEW = 2  # loads, below which there are no shares to draw along them
 _NEARLY_ALL = 0.995  # a share above which the other parts could not be seen
 
 
@@ -71,16 +72,19 @@ def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
         from stiction.report.several_pictures import several_figure
 
         name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
-        yield _picture(lambda: several_figure(data), "several", f"The {name} over what varies.", wide=True)
+        yield _picture(lambda: several_figure(data), "several", f"{name.capitalize()} over what varies.", wide=True)
         return
+    pressing = int(np.count_nonzero(np.asarray(data["load"].values) > 0.0))
     for what, against in panels(data):
+        if against == "load" and not pressing:
+            continue
         title = _TITLES[what]
         make = partial(panel_of_curve, data, what, against)
         yield _picture(make, f"p-{what}", f"{title}.", f"{title}. {_in_words(data, what, against)}")
     from stiction.report.share_pictures import part_in_words, share_figure, stacks
 
     for at, (what, (total, parts)) in enumerate(stacks(data).items()):
-        if _the_one(data, parts):
+        if pressing < _FEW or _the_one(data, parts):
             continue  # said in words
         said = ", ".join(part_in_words(name, total) for name in parts)
         tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
@@ -101,6 +105,8 @@ def all_of_one(findings: Findings) -> list[str]:
     from stiction.report.share_pictures import part_in_words, stacks
 
     data, lines = findings.answer.data, []
+    if not findings.case.is_several and not (np.asarray(data["load"].values) > 0.0).any():
+        return ["Nothing presses at the points of the case, so that nothing is drawn against the load."]
     for what, (total, parts) in stacks(data).items() if not findings.case.is_several else ():
         if name := _the_one(data, parts):
             lines.append(f"Shares of the {what}: {part_in_words(name, total)} for more than {_NEARLY_ALL:.1%} at every load.")

@@ -16,6 +16,7 @@ from stiction.laws.sources import bibliography
 from stiction.laws.validity import Doubt, doubts_of, read_doubts
 from stiction.quantities.table import QUANTITIES
 from stiction.report.html_tables import Table, of_printed
+from stiction.report.html_words import letters
 from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
 from stiction.report.report_inputs import groups_of_inputs, with_powers
 from stiction.report.tables import comparison_table, curve_table, doubts, run_notes
@@ -35,7 +36,7 @@ _PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotli
 
 
 def _doubt_in_words(doubt: Doubt) -> str:
-    return f"{KINDS_OF_DOUBT[doubt.kind].capitalize()}: {doubt}"
+    return letters(f"{KINDS_OF_DOUBT[doubt.kind].capitalize()}: {doubt}")
 
 
 def here_table(findings: Findings) -> Table | None:
@@ -106,7 +107,11 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
     lines += [f"What would have to change: {used['advice']}."] if used.get("advice") else []
     lines += [f"Set aside: {line}." for line in used.get("set_aside", "").splitlines()]
     lines += [f"{line}." for line in used["criteria"].splitlines()]
-    return {"lines": lines, "doubts": _numbered_doubts(told), "left_out": used["left_out"].splitlines()}
+    return {
+        "lines": [letters(one) for one in lines],
+        "doubts": _numbered_doubts(told),
+        "left_out": used["left_out"].splitlines(),
+    }
 
 
 def _numbered_doubts(told: "xarray.Dataset") -> list[str]:
@@ -115,7 +120,7 @@ def _numbered_doubts(told: "xarray.Dataset") -> list[str]:
     meant = {
         one.rule: f"{QUANTITIES[one.quantity].meaning} ({QUANTITIES[one.quantity].symbol})" for one in every if one.quantity
     }
-    return [f"{meant[rule]} {rule[rule.index('is not') :]}" if rule in meant else rule for rule in doubts(told)]
+    return [letters(f"{meant[rule]} {rule[rule.index('is not') :]}" if rule in meant else rule) for rule in doubts(told)]
 
 
 def spread_table_of(findings: Findings) -> Table | None:
@@ -159,7 +164,9 @@ def _unknown(some: "list[Uncertain]") -> str:
 
 def _with_meaning(text: str) -> str:
     name = re.match(r"\w+", text)
-    return text if name is None or name[0] not in QUANTITIES else QUANTITIES[name[0]].meaning + text.removeprefix(name[0])
+    if name is None or name[0] not in QUANTITIES:
+        return letters(text)
+    return letters(QUANTITIES[name[0]].meaning + text.removeprefix(name[0]))
 
 
 def doubt_table(findings: Findings) -> Table | None:
@@ -167,7 +174,7 @@ def doubt_table(findings: Findings) -> Table | None:
     found = doubts_of(findings.answer.data)
     if not found:
         return None
-    rows = [_doubt_row(one) for one in found]
+    rows = [[letters(cell) for cell in _doubt_row(one)] for one in found]
     heads = ["what is doubtful", "it is", "claimed is", "at", "why, and what that means"]
     return Table("Where the result leaves what the authors of its laws claim", heads, rows, stacked=True)
 
@@ -187,7 +194,7 @@ def _doubt_row(doubt: Doubt) -> list[str]:
 def notes(findings: Findings) -> list[str]:
     """What else is to be known of the result: measured errors, inputs that change nothing, what mu means."""
     questioned = [f"Questioned: {one}" for one in findings.questions]
-    return [*questioned, *(f"{one[0].upper()}{one[1:]}." for one in run_notes(findings.answer.data))]
+    return [*questioned, *(letters(f"{one.rstrip('.')}.") for one in run_notes(findings.answer.data))]
 
 
 def scan_parts(findings: Findings) -> list[tuple[str, list[tuple[str, str]], Table, list[str]]]:

@@ -63,7 +63,12 @@ def share_figure(curve: "xarray.Dataset", what: str, size: tuple[float, float] =
         return figure
     edges = np.vstack([np.zeros(drawn.size), np.cumsum(shares[:, drawn], axis=0)])
     for at, name in enumerate(parts):
-        look: dict[str, Any] = {"facecolor": _COLOURS[at % 5], "hatch": _HATCHES[at % 5], "edgecolor": "white", "linewidth": 0.0}
+        look: dict[str, Any] = {
+            "facecolor": _COLOURS[at % 5],
+            "hatch": _HATCHES[at % 5],
+            "edgecolor": "white",
+            "linewidth": 0.0,
+        }
         axes.fill_between(load[drawn], edges[at], edges[at + 1], label=part_in_words(name, total), **look)
     axes.set(xscale="log", ylim=(0.0, 1.0), xlim=(load[drawn][0], load[drawn][-1]))
     finish(axes)

@@ -79,7 +79,9 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
     options = _options(choice, model, asperity, tangential, film)
     if film is not None and film.tangential not in ("", "interface") and options.get(JUNCTIONS, NO_JUNCTIONS) != NO_JUNCTIONS:
-        raise InputError(JUNCTIONS, options[JUNCTIONS], f"{NO_JUNCTIONS}: {film.key} brings its own friction, {film.tangential}")
+        raise InputError(
+            JUNCTIONS, options[JUNCTIONS], f"{NO_JUNCTIONS}: {film.key} brings its own friction, {film.tangential}"
+        )
     return Chosen(model, asperity, tangential, film, presliding, options, _ignored(choice, coated))
 
 

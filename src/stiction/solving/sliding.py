@@ -20,9 +20,10 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import without_old_names
+from stiction.solving.inversion import separations_at
 from stiction.solving.problem import Problem, Sum, as_asked, make_problem
 from stiction.solving.results import labelled, summary_of
-from stiction.solving.solve import all_dims, inverted, point_coordinates, points_asked, summed
+from stiction.solving.solve import all_dims, in_words, point_coordinates, points_asked, summed
 
 if TYPE_CHECKING:
     import xarray
@@ -115,7 +116,8 @@ def _static(problem: Sum, name: str, point: Any, factors: Any, dims: dict[str, i
     shape = tuple(dims.values())
     wanted = np.broadcast_to(aligned(point, dims) / aligned(factors["N" if name == "load" else "m"], dims), shape)
     if name == "load":
-        h = inverted(problem, wanted, aligned(factors["N"], dims)).h.reshape(shape)
+        with in_words(problem, wanted, aligned(factors["N"], dims)):
+            h = separations_at(problem, wanted.reshape(len(problem.groups), -1)).h.reshape(shape)
     elif np.abs(wanted).max(initial=0.0) <= FARTHEST:
         h = wanted
     else:

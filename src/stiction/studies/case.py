@@ -20,9 +20,10 @@ from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice, without_old_names
 from stiction.studies.design_plan import Design
+from stiction.studies.distribution import Distribution, is_law
 from stiction.studies.fit_plan import Fit
 from stiction.studies.measured import Measured, MeasuredRoughness, measure
-from stiction.studies.own_materials import with_own_materials
+from stiction.studies.own_materials import telling_the_file, with_materials_of_file, with_own_materials
 from stiction.studies.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
 from stiction.studies.sweep_plan import Sweep
 from stiction.studies.uncertain import (
@@ -249,10 +250,14 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...
     place; and the numbers that are several. Raises InputError."""
     _refuse_bare_numbers(content, "")
     numbers: dict[tuple[str, ...], Several] = dict(several_numbers(content))
-    found = uncertain_numbers(content, folder)
-    used = {one.path: one for one in placed(found, content)}
-    nominal = {path: float(one.values[0]) for path, one in (numbers | found).items()}
-    content = _measured(with_own_materials(with_values(content, nominal), folder, _tables), folder)
+    with telling_the_file(content):
+        file = content.get("materials")
+        content = with_materials_of_file(content, folder, _tables)
+        found = uncertain_numbers(content, folder, (folder / file).parent if isinstance(file, str) else folder)
+        used = {one.path: one for one in placed(found, content)}
+        nominal = {path: float(one.values[0]) for path, one in (numbers | found).items()}
+        content = with_own_materials(with_values(content, nominal))
+    content = _measured(content, folder)
     _refuse_beside_scans(content, numbers, used)
     if wants_ranges(content):
         used |= {one.path: one for one in with_ranges(content, [*numbers, *used])}
@@ -271,7 +276,7 @@ def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[
     rough = contact.get("roughness") if isinstance(contact, Mapping) else None
     if getattr(rough, "measured", None) is None:
         return
-    for path, one in (several | uncertain).items():
+    for path, one in {**several, **uncertain}.items():
         if path[:2] == ("contact", "roughness"):
             given = one.distribution.words if isinstance(one, Uncertain) else f"{len(one.values)} numbers"
             raise InputError(one.where, given, "one number, where scans say the roughness")
@@ -355,10 +360,11 @@ def _refuse_bare_numbers(table: Mapping, path: str) -> None:
 
 
 def _is_text(value: Any, path: str) -> bool:
-    """Text, or the two ends of a range as text; of a number that is several each is asked where it is read."""
+    """Text, or the two ends of a range as text; of a number that is several each is asked where it is read; a distribution in
+    Python is in SI units."""
     if isinstance(value, list):
         return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)
-    return isinstance(value, str)
+    return isinstance(value, str | Distribution) or is_law(value)
 
 
 def _as_text(key: str) -> str:

@@ -11,10 +11,13 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.table import QUANTITIES
+from stiction.studies.distribution import Distribution, is_law
 from stiction.studies.places import with_numbers
+from stiction.studies.uncertain import read_distribution
 
 __all__ = ["as_toml", "case_text", "show_exactly", "with_written"]
 
+_TABLES = ("contact", "indices", "materials")  # in which numbers may be values from a file
 _PLAIN_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -30,8 +33,8 @@ def show_exactly(value: float, name: str) -> Any:
 
 
 def case_text(content: Mapping, comments: list[str], folder: Path, out: Path) -> str:
-    """The tables as TOML, after comments. What is named from a folder, scans and a file of materials, is named from where the
-    text goes."""
+    """The tables as TOML, after comments. What is named from a folder (scans, files of values, of materials) is named from
+    where the text goes."""
     return "".join(f"# {line}\n" for line in comments) + as_toml(_moved(content, folder, out))
 
 
@@ -46,7 +49,7 @@ def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:
     def moved(name: str) -> str:
         return Path(os.path.relpath((folder / name).resolve(), out.resolve())).as_posix()
 
-    changed = dict(content)
+    changed = {key: _samples_moved(one, moved) if key in _TABLES else one for key, one in content.items()}
     if isinstance(changed.get("materials"), str):
         changed["materials"] = moved(changed["materials"])
     contact = changed.get("contact")
@@ -56,6 +59,16 @@ def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:
         surfaces = {key: _scan_moved(one, moved) if key in ("first", "second") else one for key, one in rough.items()}
         changed["contact"] = {**contact, "roughness": surfaces}
     return changed
+
+
+def _samples_moved(table: Any, moved) -> Any:
+    """With every file of values named from its new place."""
+    if not isinstance(table, Mapping):
+        return table
+    return {
+        key: moved(one) if key == "samples" and isinstance(one, str) else _samples_moved(one, moved)
+        for key, one in table.items()
+    }
 
 
 def _scan_moved(surface: Any, moved) -> Any:
@@ -72,9 +85,16 @@ def _write(table: Mapping, path: tuple[str, ...], lines: list[str]) -> None:
     plain = {key: value for key, value in table.items() if key not in inner and value is not None}
     if path and (plain or not inner):
         lines += ["", f"[{'.'.join(map(_key, path))}]"]
-    lines += [f"{_key(key)} = {_value(value)}" for key, value in plain.items()]
+    lines += [f"{_key(key)} = {_value(_written(key, value))}" for key, value in plain.items()]
     for key, value in inner.items():
         _write(value, (*path, str(key)), lines)
+
+
+def _written(key: str, value: Any) -> Any:
+    """A distribution that a file cannot say as the number that stands for it."""
+    if isinstance(value, Distribution) or is_law(value):
+        return show_exactly(read_distribution(value, key, key).nominal, key)
+    return value
 
 
 def _key(key: Any) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
+from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.case import wants_ranges
 from stiction.studies.case_text import case_text, show_exactly, with_written
@@ -89,6 +90,7 @@ def design(case: Any, *, tell: Tell = lambda count, text: None) -> "xarray.Datas
     is chosen, what is wished and limited, `broken`, by how much the limits are broken, over their size, and `kept`; with two
     wishes also over `front` the designs of which none is better in both. Raises InputError.
     """
+    require_callable(tell, "tell")
     return run_design(plan_of_design(case), tell, keep_on_interrupt=False).data()
 
 

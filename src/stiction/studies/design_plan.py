@@ -181,6 +181,8 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
             raise InputError(where, entry, "a list, of which one is taken")
         else:
             free.append(read_free(path, entry, where))
+            if free[-1].each_sample:
+                raise InputError(f"{where}.each_sample", True, "not here: a design has no samples")
     if not free and not options:
         raise InputError(
             "design.choose", None, 'something to choose, e.g. coating.thickness = { low = "50 nm", high = "1 um" }'

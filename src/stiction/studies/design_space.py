@@ -196,8 +196,8 @@ class Space:
         found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
         names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.wishes)]
         for name, worst in zip(names, [*broken[: len(self.plan.limits)], *wishes], strict=True):
-            table, rows = tables[name], np.arange(len(worst))
-            found[name] = table.reshape(len(rows), -1)[rows, np.argmax(worst.reshape(len(rows), -1), axis=1)]
+            rows, sample, load = _place_of_worst(worst)
+            found[name] = tables[name][rows, sample, load]
         return found
 
     def _table(self, name: str, solved: Pointwise, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
@@ -267,7 +267,17 @@ def _counts(rule: Validity, validity: str) -> bool:
 
 def _worst(table: np.ndarray) -> np.ndarray:
     """Of the loads the worst, and of what is uncertain all but the worst 5 %: (designs,)."""
-    at_worst = np.where(np.isfinite(table) | (table == -np.inf), table, _REFUSED).max(axis=2)
-    if at_worst.shape[1] == 1:
-        return np.maximum(at_worst[:, 0], -_REFUSED)
-    return np.maximum(np.quantile(at_worst, _SURE, axis=1, method="higher"), -_REFUSED)
+    return np.maximum(_refused_as_far(table)[_place_of_worst(table)], -_REFUSED)
+
+
+def _place_of_worst(table: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Where that stands: designs, samples and loads (designs,)."""
+    numbers = _refused_as_far(table)
+    rows, loads = np.arange(len(table)), numbers.argmax(axis=2)
+    order = np.argsort(numbers.max(axis=2), axis=1, kind="stable")
+    sample = order[:, int(np.ceil(_SURE * (table.shape[1] - 1)))]
+    return rows, sample, loads[rows, sample]
+
+
+def _refused_as_far(table: np.ndarray) -> np.ndarray:
+    return np.where(np.isfinite(table) | (table == -np.inf), table, _REFUSED)

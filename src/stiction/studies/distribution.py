@@ -143,7 +143,10 @@ def of_law(quantity: str, law: Any, field: str) -> Distribution:
     out of bounds."""
     name = getattr(getattr(law, "dist", None), "name", type(law).__name__)
     given = f"scipy.stats.{name}"
-    median = float(law.ppf(0.5))
+    try:
+        median = float(law.ppf(0.5))
+    except (TypeError, ValueError):  # one of scipy.stats without its parameters
+        raise InputError(field, given, "a distribution with its parameters, e.g. scipy.stats.norm(5e8, 1e8)") from None
     if not np.isfinite(median):
         raise InputError(field, given, "a distribution with a median")
     shares = np.array([0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.999])

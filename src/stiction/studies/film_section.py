@@ -58,9 +58,7 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
     return _dataset(z, field, normal, shear, attrs)
 
 
-def _asperity(
-    subject: Subject, groups: Groups, point: "xarray.Dataset"
-) -> tuple[float, float, float, dict[str, Any]]:
+def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tuple[float, float, float, dict[str, Any]]:
     """Of the mean asperity: contact radius over the thickness of one film, mean pressure over the body's yield stress, friction
     over load; and its sizes in SI, of a Contact."""
     count, area, load = (float(point[name]) for name in ("touching_asperities", "contact_area", "load"))
@@ -94,7 +92,9 @@ def _along_interface(stresses: Stresses, traction: float) -> tuple[np.ndarray, n
     return six[2][0], six[5][0]
 
 
-def _dataset(z: np.ndarray, field: np.ndarray, normal: np.ndarray, shear: np.ndarray, attrs: dict[str, Any]) -> "xarray.Dataset":
+def _dataset(
+    z: np.ndarray, field: np.ndarray, normal: np.ndarray, shear: np.ndarray, attrs: dict[str, Any]
+) -> "xarray.Dataset":
     import xarray
 
     unit, scale = ("Pa", attrs["mean_pressure"]) if "mean_pressure" in attrs else ("1", 1.0)

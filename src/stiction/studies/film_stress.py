@@ -47,7 +47,9 @@ def film_stresses(contact: Subject, **given: Any) -> "xarray.Dataset":
     if dims:
         raise InputError("contact", f"arrays along {', '.join(dims)}", "one contact, of plain numbers")
     if groups.film_aspect is None or not np.isfinite(groups.film_aspect[0]):
-        raise InputError("film_aspect", None, "t/sqrt(R sigma), a number of 0 or more: how thick the film is under its asperities")
+        raise InputError(
+            "film_aspect", None, "t/sqrt(R sigma), a number of 0 or more: how thick the film is under its asperities"
+        )
     if given.get("film", _FILM) != _FILM:
         raise InputError("film", given["film"], f"{_FILM}, which solves film and body as one")
     data = solve(subject, **{**given, "film": _FILM})

@@ -1,6 +1,6 @@
 """Calibration: numbers of a case fitted to measured series, with what the data cannot tell."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
@@ -10,10 +10,11 @@ import numpy as np
 
 from stiction import __version__
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.case_text import case_text, with_written
 from stiction.studies.fit_answer import Fitted, fitted, verdicts
-from stiction.studies.fit_bands import Bands, predicted
+from stiction.studies.fit_bands import Bands, check_predicted, predicted
 from stiction.studies.fit_evidence import Rival, rank, rival
 from stiction.studies.fit_model import forward_of
 from stiction.studies.fit_plan import RESISTANCE, FitPlan, make_fit_plan, without_studies
@@ -62,6 +63,7 @@ def fit(case: Any, data: Any, *, progress: Progress = lambda text: iter) -> "xar
     and the numbers of [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Raises
     InputError.
     """
+    require_callable(progress, "progress")
     return run_fit(plan_of_fit(case, data), progress, keep_on_interrupt=False).data()
 
 
@@ -71,9 +73,11 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
 
     if find_spec("lmfit") is None:
         raise InputError("fit", "without lmfit", "an installation with it: pip install 'stiction[fit]'")
-    if isinstance(case, Mapping):
-        return make_fit_plan(case, data)
-    return make_fit_plan(read_content(case), data, Path(case).parent)
+    plan = (
+        make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)
+    )
+    check_predicted(plan)
+    return plan
 
 
 def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -> Fitting:
@@ -175,17 +179,27 @@ def _evidence(rivals: list[Rival]) -> "xarray.Dataset":
 
     ranked = rank(rivals)
     along = "model"
-    chi = [np.nan if one.fit is None else one.fit.best.chi_square * one.fit.scale**2 for one, _ in ranked]
+    stated = any(one.fit is not None and one.fit.stated for one in rivals)
+    over = "their standard errors" if stated else "the largest of all values"
     return xarray.Dataset(
         {
             "aicc": (along, [one.aicc for one, _ in ranked], {"long_name": "Akaike's criterion, corrected"}),
             "weight": (along, [weight for _, weight in ranked], {"long_name": "Akaike weight"}),
-            "left_out": (along, [one.left_out for one, _ in ranked], {"long_name": "error of values left out, over theirs"}),
-            "chi_square": (along, chi, {"long_name": "sum of squared residuals"}),
+            "left_out": (along, [one.left_out for one, _ in ranked], {"long_name": f"error of values left out, over {over}"}),
+            **_left_over([one.fit for one, _ in ranked], stated),
             "why_not": (along, [one.why_not for one, _ in ranked]),
         },
         coords={"model": [one.name for one, _ in ranked]},
     )
+
+
+def _left_over(fits: Sequence[Fitted | None], stated: bool) -> dict[str, tuple]:
+    """Chi square of each model; its scatter where no errors were given, of which there is no chi square."""
+    if stated:
+        chi = [np.nan if one is None else one.best.chi_square * one.scale**2 for one in fits]
+        return {"chi_square": ("model", chi, {"long_name": "sum of squared residuals"})}
+    scatter = [np.nan if one is None else float(one.errors[0]) for one in fits]
+    return {"scatter": ("model", scatter, {"long_name": "standard deviation of values about the fit, in SI units"})}
 
 
 def _attributes(found: Fitting) -> dict[str, Any]:
@@ -198,7 +212,7 @@ def _attributes(found: Fitting) -> dict[str, Any]:
         "values": len(plan.data),
         "free": len(one.parameters),
         "degrees_of_freedom": one.freedom,
-        "chi_square": one.best.chi_square * one.scale**2,
+        **({"chi_square": one.best.chi_square * one.scale**2} if one.stated else {}),
         "confidence": CONFIDENCE,
         "errors": _errors_said(one),
         "errors_stated": int(one.stated),
@@ -218,8 +232,6 @@ def _unsure(found: Fitting) -> list[str]:
 
 def _errors_said(one: Fitted) -> str:
     if not one.stated:
-        if one.freedom < 1:
-            return "no errors were given, and there are no values to spare from which to find them"
         return f"no errors were given: all values have one, {one.errors[0]:.3g} in SI units, by their scatter about the fit"
     if one.scale > 1.0:
         return (

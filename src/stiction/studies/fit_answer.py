@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import show
 from stiction.studies.fit_model import Forward, Parameter
-from stiction.studies.fit_search import CONFIDENCE, Best, Profile, Residuals, profiles, search
+from stiction.studies.fit_search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 from stiction.studies.measurements import Measurements
 
 __all__ = ["Fitted", "fitted", "refitted", "verdicts"]
@@ -18,13 +19,15 @@ _HIDES = 5.0  # how many times farther a number may go if another goes with it, 
 _LIKE = 0.25  # of the rate at which one goes, at which the other does, in their logarithms
 _WIDE = 3.0  # interval of a number that is badly determined: high over low
 _AT_END = 1e-3  # of the way between the ends
+_SMALL = 1e-3  # of the largest value: errors that are smaller are made larger for the search
+_FAR_OFF = 0.5  # of the size of the values: a scatter, where no errors were given, that says that the model is not near them
 
 
 @dataclass(frozen=True)
 class Fitted:
     """A model and its best free numbers. scale: what the errors were multiplied by, where none were given or the scatter is
-    larger; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers. profiles: of each
-    number, none where they were not asked for."""
+    larger, which `found` says; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers that
+    the model asks for. profiles: of each number, none where they were not asked for."""
 
     name: str
     forward: Forward
@@ -34,6 +37,7 @@ class Fitted:
     scale: float
     threshold: float
     freedom: int
+    found: bool
     profiles: tuple[Profile, ...] = ()
 
     @property
@@ -53,6 +57,12 @@ class Fitted:
     def at(self, shares: np.ndarray) -> np.ndarray:
         return np.array([one.free.at(np.asarray(share)) for one, share in zip(self.parameters, shares, strict=True)])
 
+    def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
+        """Of sets that are so far above the least chi square, over that of the best. Where the size of the errors is found from
+        the same values it is integrated over (Gelman et al. 2013, section 14.2: Student's t where the model is linear)."""
+        rise = np.maximum(rise, 0.0)
+        return -0.5 * len(self.errors) * np.log1p(rise / self.freedom) if self.found else -0.5 * rise
+
     def residuals(self) -> Residuals:
         """Residuals over the errors as they were taken in the end."""
         return _residuals(self.forward, self.errors)
@@ -64,14 +74,43 @@ def _residuals(forward: Forward, errors: np.ndarray) -> Residuals:
 
 def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
     """The best fit of a model. Raises InputError where nothing between the ends gives what was measured."""
-    data = forward.data
-    errors, stated = _errors(data)
-    best = search(_residuals(forward, errors), _start(forward))
-    if not np.isfinite(forward.values(best.shares)).all():
-        raise InputError(
-            "fit.free", "its ends", f"ends between which {forward.choice.model} carries the loads that were measured"
-        )
+    errors, stated = _errors(forward.data)
+    best = _searched(forward, errors, _start(forward))
+    refused = np.flatnonzero(~np.isfinite(forward.values(best.shares)[0]))
+    if refused.size:
+        line, load = forward.data.line[refused[0]], float(forward.data.load[refused[0]])
+        allowed = f"what {forward.choice.model} carries with numbers between the ends of [fit.free]"
+        raise InputError(f"line {line}, load", show(load, "load"), allowed)
     return _scaled(name, forward, best, (errors, stated), with_profiles)
+
+
+def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
+    """The best fit. Where errors are far smaller than the values it is found with larger ones in the same proportion, which
+    give the same numbers: over the errors themselves all that is not next to the best would be equally far off."""
+    sizes = {
+        name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities
+    }
+    share = errors / np.array([sizes[name] or 1.0 for name in forward.data.quantity])
+    larger = max(1.0, _SMALL / float(share.min()))
+    best = search(_residuals(forward, larger * errors), start)
+    if larger == 1.0:
+        return best
+    if larger * np.abs(best.residuals).max() < FAR:
+        return search(_residuals(forward, errors), best.shares)
+    return _over(best, 1.0 / larger)
+
+
+def _over(best: Best, factor: float) -> Best:
+    """The same with errors times a factor."""
+    table = best.jacobian / factor
+    return replace(
+        best,
+        chi_square=best.chi_square / factor**2,
+        residuals=best.residuals / factor,
+        jacobian=table,
+        bounded=np.linalg.inv(table.T @ table + 12.0 * np.eye(table.shape[1])),
+        covariance=None if best.covariance is None else best.covariance * factor**2,
+    )
 
 
 def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
@@ -79,31 +118,21 @@ def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bo
     from scipy.stats import chi2, f
 
     errors, stated = given
-    freedom = len(errors) - len(best.shares)
+    freedom = len(errors) - int(best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
     scale = 1.0
-    doubted = freedom > 0 and (not stated or best.chi_square > chi2.ppf(_BELIEVED, freedom))
-    if doubted:
+    found = freedom > 0 and (not stated or best.chi_square > chi2.ppf(_BELIEVED, freedom))
+    if found:
         scale = max(np.sqrt(best.chi_square / freedom), 1e-12)
-    threshold = float(f.ppf(CONFIDENCE, 1, freedom) if doubted else chi2.ppf(CONFIDENCE, 1))
-    table = best.jacobian / scale
-    bounded = np.linalg.inv(table.T @ table + 12.0 * np.eye(table.shape[1]))
-    covariance = None if best.covariance is None else best.covariance * scale**2
-    best = replace(
-        best,
-        chi_square=best.chi_square / scale**2,
-        residuals=best.residuals / scale,
-        jacobian=table,
-        bounded=bounded,
-        covariance=covariance,
-    )
-    found = Fitted(name, forward, best, errors * scale, stated, float(scale), threshold, freedom)
-    return replace(found, profiles=tuple(profiles(found.residuals(), best, threshold))) if with_profiles else found
+    threshold = float(f.ppf(CONFIDENCE, 1, freedom) if found else chi2.ppf(CONFIDENCE, 1))
+    best = _over(best, float(scale))
+    one = Fitted(name, forward, best, errors * scale, stated, float(scale), threshold, freedom, found)
+    return replace(one, profiles=tuple(profiles(one.residuals(), best, threshold))) if with_profiles else one
 
 
 def refitted(one: Fitted, forward: Forward) -> Fitted:
     """The same model fitted to other values, from where it was best."""
     errors, stated = _errors(forward.data)
-    best = search(_residuals(forward, errors), one.best.shares)
+    best = _searched(forward, errors, one.best.shares)
     return _scaled(one.name, forward, best, (errors, stated), False)
 
 
@@ -156,6 +185,9 @@ def verdicts(one: Fitted) -> list[str]:
     for at, profile in enumerate(one.profiles):
         if at not in entangled:
             found += _of_one(one, at, profile)
+    size = float(np.sqrt(np.mean(one.forward.data.value**2)))
+    if not one.stated and one.errors[0] > _FAR_OFF * size:
+        found.append(f"the model is not near the data: what is left is {one.errors[0] / size:.0%} of the values")
     named = one.forward.plan.uncertain
     if named:
         found.append(f"{', '.join(named)}: uncertain, and taken as the nominal value; the intervals do not hold what that adds")

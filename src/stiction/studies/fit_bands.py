@@ -1,5 +1,6 @@
 """What a fitted model predicts, with what the data leave open of its numbers."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -14,11 +15,12 @@ from stiction.studies.fit_plan import RESISTANCE, FitPlan
 from stiction.studies.fit_search import CONFIDENCE, finite
 from stiction.studies.places import with_numbers
 
-__all__ = ["Bands", "draws_of", "predicted"]
+__all__ = ["Bands", "check_predicted", "draws_of", "predicted"]
 
 _DRAWS, _TRIED = 1024, 4096
 _AT_ONCE = 256  # sets of trials at a time
-_MOST = 400_000  # of predicted points times draws
+_MOST = 50_000  # predicted points at a time
+_MOST_PREDICTED = 20_000  # each for all draws
 _SET = "set"
 
 
@@ -49,7 +51,7 @@ def draws_of(one: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     parts = [finite(residuals(sets[at : at + _AT_ONCE])) for at in range(0, len(sets), _AT_ONCE)]
     rise = (np.concatenate(parts) ** 2).sum(axis=1) - one.best.chi_square
     density = 0.75 * _density(np.linalg.solve(root, (sets - one.best.shares).T).T, root) + 0.25
-    weights = np.exp(-0.5 * np.maximum(rise, 0.0)) / density
+    weights = np.exp(one.log_likelihood(rise)) / density
     weights /= weights.sum()
     effective = float(1.0 / (weights**2).sum())
     at = (np.arange(_DRAWS) + 0.5) / _DRAWS
@@ -81,17 +83,19 @@ def predicted(plan: FitPlan, one: Fitted) -> Bands:
     sets, effective = draws_of(one)
     sets = np.concatenate([one.best.shares[None, :], sets])[:, columns]
     named = [one.parameters[at] for at in columns]
-    content, arrays = _predicted_content(plan, {x.free.path for x in named})
+    arrays = _predicted_numbers(plan)
     names = [name for name in plan.data.quantities if name != "pull_off_force"] or list(plan.data.quantities)
     found: dict[str, list[np.ndarray]] = {name: [] for name in names}
     dims: dict[str, tuple[str, ...]] = {}
-    step = max(1, min(128, _MOST // 8 // max(1, _count(arrays))))
-    for at in range(0, len(sets), step):
+    at, step = 0, 1
+    while at < len(sets):
         numbers = _numbers(named, sets[at : at + step], {path for path in arrays})
-        solved, coords = _solved(plan, one, content, arrays, numbers, names)
+        solved, coords = _solved(plan, one, plan.content, arrays, numbers, names)
         for name in names:
             dims[name], values = _of(solved, name, numbers.get(RESISTANCE, plan.resistance), len(sets[at : at + step]))
             found[name].append(values)
+        at += step
+        step = max(1, min(128, _MOST // values[0].size))
     tail = 0.5 * (1.0 - CONFIDENCE)
     tables = {}
     for name, parts in found.items():
@@ -101,12 +105,20 @@ def predicted(plan: FitPlan, one: Fitted) -> Bands:
     return Bands(tables, coords, sample, effective)
 
 
-def _count(arrays: Mapping[tuple[str, ...], Any]) -> int:
-    return int(np.prod([np.size(array) for array in arrays.values()]))
+def check_predicted(plan: FitPlan) -> None:
+    """InputError where what is to be predicted is no number of the contact, or far too much."""
+    arrays = _predicted_numbers(plan)
+    solve = plan.content.get("solve", {})
+    given = (solve.get("load") or solve.get("separation")) if isinstance(solve, Mapping) else None
+    points = given.get("count", 1) if isinstance(given, Mapping) else len(given) if isinstance(given, list) else 1
+    sizes = {dim: size for array in arrays.values() for dim, size in getattr(array, "sizes", {}).items()}
+    count = math.prod(sizes.values()) * (points if isinstance(points, int) else 1)
+    if count > _MOST_PREDICTED:
+        raise InputError("fit.predict", f"{count} points with those of [solve]", f"{_MOST_PREDICTED} at most")
 
 
-def _predicted_content(plan: FitPlan, free: set[tuple[str, ...]]) -> tuple[Mapping, dict[tuple[str, ...], Any]]:
-    """The tables with the single numbers of [fit.predict], and those that are several as labelled arrays."""
+def _predicted_numbers(plan: FitPlan) -> dict[tuple[str, ...], Any]:
+    """The numbers of [fit.predict], those that are several as labelled arrays."""
     from stiction.studies.places import flat, placed, read_end
     from stiction.studies.several import several_numbers
 
@@ -126,7 +138,7 @@ def _predicted_content(plan: FitPlan, free: set[tuple[str, ...]]) -> tuple[Mappi
             arrays[path] = one.array(one.numbers())
         else:
             arrays[path] = read_end(entry, path[-1], where)
-    return plan.content, arrays
+    return arrays
 
 
 def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[tuple[str, ...]]) -> dict[tuple[str, ...], Any]:

@@ -17,7 +17,7 @@ _FOLDS = 5
 @dataclass(frozen=True)
 class Rival:
     """A model among others: its fit, or why it has none; aicc: Akaike's criterion, small is good; left_out: root mean square of
-    the errors of values that were left out, over their standard errors as stated, or over the size of the values."""
+    the errors of values that were left out, over their standard errors as stated, or else over the largest of all values."""
 
     name: str
     fit: Fitted | None
@@ -54,7 +54,7 @@ def _left_out(plan: FitPlan, one: Fitted) -> float:
     folds = _folds(plan)
     if len(folds) < 2:
         return float("nan")
-    errors = one.errors / one.scale
+    errors = one.errors / one.scale if one.stated else (np.abs(data.value).max() or 1.0)
     total = np.empty(len(data))
     for fold in folds:
         rest = np.setdiff1d(np.arange(len(data)), fold)
@@ -63,7 +63,8 @@ def _left_out(plan: FitPlan, one: Fitted) -> float:
             said = forward_of(plan, _model(plan, one), data.some(fold)).values(other.best.shares)[0]
         except InputError:
             return float("inf")
-        total[fold] = (said - data.value[fold]) / errors[fold]
+        total[fold] = said - data.value[fold]
+    total /= errors
     return float(np.sqrt(np.mean(total**2))) if np.isfinite(total).all() else float("inf")
 
 
@@ -80,7 +81,15 @@ def _folds(plan: FitPlan) -> list[np.ndarray]:
     order = np.lexsort((np.nan_to_num(data.load), np.unique(data.sample, return_inverse=True)[1]))
     count = min(_FOLDS, len(data))
     folds = [np.sort(order[at::count]) for at in range(count)]
-    return folds if len(data) - max(map(len, folds)) > len(plan.free) else []
+    return folds if all(_is_enough(plan, np.setdiff1d(np.arange(len(data)), fold)) for fold in folds) else []
+
+
+def _is_enough(plan: FitPlan, rest: np.ndarray) -> bool:
+    """Whether these values are more than the free numbers, and all samples are among them that have numbers of their own."""
+    each = sum(one.each_sample for one in plan.free)
+    samples = {plan.data.sample[at] for at in rest}
+    count = len(plan.free) + each * (len(plan.data.samples) - 1)
+    return len(rest) > count and (not each or len(samples) == len(plan.data.samples))
 
 
 def rank(rivals: list[Rival]) -> list[tuple[Rival, float]]:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from pydantic import Field
 
 from stiction.quantities.errors import InputError
@@ -124,6 +125,9 @@ def _check(plan: FitPlan) -> None:
     count = sum(len(plan.data.samples) if one.each_sample else 1 for one in plan.free)
     if len(plan.data) < count:
         raise InputError("--data", f"{len(plan.data)} values", f"at least {count}, as many as there are free numbers")
+    if len(plan.data) == count and not np.isfinite(plan.data.error).all():
+        allowed = f"at least {count + 1}, one more than there are free numbers, or a column of their errors"
+        raise InputError("--data", f"{count} values without errors", allowed)
 
 
 def _has_scans(given: Mapping) -> bool:

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["CONFIDENCE", "Best", "Profile", "Residuals", "profiles", "search"]
+__all__ = ["CONFIDENCE", "FAR", "Best", "Profile", "Residuals", "profiles", "search"]
 
 CONFIDENCE = 0.95
 # Standardised residual where a model refuses a set of numbers, or has no value.
-_REFUSED = 1e4
+FAR = 1e4
 _STEP = 1e-4  # of the ends: half the width of differences
 _GRID, _ROUNDS, _STEPS = 33, 4, 40
 _STARTS = 3
@@ -51,7 +51,7 @@ class Profile:
 
 def finite(values: np.ndarray) -> np.ndarray:
     """Residuals as numbers, far off where there is none."""
-    return np.where(np.isfinite(values), np.clip(values, -_REFUSED, _REFUSED), _REFUSED)
+    return np.where(np.isfinite(values), np.clip(values, -FAR, FAR), FAR)
 
 
 def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | None = None) -> tuple[np.ndarray, np.ndarray]:

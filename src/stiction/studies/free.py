@@ -73,6 +73,8 @@ def read_free(path: tuple[str, ...], entry: Any, where: str) -> Free:
     low, high = (read_end(getattr(given, end), path[-1], f"{where}.{end}") for end in ("low", "high"))
     if not low < high:
         raise InputError(where, [given.low, given.high], "the low end first, and another high one")
+    if not np.isfinite(high / low if low > 0.0 else high - low):
+        raise InputError(where, [given.low, given.high], "ends that are less than a factor 1e300 apart")
     log = given.spacing == "log" or (given.spacing is None and low > 0.0)
     if log and low <= 0.0:
         raise InputError(f"{where}.low", given.low, 'above 0 where spacing = "log"')

@@ -13,7 +13,7 @@ import numpy as np
 
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import to_si
+from stiction.quantities.units import show, to_si
 from stiction.studies.places import placed, subject_table
 
 __all__ = ["MEASURABLE", "Measurements", "read_measurements"]
@@ -28,7 +28,8 @@ _HEAD = re.compile(r"\s*([\w.]+)\s*(?:\[\s*(.*?)\s*\])?\s*")
 _ERROR = "_error"
 _SAMPLE, _NOTES = "sample", ("note", "source")
 _LARGEST_FILE, _MOST_ROWS = 10**7, 20_000
-_FORM = 'a table with heads like "load [mN],friction_coefficient,friction_coefficient_error"'
+_LEAST_ERROR = 1e-10  # of the largest value
+_FORM = 'a table with commas between its cells and heads like "load [mN],friction_coefficient,friction_coefficient_error"'
 
 
 @dataclass(frozen=True)
@@ -198,6 +199,8 @@ def _entries(at: int, cells: Mapping[str, str], columns: Mapping[str, _Column]) 
     for quantity in values:
         if not np.isfinite(load) and quantity not in _NEED_NO_LOAD:
             raise InputError(f"line {at}", None, f"a load where {quantity} was measured")
+        if quantity == "friction_coefficient" and not load > 0.0:
+            raise InputError(f"line {at}, load", load, "above 0 where friction_coefficient was measured")
         if quantity in errors and not errors[quantity] > 0.0:
             raise InputError(f"line {at}, {quantity}{_ERROR}", errors[quantity], "above 0")
     return [(q, sample, load, value, errors.get(q, float("nan")), known, at) for q, value in values.items()]
@@ -217,10 +220,16 @@ def _number(cell: str, column: _Column, where: str) -> float:
 
 
 def _check_errors(measured: Measurements) -> None:
-    """Errors of a quantity are given for all its values, or for none."""
+    """Errors of a quantity are given for all its values, or for none, and no value has more digits than a number."""
     for quantity in measured.quantities:
         of = np.array([one == quantity for one in measured.quantity])
         there = np.isfinite(measured.error[of])
         if there.any() and not there.all():
             line = np.array(measured.line)[of][~there][0]
             raise InputError(f"line {line}, {quantity}{_ERROR}", None, "a standard error for every value, or for none")
+        least = _LEAST_ERROR * np.abs(measured.value[of]).max()
+        small = of & (measured.error < least)
+        if small.any():
+            at = int(np.flatnonzero(small)[0])
+            allowed = f"{show(float(least), quantity)} or more, {_LEAST_ERROR:g} of the largest value"
+            raise InputError(f"line {measured.line[at]}, {quantity}{_ERROR}", float(measured.error[at]), allowed)

@@ -1,6 +1,7 @@
 """Materials of a case's own: tables [materials.NAME] in the case, or in a file beside it that the case names."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -8,22 +9,52 @@ from stiction.contact.materials import Material, as_material, material_names
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import nearest
 
-__all__ = ["with_own_materials"]
+__all__ = ["telling_the_file", "with_materials_of_file", "with_own_materials"]
 
 _FORM = 'tables [materials.NAME], or the name of a file that has them, e.g. materials = "my_materials.toml"'
 _BODIES = ("first", "second")
 
 
-def with_own_materials(content: Mapping, folder: Path, read: Callable[[Path], Mapping]) -> Mapping:
-    """The tables of a case with every name of its own materials replaced by the material.
+def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path], Mapping]) -> Mapping:
+    """The tables of a case, with those of the file of materials in place of its name where it names one.
 
-    content: the tables of the case file; folder: from which a file of materials is named; read: the tables of a TOML file, its
-    numbers with their units. Raises InputError, for what stands in a file with the name of the file before the field.
+    folder: from which the file is named; read: the tables of a TOML file, its numbers with their units. Raises InputError, with
+    the name of the file before the field.
     """
+    given = content.get("materials")
+    if not isinstance(given, str):
+        return content
+    name = Path(given).name
+    try:
+        tables = read(folder / given)
+        for key in tables.keys() - {"materials"}:
+            raise InputError(key, tables[key], "materials: a file of materials has tables [materials.NAME] and nothing else")
+        if not isinstance(tables.get("materials"), Mapping):
+            raise InputError("materials", tables.get("materials"), _FORM)
+    except InputError as error:
+        where = name if error.field == "case file" else f"{name}: {error.field}"
+        raise InputError(f"materials: {where}", error.value, error.allowed.replace("case file", "file of materials")) from None
+    return {**content, "materials": tables["materials"]}
+
+
+@contextmanager
+def telling_the_file(content: Mapping) -> Iterator[None]:
+    """Whatever is wrong with materials of a file that the case names is told with the name of the file before the field."""
+    given = content.get("materials")
+    try:
+        yield
+    except InputError as error:
+        if not (isinstance(given, str) and error.field.startswith("materials.")):
+            raise
+        raise InputError(f"materials: {Path(given).name}: {error.field}", error.value, error.allowed) from None
+
+
+def with_own_materials(content: Mapping) -> Mapping:
+    """The tables of a case with every name of its own materials replaced by the material. Raises InputError."""
     given = content.get("materials")
     if given is None:
         return content
-    own = _of_file(folder / given, read) if isinstance(given, str) else _materials(given)
+    own = _materials(given)
     contact = content.get("contact")
     if not isinstance(contact, Mapping):
         return {**content, "materials": own}
@@ -33,17 +64,6 @@ def with_own_materials(content: Mapping, folder: Path, read: Callable[[Path], Ma
         found = _found(coating["material"], own, "contact.coating.material")
         bodies["coating"] = {**coating, "material": found}
     return {**content, "materials": own, "contact": {**contact, **bodies}}
-
-
-def _of_file(path: Path, read: Callable[[Path], Mapping]) -> dict[str, Material]:
-    try:
-        tables = read(path)
-        for key in tables.keys() - {"materials"}:
-            raise InputError(key, tables[key], "materials: a file of materials has tables [materials.NAME] and nothing else")
-        return _materials(tables.get("materials"))
-    except InputError as error:
-        where = path.name if error.field == "case file" else f"{path.name}: {error.field}"
-        raise InputError(f"materials: {where}", error.value, error.allowed.replace("case file", "file of materials")) from None
 
 
 def _materials(tables: Any) -> dict[str, Material]:

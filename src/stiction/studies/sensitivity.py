@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import require_callable
 from stiction.solving.candidates import choice_of
 from stiction.solving.solve import solve
 from stiction.studies.bands import words
@@ -57,6 +58,7 @@ def sensitivity(
     case. Attributes: `working_load`, the `models` that are drawn and their weights, `doubts_of_points`. Where nothing is
     uncertain there are elasticities only. Raises InputError for bad input.
     """
+    require_callable(progress, "progress")
     case = as_case(case, ranges)
     if case.is_several:
         where = next(name for name, _ in case.subject.arrays())

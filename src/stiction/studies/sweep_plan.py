@@ -192,7 +192,7 @@ def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[
     """The tables with the numbers of the method that stands for the surface alone, where scans say the roughness: maps are not
     for every worker; and what was done to the scans."""
     contact = content.get("contact")
-    rough = contact.get("roughness") if isinstance(contact, Mapping) else None
+    rough: Any = contact.get("roughness") if isinstance(contact, Mapping) else None
     if getattr(rough, "measured", None) is None:
         return content, {}
     assert isinstance(contact, Mapping)

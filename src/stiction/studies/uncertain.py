@@ -115,13 +115,17 @@ class Uncertain(Several):
         return self.distribution.ppf(share)
 
 
-def uncertain_numbers(content: Mapping, folder: Path = Path()) -> dict[tuple[str, ...], Uncertain]:
+def uncertain_numbers(
+    content: Mapping, folder: Path = Path(), of_materials: Path | None = None
+) -> dict[tuple[str, ...], Uncertain]:
     """Every number of [contact], [indices] or [materials] that is uncertain, by where it stands. folder: from which files of
-    values are named. Raises InputError."""
+    values are named; of_materials: from which those of [materials] are, where they stand in a file elsewhere. Raises
+    InputError."""
     found = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
     read = {}
     for path, entry in found.items():
-        one = read_distribution(entry, path[-1], ".".join(path), folder)
+        beside = folder if of_materials is None or path[0] != "materials" else of_materials
+        one = read_distribution(entry, path[-1], ".".join(path), beside)
         along = entry.get("along") if isinstance(entry, Mapping) else None
         read[path] = Uncertain.of(path, one, along or ".".join(path[1:]))
     return read
@@ -144,7 +148,10 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
     if isinstance(given, _Samples):
         return of_samples(quantity, _values(given, quantity, where, folder), ordered=given.along is None)
     if isinstance(given, _Factor):
-        return within_factor(quantity, number_of(given.median, quantity, f"{where}.median"), given.factor, where, entry)
+        median = number_of(given.median, quantity, f"{where}.median")
+        if not median > 0.0:
+            raise InputError(f"{where}.median", given.median, "above 0")
+        return within_factor(quantity, median, given.factor, where, entry)
     assert isinstance(given, _Between)
     low, high = (number_of(getattr(given, end), quantity, f"{where}.{end}") for end in ("low", "high"))
     if not low < high:

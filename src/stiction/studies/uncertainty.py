@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.quantities.inputs import require_callable
 from stiction.studies.case import Case, as_case
 from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison import working_load
@@ -39,6 +40,7 @@ def uncertainty(
     model; over the models, that share of their weight, of the family that `compare` recommends, on the nominal contact. They
     are not added: each is what would be left if the others were known. Raises InputError for bad input.
     """
+    require_callable(progress, "progress")
     case = as_case(case, ranges)
     return answered(case, working_load(case, load), progress).data
 

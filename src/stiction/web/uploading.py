@@ -15,7 +15,7 @@ def upload_button(
     explorer: Explorer,
     label: str,
     taken: Callable[[str, str], Awaitable[None]],
-    refused: Callable[[str], None],
+    refused: Callable[[str], object],
     most: int,
 ) -> None:
     """The button. taken(path, name): told where the file is kept and what it was called; refused: told why one is not

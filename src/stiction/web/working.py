@@ -28,7 +28,7 @@ class Latest(Generic[_T]):
     work: what is done, in a thread; show: what is done with the result, in the loop.
     """
 
-    def __init__(self, work: Callable[..., _T], show: Callable[[_T], None]):
+    def __init__(self, work: Callable[..., _T], show: Callable[[_T], object]):
         self._work, self._show = work, show
         self._waiting: tuple[Any, ...] | None = None
         self._running = False

@@ -58,7 +58,11 @@ def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
     return [NormalPiece(normal, coordinate, (groups.theta,), edges, "elastic"), flow(groups, w_1)]
 
 
-LAW = Law(replace(CORRECTED, pieces=pieces), replace(TANGENTIAL, tangential_resistance=grip_printed, junctions=()), {"branch": "loading"})
+LAW = Law(
+    replace(CORRECTED, pieces=pieces),
+    replace(TANGENTIAL, tangential_resistance=grip_printed, junctions=()),
+    {"branch": "loading"},
+)
 
 
 def bare_regimes(groups: Groups) -> list[Regime]:

@@ -75,7 +75,9 @@ RECORD = TangentialLaw(
     title="Junctions that grow under shear until their interface gives way",
     grade="B",
     sources=(
-        Source("mcfarlane_tabor_1950", "", "yield under pressure and shear together, p^2 + alpha tau^2 = H^2, as commonly quoted"),
+        Source(
+            "mcfarlane_tabor_1950", "", "yield under pressure and shear together, p^2 + alpha tau^2 = H^2, as commonly quoted"
+        ),
         Source("tabor_1959", "", "growth ended by an interface weaker than the bulk, as commonly quoted; derived again"),
     ),
     tangential_resistance=tangential_resistance,
