@@ -64,6 +64,14 @@ def test_links_of_a_text_that_stands_elsewhere_are_meant_from_where_it_was():
     assert text == "[a](../theory.md) [b](../published-models.md#4-films)"
 
 
+def test_every_page_is_in_a_table_of_contents():
+    """Of its folder; what stands at the root in that of the start page."""
+    for folder in (ROOT / "docs", *(ROOT / "docs" / name for name in ("tutorials", "how-to"))):
+        listed = (folder / "index.md").read_text(encoding="utf-8").splitlines()
+        for page in folder.glob("*.md"):
+            assert page.stem == "index" or page.stem in listed, f"{page.name} is in no toctree of {folder.name}/index.md"
+
+
 def test_every_public_name_has_its_page():
     listed = [name for names in name_pages.GROUPS.values() for name in names]
     left_out = {"fan"}  # the old name of another
