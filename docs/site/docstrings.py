@@ -11,7 +11,7 @@ from collections.abc import Collection
 _SAYS = re.compile(r"(?:^|(?<=[.;)]) )(\*{0,2}[a-z_]\w*(?:, [a-z_]\w*)*): ", re.IGNORECASE)
 _NUMBERS = "Numbers, each with its SI unit:"
 _BLOCK = re.compile(r"^(?: {4}|[-|>]|\d+\. |```)")
-_PAGE = re.compile(r"(?<![\w/(])docs/([\w-]+)\.md")
+_PAGE = re.compile(r"(?<![\w/])(?<!\]\()docs/([\w-]+)\.md")
 
 
 def as_markdown(text: str, names: Collection[str] = (), root: str = "") -> str:

@@ -87,9 +87,9 @@ def test_page_of_a_name_says_what_its_docstring_says():
 
 
 def test_arguments_in_a_docstring_become_a_list():
-    text = "What it is.\n\npath: of the\nfile. unit, scale: of it.\nother: not listed.\n\nAs in docs/theory.md."
+    text = "What it is.\n\npath: of the\nfile. unit, scale: of it.\nother: not listed.\n\nAs in (docs/theory.md)."
     assert as_markdown(text, {"path", "unit", "scale"}, "../") == (
-        "What it is.\n\n- `path`: of the file.\n- `unit`, `scale`: of it. other: not listed.\n\nAs in [theory](../theory.md)."
+        "What it is.\n\n- `path`: of the file.\n- `unit`, `scale`: of it. other: not listed.\n\nAs in ([theory](../theory.md))."
     )
 
 
