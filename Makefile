@@ -10,7 +10,7 @@ demo: $(VENV)/.ready
 	$(BIN)/stiction run examples/silver_on_steel.toml --out demo
 
 test: $(VENV)/.ready
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto --dist loadgroup
 
 bench: $(VENV)/.ready
 	$(BIN)/python benchmarks/run.py

@@ -175,10 +175,24 @@ def test_what_was_not_measured_says_why():
     assert "flow" in row["why_not"] and "error" not in row and "flow" in in_words(row)
     stiff = st.solve(coated(n_E=300.0), load="1 N", model=PLAIN, film="halling_1979")
     rows = read_film_errors(stiff.attrs["measured_film_error"])
-    assert len(rows) == 2 and all("measured for n_E" in row["why_not"] for row in rows)
+    modulus = "the film's modulus over that of the bodies is 300, and only"
+    for row, ends in zip(rows, ("0.005 to 100", "0.1 to 10"), strict=True):
+        assert row["why_not"].startswith(f"{modulus} {ends} was solved")
     area = st.solve(coated(n_E=300.0), load="1 N", model="rough_on_film")
     (row,) = read_film_errors(area.attrs["measured_film_error"])
     assert "0.1 to 10" in row["why_not"]
+
+
+def test_what_was_measured_at_some_points_only_says_at_which():
+    """Contacts that outgrow the table: the error is of the others, and the words say so; of films in the set, nothing more."""
+    found = st.solve(coated(thickness=25e-9), load=["1 uN", "1 mN", "100 N"], model=PLAIN, film="halling_1979")
+    sphere, maps = read_film_errors(found.attrs["measured_film_error"])
+    assert sphere["near"]["a_over_t"][0] < 20.0 < sphere["near"]["a_over_t"][1]
+    assert "of 3 points, and only 0.05 to 20 was solved" in sphere["outside"]
+    assert f"elsewhere nothing was measured: {sphere['outside']}" in in_words(sphere)
+    assert "the thickness of a film over the shortest wave of the surface is " in maps["why_not"]
+    inside = st.solve(coated(), load="1 N", model=PLAIN, film="halling_1979")
+    assert not any("outside" in row for row in read_film_errors(inside.attrs["measured_film_error"]))
 
 
 def test_its_cost():

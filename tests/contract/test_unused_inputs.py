@@ -150,7 +150,8 @@ def run(*words):
 def test_the_command_says_it(tmp_path):
     (tmp_path / "case.toml").write_text(CASE)
     case = tmp_path / "case.toml"
-    said = "interfacial_shear_strength is not used by this model; --tangential bowden_tabor_1943 or tabor_1959 does"  # the others need more
+    # the others need more
+    said = "interfacial_shear_strength is not used by this model; --tangential bowden_tabor_1943 or tabor_1959 does"
     assert said in run(case) and said not in run(case, "--tangential", "bowden_tabor_1943")
     assert "is not used" in run(
         case, "--film", "sequential"

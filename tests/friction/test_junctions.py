@@ -3,6 +3,7 @@
 Compared with closed forms and with sums by scipy.quad of formulas written out here.
 """
 
+import itertools
 import math
 
 import numpy as np
@@ -92,7 +93,7 @@ def test_sum_of_growing_junctions(c):
     ends = sorted({0.0, first, min(kink, 12.0), min(last, 12.0), 12.0})
     expected = sum(
         quad(lambda w: force(w) * math.exp(-((h + w) ** 2) / 2) / math.sqrt(2 * math.pi), a, b, epsabs=0, epsrel=1e-12)[0]
-        for a, b in zip(ends[:-1], ends[1:], strict=True)
+        for a, b in itertools.pairwise(ends)
     )
     choice = Choice(PLAIN, "zhao_maietta_chang_2000", "tabor_1959")
     assert problem_of(given, choice).at(np.array([[h]]))["friction_force"][0, 0] == pytest.approx(expected, rel=1e-9)
@@ -269,6 +270,6 @@ def test_on_a_film():
 
 def test_what_is_needed_is_asked_for():
     bare = copper(None)
-    with pytest.raises(st.InputError, match="interfacial_shear_strength.*tabor_1959"):
+    with pytest.raises(st.InputError, match=r"interfacial_shear_strength.*tabor_1959"):
         st.solve(bare, load="1 N", plastic_junctions="tabor_1959")
     assert st.solve(bare, load="1 N", plastic_junctions="brizmer_kligerman_etsion_2007")["friction_coefficient"] > 0.2

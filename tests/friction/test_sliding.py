@@ -42,8 +42,8 @@ def test_the_table_of_the_docstring(s, share, lost):
 
 @pytest.mark.parametrize("s", ["1e-9", "0.001", "0.0999", "0.1001", "0.3", "0.77", "0.9999"])
 def test_energy_of_a_cycle_of_one_asperity(s):
-    """Mindlin & Deresiewicz 1953: (9 f^2 P^2 beta/(80 a)) {1 - (1-q)^(5/3) - (5/6) q [1 + (1-q)^(2/3)]} between forces of
-    +-q f P with beta = 1/G*, here over f P times the sliding displacement 3 f P beta/(16 a); and Masing's loop by quadrature."""
+    """Mindlin & Deresiewicz 1953: (9 f^2 P^2 beta/(80 a)) {1 - (1-q)^(5/3) - (5/6) q [1 + (1-q)^(2/3)]} between forces
+    of +-q f P with beta = 1/G*, here over f P times the sliding displacement 3 f P beta/(16 a); and Masing's loop."""
     mp.dps = 40
     s = mpf(s)
     q = 1 - (1 - s) ** mpf("1.5")
@@ -220,13 +220,13 @@ def test_several_contacts_at_several_loads():
 @pytest.mark.parametrize(
     ("change", "laws", "why"),
     [
-        ({"coating": st.Coating(material="silver", thickness="200 nm")}, {}, "bare contact"),
+        ({"coating": st.Coating(material="silver", thickness="200 nm")}, {"film": "sequential"}, "bare contact"),
         ({}, {"model": "persson_2001"}, "single asperities"),
         ({}, {"tangential": "none"}, "tangential law"),
         ({}, {"model": "soft_coating_2015", "tangential": None, "reading": "published"}, "corrected"),
         ({}, {"kept": 1.5}, "from 0 to 1"),
         ({}, {"kept": math.nan}, "from 0 to 1"),
-        ({}, {"displacement": "-1 nm"}, "0 or more"),
+        ({}, {"displacement": "-1 nm"}, ">= 0 m"),
         ({}, {"displacement": []}, "at least one"),
         ({}, {"separation": "48 nm"}, "exactly one"),
         ({"interfacial_shear_strength": 0.0}, {}, "no friction"),
@@ -236,6 +236,11 @@ def test_refused_in_one_line(change, laws, why):
     with pytest.raises(InputError, match=why) as caught:
         st.slide(st.Contact(**STEEL | change), **{"load": "1 N"} | INTERFACE | laws)
     assert "\n" not in str(caught.value)
+
+
+def test_a_displacement_of_groups_is_not_negative():
+    with pytest.raises(InputError, match="0 or more"):
+        st.slide(coulomb(), separation=1.0, displacement=[0.1, -0.1], **COULOMB)
 
 
 def test_without_friction_the_curve_is_nothing():

@@ -365,7 +365,11 @@ def test_the_command_shows_how_far_it_is_and_what_is_doubtful(tmp_path):
     )  # fmt: skip
     result = CliRunner().invoke(cli.app, ["sweep", str(case), "--out", str(tmp_path / "store")])
     assert result.exit_code == 0, (result.output, result.exception)
-    assert "0 of 8 points" in result.stderr and "8 points, 8 of them computed now" in result.stdout
+    assert (
+        result.stderr.startswith("Reading the case")
+        and "0 of 8 points" in result.stderr
+        and "8 points, 8 of them computed now" in result.stdout
+    )
     again = CliRunner().invoke(cli.app, ["sweep", str(case), "--out", str(tmp_path / "store"), "--json"])
     said = json.loads(again.stdout)
     assert (said["points"], said["computed_now"], said["dims"]) == (8, 0, {"sample": 8})
@@ -378,7 +382,7 @@ def test_a_cluster_does_the_same(tmp_path):
     many = changed(DRAWN, sweep={"block": 6})  # more blocks than wait for workers at once
     sweep(many, tmp_path / "one")
     with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=1, host="127.0.0.1", dashboard_address=None, processes=False, protocol="tcp"
+        n_workers=1, threads_per_worker=1, host="127.0.0.1", dashboard_address="127.0.0.1:0", processes=False, protocol="tcp"
     ) as cluster:
         sweep(many, tmp_path / "two", scheduler=cluster.scheduler_address)
     assert same(tmp_path / "one", tmp_path / "two")

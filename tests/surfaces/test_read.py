@@ -245,6 +245,13 @@ def test_blanks_with_decimal_commas_and_a_first_row_that_is_missing(tmp_path):
     assert surface.missing == 12 and np.isnan(surface.heights[0]).all()
 
 
+def test_an_npz_file_with_something_else_than_an_array_is_refused(tmp_path):
+    with zipfile.ZipFile(tmp_path / "a.npz", "w") as archive:
+        archive.writestr("heights.npy", b"no array at all")
+    with pytest.raises(InputError, match=r"an undamaged \.npz file"):
+        read_scan(tmp_path / "a.npz", **SMALL)
+
+
 def test_npz(tmp_path):
     np.savez_compressed(tmp_path / "a.npz", HEIGHTS)
     np.testing.assert_allclose(read_scan(tmp_path / "a.npz", **SMALL).heights, HEIGHTS * 1e-9, rtol=1e-12)

@@ -48,7 +48,9 @@ def _texts(user: User) -> list[str]:
 def _input(user: User, label: str):
     with user:
         return next(
-            one for one in user.current_layout.descendants() if isinstance(one, ui.input) and one.props.get("label") == label
+            one
+            for one in user.current_layout.descendants()
+            if isinstance(one, ui.input) and one.props.get("aria-label") == label
         )
 
 

@@ -32,6 +32,8 @@ def sweep(
     """
     from time import perf_counter
 
+    if not _stderr().is_terminal:
+        _stderr().print("Reading the case")  # at once: the first points take longer
     with busy("Reading the case"):
         from stiction.studies.sweep import run_sweep
     begun = perf_counter()

@@ -4,14 +4,41 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from stiction.engine.compiled import kernel, unpack
+from stiction.engine.compiled import formula, kernel, unpack
 
-SAMPLES, HALVINGS, MOST = 24, 60, 6  # on a piece, of a bracket, crossings that are looked for
+SAMPLES, MOST = 24, 6  # on a piece; crossings that are looked for
+_STEPS, _SECANTS = 80, 24  # of a bracket: in all, and how many of them may be secants, each third of which halves
+_CLOSE = 1e-15  # two steps nearer to each other than this, relative, are one place
 
 
 @cache
-def crossing(excess: Callable, parameters: int) -> Any:
+def _narrowing(excess: Callable) -> Any:
+    @formula
+    def narrow(left, right, at_left, at_right, row):
+        """The place between at which the sign changes: secants (Illinois variant) with halvings between, which alone go on where
+        it changes by a jump."""
+        rises, last = at_right > 0.0, left
+        for step in range(_STEPS):
+            middle = 0.5 * (left + right)
+            if step < _SECANTS and step % 3 < 2 and at_right != at_left:
+                secant = right - at_right * (right - left) / (at_right - at_left)
+                middle = secant if left < secant < right else middle
+            if not left < middle < right or abs(middle - last) <= _CLOSE * abs(middle):
+                break
+            value, last = excess(middle, row), middle
+            if (value > 0.0) == rises:
+                right, at_right, at_left = middle, value, 0.5 * at_left
+            else:
+                left, at_left, at_right = middle, value, 0.5 * at_right
+        return right if not left < last < right else last
+
+    return narrow
+
+
+@cache
+def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
     """The kernel that looks for the changes of sign of excess(u, row), row having so many parameters."""
+    narrow = _narrowing(excess)
 
     @kernel
     def fill_crossings(table, edges, out):
@@ -21,23 +48,16 @@ def crossing(excess: Callable, parameters: int) -> Any:
             row, found = unpack(table[i], parameters), 0
             out[i] = edges[i, 0]
             for at in range(edges.shape[1] - 1):
-                low, step = edges[i, at], (edges[i, at + 1] - edges[i, at]) / SAMPLES
+                low, step = edges[i, at], (edges[i, at + 1] - edges[i, at]) / samples
                 if not step > 0.0:
                     continue
                 u = low + 1e-9 * step
                 before = excess(u, row)
-                for k in range(1, SAMPLES + 1):
-                    v = low + (k if k < SAMPLES else SAMPLES - 1e-9) * step
+                for k in range(1, samples + 1):
+                    v = low + (k if k < samples else samples - 1e-9) * step
                     value = excess(v, row)
                     if (value > 0.0) != (before > 0.0) and found < out.shape[1]:
-                        left, right = u, v
-                        for _ in range(HALVINGS):
-                            middle = 0.5 * (left + right)
-                            if (excess(middle, row) > 0.0) == (before > 0.0):
-                                left = middle
-                            else:
-                                right = middle
-                        out[i, found] = right
+                        out[i, found] = narrow(u, v, before, value, row)
                         found += 1
                     u, before = v, value
 

@@ -270,7 +270,8 @@ KINDS: tuple[type[Record], ...] = (
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite", "Criterion", "Departure",
+    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite",
+    "Criterion", "Departure",
     "FilmLaw", "Jump", "Limit", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
     "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
     "resolve_options", "select_options", "text_of",

@@ -19,6 +19,7 @@ __all__ = ["as_attributes", "film_errors", "in_words", "off_by", "read_film_erro
 
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
 _MAPS = 10
+_ROUNDING = 1e-3  # of the ends of what was measured
 _FLOWS = "films that flow were compared with nothing: what squeezes them out is solved nowhere here"
 
 
@@ -26,8 +27,9 @@ def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dic
     """A row for each thing that was measured of the film law near these normalised results (contacts' dimensions first).
 
     law; against: what; error: lowest and highest relative error of the area at given load over the results, load_error: of the
-    load at given approach; rms: of ln(area), on rough surfaces; near: ends of what the errors were looked up by; why_not: why
-    there is none, where there is none. Nothing for a contact without a film.
+    load at given approach; rms: of ln(area), on rough surfaces; near: ends of what the errors were looked up by; outside: what
+    leaves the solved set, at some of the results; why_not: why there is no error, where there is none. Nothing for a contact
+    without a film.
     """
     law = _law(problem)
     if law is None:
@@ -51,9 +53,11 @@ def _of_sphere(problem: Problem, law: str, results: Mapping[str, np.ndarray]) ->
     if found is None:
         return {}
     row = {"law": law, "against": SPHERE, "near": {"n_E": _ends(n_E), "a_over_t": _ends(width)}}
+    outside = _outside(MEASURED, {"n_E": n_E, "a_over_t": width})
     if np.isnan(found.area).all():
-        return row | {"why_not": f"measured for {_ranges(MEASURED)} only"}
-    return row | {"error": _ends(found.area - 1.0), "load_error": _ends(found.load - 1.0)}
+        return row | {"why_not": outside or "nothing touches"}
+    errors = {"error": _ends(found.area - 1.0), "load_error": _ends(found.load - 1.0)}
+    return row | errors | ({"outside": outside} if outside else {})
 
 
 def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
@@ -61,9 +65,11 @@ def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
     if found is None:
         return {}
     row = {"law": law, "against": MAPS, "near": near}
+    outside = _outside(MEASURED_ON_MAPS, {name: np.array(ends) for name, ends in near.items()})
     if np.isnan(found.rms).all():
-        return row | {"why_not": f"measured for {_ranges(MEASURED_ON_MAPS)} only"}
-    return row | {"error": _ends(found.mean - 1.0), "rms": float(np.nanmax(found.rms))}
+        return row | {"why_not": outside or "not measured there"}
+    errors = {"error": _ends(found.mean - 1.0), "rms": float(np.nanmax(found.rms))}
+    return row | errors | ({"outside": outside} if outside else {})
 
 
 def _on_maps(problem: Problem, law: str, beyond: bool = False) -> tuple[OnMaps | None, dict[str, Any]]:
@@ -81,8 +87,24 @@ def _on_maps(problem: Problem, law: str, beyond: bool = False) -> tuple[OnMaps |
     return on_maps(law, problem.options, n_E, thickness), near
 
 
-def _ranges(ranges: Mapping[str, tuple[float, float]]) -> str:
-    return " and ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in ranges.items())
+# What errors are looked up by, in words.
+_WORDS = {
+    "n_E": "the film's modulus over that of the bodies",
+    "a_over_t": "the mean contact's radius over the thickness of a film",
+    "thickness_over_shortest_wave": "the thickness of a film over the shortest wave of the surface",
+}
+
+
+def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.ndarray]) -> str:
+    """Which of the given numbers leave what was solved, and what that is; "" where none does."""
+    said = []
+    for name, (low, high) in ranges.items():
+        known = given[name][np.isfinite(given[name]) & (given[name] > 0.0)]
+        beyond = known[(known < low / (1.0 + _ROUNDING)) | (known > high * (1.0 + _ROUNDING))]
+        if beyond.size:
+            share = "" if beyond.size == known.size else f" at {beyond.size} of {known.size} points"
+            said.append(f"{_WORDS[name]} is {_span(_ends(beyond), '.3g')}{share}, and only {low:g} to {high:g} was solved")
+    return "; ".join(said)
 
 
 def on_solved_maps(problem: Problem, points: int) -> tuple[np.ndarray, ...] | None:
@@ -161,6 +183,7 @@ def in_words(row: Mapping[str, Any]) -> str:
     parts = [f"area {_span(row['error'], '+.0%')} at given load"]
     parts += [f"load {_span(row['load_error'], '+.0%')} at given approach"] if "load_error" in row else []
     parts += [f"off by {row['rms']:.2g} in ln(area), rms"] if "rms" in row else []
+    parts += [f"elsewhere nothing was measured: {row['outside']}"] if "outside" in row else []
     return f"{head}: {', '.join(parts)}"
 
 

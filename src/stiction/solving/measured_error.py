@@ -140,6 +140,8 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
     far = ~(distance <= FAR) | ~np.isfinite(found[0])
     error, expected, relative = (np.where(far, np.nan, one) for one in found[:3])
     why = _far(distance[far]) if far.any() else ""
+    if far.any() and coated and np.isfinite(distance[far]).any():
+        why = "; ".join(filter(None, [_film_far(known, place), why]))
     return MeasuredErrors(column, error, expected, relative, _of_friction(problem, results, error), distance, surfaces, why)
 
 
@@ -218,6 +220,24 @@ def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
     """sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) (Nayak 1971); film_aspect is t/sqrt(R sigma)."""
     thickness = groups.film_aspect * np.sqrt(6.0 * math.pi * math.sqrt(3.0) * groups.roughness_parameter)
     return np.repeat(groups.film_modulus, points), np.repeat(thickness, points)
+
+
+def _film_far(known: SolvedSet, place: _Place) -> str:
+    """How the film leaves the solved ones, in modulus and thickness; "" where it does not."""
+    assert place.modulus is not None and place.thickness is not None
+    moduli, thicknesses = known["films"].T
+    waves = known["gradient_over_shortest"][known["film_surfaces"]] / known.feature("wave")[known["film_surfaces"]]
+    rows = (
+        ("modulus", "that of the body", place.modulus, moduli.min(), moduli.max()),
+        ("thickness", "sqrt(m2/m4)", place.thickness, thicknesses.min() * waves.min(), thicknesses.max() * waves.max()),
+    )
+    beyond = [
+        f"the film's {what} is {given.min():.3g}{'' if given.min() == given.max() else f' to {given.max():.3g}'} of {unit}, "
+        f"the solved films have {low:.3g} to {high:.3g}"
+        for what, unit, given, low, high in rows
+        if given.min() < 0.999 * low or given.max() > 1.001 * high
+    ]
+    return "; ".join(beyond)
 
 
 def _surface_distance(known: SolvedSet, place: _Place, at: int) -> np.ndarray:

@@ -53,8 +53,8 @@ def slide(
 
     contact, separation or load, model, heights, laws: as in `solve`, without a film; the model must be a sum over an asperity
     law and have a tangential law, which gives each asperity its strength. displacement: tangential displacements from rest, m
-    for a Contact, over sigma for Indices; by default 61 of them, to one and a half times the largest sliding displacement. kept:
-    the share of its strength that an asperity keeps once it slides, 0 to 1; 1 is Coulomb's law.
+    for a Contact, over sigma for Indices; by default 61 of them, to one and a half times the largest sliding displacement.
+    kept: the share of its strength that an asperity keeps once it slides, 0 to 1; 1 is Coulomb's law.
 
     Returns an xarray.Dataset with friction_force and friction_coefficient, all asperities at their strength together, which the
     force cannot pass; tangential_stiffness, the slope of the force at rest, of all asperities that have a strength;
@@ -149,8 +149,8 @@ class Sliding:
     kept: float
 
     def at(self, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
-        """Force and energy lost in a cycle, normalised (2, *shape), at separations and displacements over sigma, of one shape in
-        which the contacts' dimensions come first."""
+        """Force and energy lost in a cycle, normalised (2, *shape), at separations and displacements over sigma, of one shape
+        in which the contacts' dimensions come first."""
         laws = len(self.problem.groups)
         row = np.repeat(np.arange(laws), math.prod(h.shape) // laws)
         flat, moved = h.reshape(-1), np.ascontiguousarray(displacement, dtype=float).reshape(-1)

@@ -10,6 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
+from stiction.contact.contact import Roughness
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, nearest, require_names
 from stiction.studies.quantile_counts import PERCENTILES
@@ -192,10 +193,9 @@ def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[
     """The tables with the numbers of the method that stands for the surface alone, where scans say the roughness: maps are not
     for every worker; and what was done to the scans."""
     contact = content.get("contact")
-    rough: Any = contact.get("roughness") if isinstance(contact, Mapping) else None
-    if getattr(rough, "measured", None) is None:
+    rough = contact.get("roughness") if isinstance(contact, Mapping) else None
+    if not isinstance(contact, Mapping) or not isinstance(rough, Roughness) or rough.measured is None:
         return content, {}
-    assert isinstance(contact, Mapping)
     return {**content, "contact": {**contact, "roughness": rough.as_numbers()}}, rough.measured.attributes()
 
 

@@ -2,7 +2,7 @@
 
 import pickle
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,7 @@ __all__ = ["done_here", "done_in_processes", "done_on_cluster", "make_ready"]
 
 # Times that workers may die without a block done between; blocks that wait for each worker.
 _DEATHS, _AHEAD = 3, 3
+_LEAST_AHEAD = 256  # blocks that wait for a cluster, however small: the scheduler hands them on without asking here
 
 
 # What every worker needs, imported once for all of them where they can be copies of one process.
@@ -107,17 +108,23 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
         raise InputError("--scheduler", address, f"the address of a scheduler, e.g. tcp://host:8786 ({error})") from None
     with client:
         given, rest = pickle.dumps(store), iter(blocks)
+        waiting: dict[Any, int] = {}
 
-        def submitted(block: int) -> Any:
-            return client.submit(_do_there, given, block, pure=False)
+        def submitted(count: int) -> list[Any]:
+            some = list(islice(rest, count))
+            futures = client.map(partial(_do_there, given), some, pure=False) if some else []
+            waiting.update(zip((future.key for future in futures), some, strict=True))
+            return futures
 
-        ahead = max(8, _AHEAD * sum(client.nthreads().values()))
-        running = as_completed([submitted(block) for block in islice(rest, ahead)])
+        running = as_completed(submitted(max(_LEAST_AHEAD, _AHEAD * sum(client.nthreads().values()))))
         try:
-            for future in running:
-                yield future.result()
-                for block in islice(rest, 1):
-                    running.add(submitted(block))
+            for batch in running.batches():  # many at a time, and no result is asked for: each would be a message of its own
+                running.update(submitted(len(batch)))
+                for future in batch:
+                    if future.status != "finished":
+                        future.result()  # waits, or raises what went wrong
+                    block = waiting.pop(future.key)
+                    yield store.plan.contacts(block) * store.plan.points
         except KilledWorker:
             raise InputError(
                 "--scheduler", address, "workers that live: they die again and again, for want of memory?"

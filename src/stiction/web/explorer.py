@@ -5,13 +5,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from weakref import WeakSet
 
 from stiction.web.address import files_named, packed
 from stiction.web.asked import Answer, Question, solved
 from stiction.web.fields import dropped, placed
 from stiction.web.working import Latest
 
-__all__ = ["Explorer", "View"]
+__all__ = ["Explorer", "View", "close_all"]
 
 
 @dataclass
@@ -25,6 +26,15 @@ class View:
     dark: bool = False
 
 
+_open: "WeakSet[Explorer]" = WeakSet()
+
+
+def close_all() -> None:
+    """Forget every visitor: the server ends, by a signal that leaves no time for what Python does at the end of a program."""
+    for one in list(_open):
+        one.close()
+
+
 class Explorer:
     """The case of one visitor, and whoever wants to know when it has a new answer."""
 
@@ -36,6 +46,7 @@ class Explorer:
         self._listeners: list[Callable[[], None]] = []
         self._latest = Latest(solved, self._show)
         self._uploads: tempfile.TemporaryDirectory[str] | None = None
+        _open.add(self)
 
     def listen(self, listener: Callable[[], None]) -> None:
         """Call this after every new answer."""

@@ -10,24 +10,29 @@ from stiction.quantities.errors import InputError
 from stiction.studies.case import read_content
 from stiction.web.address import files_named
 from stiction.web.asked import Question, solved
+from stiction.web.explorer import close_all
 from stiction.web.first import first_case
 from stiction.web.guard import Guard, names_for
 from stiction.web.page import make_page
-from stiction.web.working import QUICK
 
 _MOST_CONNECTIONS = 1000
-_PATIENCE = 600.0  # seconds for a page: on a new installation kernels are compiled first
+_PATIENCE = 600.0  # seconds for a page: other models have kernels of their own, compiled when they are first asked
 
 __all__ = ["check_port", "question_of", "serve", "set_up"]
 
 
 def question_of(case: Path | None) -> Question:
-    """The case that is served, by its file, or the one that the page begins with. Raises InputError."""
+    """The case that is served, by its file, or the one that the page begins with. Raises InputError.
+
+    It is solved before there is a page: what is wrong with the file is said at once, and on a new installation kernels are
+    compiled here, so that the server, once it answers, answers soon.
+    """
     if case is None:
-        return Question(first_case())
-    tables = read_content(case)
-    question = Question(tables, case.resolve().parent, frozenset(files_named(tables)))
-    answer = solved(question)  # what is wrong with the file is said at once
+        question = Question(first_case())
+    else:
+        tables = read_content(case)
+        question = Question(tables, case.resolve().parent, frozenset(files_named(tables)))
+    answer = solved(question)
     if answer.error is not None:
         raise answer.error
     return question
@@ -57,7 +62,7 @@ def set_up(question: Question, host: str) -> None:
 def serve(question: Question, host: str, port: int) -> None:
     """Serve the page until it is interrupted."""
     set_up(question, host)
-    app.on_startup(lambda: QUICK.submit(solved, question) and None)  # kernels are compiled before somebody waits for them
+    app.on_shutdown(close_all)
     looks: dict[str, Any] = {"title": "stiction", "dark": None, "language": "en-US", "show": False}
     bounds: dict[str, Any] = {"limit_concurrency": _MOST_CONNECTIONS, "h11_max_incomplete_event_size": 2**16}
     server: dict[str, Any] = {"reload": False, "reconnect_timeout": 10.0, "uvicorn_logging_level": "warning"}

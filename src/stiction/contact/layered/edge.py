@@ -4,8 +4,8 @@ There the square of the von Mises stress is a square form in the mean pressure s
 
     M = D (A s^2 + 2 B s q + q^2),
 
-A, B and D functions of the radius over the thickness: those of a half-space of the film for small contacts, those of a film that
-is stretched as the surface below it for wide ones. Under them all is `Stresses`, at one place of the surface.
+A, B and D functions of the radius over the thickness: those of a half-space of the film for small contacts, those of a film
+that is stretched as the surface below it for wide ones. Under them all is `Stresses`, at one place of the surface.
 """
 
 from functools import lru_cache

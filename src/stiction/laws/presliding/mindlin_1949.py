@@ -16,8 +16,8 @@ $$
 
 Plastic contacts are counted as if they were elastic; the body behind the asperities adds no compliance.
 
-**Up to sliding** (`st.slide`): the asperities are moved together by $\delta$, and each carries, with the strength $T_m$ that its
-tangential law gives it in the place of $fP$,
+**Up to sliding** (`st.slide`): the asperities are moved together by $\delta$, and each carries, with the strength $T_m$ that
+its tangential law gives it in the place of $fP$,
 
 $$
 F=\int T_m\left[1-(1-s)^{3/2}\right]\varphi(h+w)\,dw,\qquad s=\frac\delta{\delta_f},\quad\delta_f=\frac{3T_m\beta}{16a};

@@ -140,5 +140,6 @@ RECORD = TangentialLaw(
         Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above", "effect"),
     ),
     notes="The critical interference is that of Chang, Etsion and Bogy, whichever law carries the load; from there on an "
-    "asperity resists nothing, or as the law named by plastic_junctions says. Only two places are asked whether they yield: the axis at one depth, and the trailing edge.",
+    "asperity resists nothing, or as the law named by plastic_junctions says. Only two places are asked whether they yield: "
+    "the axis at one depth, and the trailing edge.",
 )

@@ -1,7 +1,7 @@
 r"""From a weak interface to full stick: junctions that grow as Tabor has it, to where Brizmer et al. 2007 have them slide.
 
-*Assumes*: as [`tabor_1959`](#tabor_1959), the area of a junction grows with its shear force as $A^2=A_0^2+gT^2$; the growth ends,
-instead of nowhere, where a junction in full stick slides, at the force $T_s$ of
+*Assumes*: as [`tabor_1959`](#tabor_1959), the area of a junction grows with its shear force as $A^2=A_0^2+gT^2$; the growth
+ends, instead of nowhere, where a junction in full stick slides, at the force $T_s$ of
 [`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007), its mean shear stress then being the strength $\tau_b$ of the
 bulk: $A_s=T_s/\tau_b$. *Sources*: [tabor_1959] for the growth, [brizmer_kligerman_etsion_2007] for the force in full stick, and
 [brizmer_kligerman_etsion_2007_junction] for it that areas grow until the junction has lost its tangential stiffness.
@@ -19,8 +19,10 @@ $$
 *Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for $c\to0$; full stick, $T_s$, for $c=1$ and above, where the bulk shears;
 [`tabor_1959`](#tabor_1959) of a plastic junction for $T_s\to\infty$. It rises from one to the other without a step.
 *Reconstructed*: that the area follows Tabor's form between the two ends, and the area at the second; the growth that Brizmer,
-Kligerman and Etsion computed, and the fit they give for it, were not available. *Check*: with $\alpha=3(H/Y)^2$,
-$\tau_b=Y/\sqrt3$; Hertz's asperity at the load $P_c$ of full stick for $\nu=0.3$, $H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.805A_0$):
+Kligerman and Etsion computed, and the fit they give for it, were not available. Where the bulk, by
+its $\alpha$, is stronger than full stick needs ($A_s<A_0$), the area shrinks in form only. *Check*: with $\alpha=3(H/Y)^2$,
+$\tau_b=Y/\sqrt3$; Hertz's asperity at the load $P_c$ of full stick for $\nu=0.3$, $H/Y=2.8$ (mean pressure 1.0175 $Y$,
+$A_s=1.805A_0$):
 
 | $c$ | 0.01 | 0.1 | 0.3 | 0.5 | 0.8 | 0.95 | 1 |
 |---|---|---|---|---|---|---|---|
@@ -80,11 +82,12 @@ RECORD = TangentialLaw(
         Source(
             "brizmer_kligerman_etsion_2007_junction",
             "",
-            "that areas grow until the junction has lost its stiffness; the growth itself could not be looked up: reconstructed",
+            "that areas grow until the junction has lost its stiffness; the growth itself, not available, is reconstructed",
         ),
     ),
     tangential_resistance=tangential_resistance,
     wants={"no adhesion": "the sphere is pressed by its load alone"},
+    of_half_space="it ends at the full stick of one homogeneous sphere, and a film changes how that sticks and yields",
     verified="shear stress and grown area solved together by bisection at 30 digits; its three limits",
     needs=("hardness_group", "nu", "hardness_to_yield", "shear_strength"),
     validity=full_stick.RECORD.validity,
@@ -93,6 +96,6 @@ RECORD = TangentialLaw(
         Limit("brizmer_kligerman_etsion_2007", {"shear_strength": 1.0}, ("friction_force",), 1e-12),
     ),
     own_options={"alpha": tuple(ALPHA)},
-    notes="alpha: von_mises for 3 (H/Y)^2, or 9 as quoted from experiments; the strength of the bulk is H/sqrt(alpha). From that "
-    "strength on it is full stick. The way from one end to the other is this project's.",
+    notes="alpha: von_mises for 3 (H/Y)^2, or 9 as quoted from experiments; the strength of the bulk is H/sqrt(alpha). From "
+    "there on it is full stick. The way from one end to the other is this project's.",
 )

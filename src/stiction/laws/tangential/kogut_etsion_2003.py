@@ -78,7 +78,7 @@ RECORD = TangentialLaw(
         Validity("plasticity_index", 0.0, 2.0, "asperities beyond six critical interferences are given no friction", "effect"),
     ),
     notes="Taken over is the friction coefficient of one asperity against its interference; the load is that of the asperity "
-    "law it is joined to. plastic_junctions names another law for asperities beyond six critical interferences. So mu is the authors' on any of them, and with their own load so is Q. The published pieces do not "
-    "meet: mu falls from 0.520 to 0.511 at one critical interference (with their load Q rises by 1.2 %), and from 0.036 to 0 "
-    "at six.",
+    "law it is joined to. So mu is the authors' on any of them, and with their own load so is Q. plastic_junctions names "
+    "another law for asperities beyond six critical interferences. The published pieces do not meet: mu falls from 0.520 to "
+    "0.511 at one critical interference (with their load Q rises by 1.2 %), and from 0.036 to 0 at six.",
 )

@@ -9,7 +9,20 @@ T=\min(T_\text{slip},\,T_\text{yield}),\qquad
 T_\text{slip}=\frac4{\sqrt{\zeta K\beta}}\sqrt{\frac{2\pi}\theta P+\frac{3\pi^2}{\theta^2}}
 $$
 
-$T_\text{yield}$ is (S3.7). $\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. With `plastic_junctions` asperities
+$T_\text{yield}$ is (S3.7). On a film that is solved with its body as one the energy balance has the layered contact's
+stiffness ([`layered_peeling`](#layered_peeling)), and yield at the trailing edge its stresses there, elastic, of the
+frictionless pressure of a sphere, at the mean pressure and on the area of the adhesive contact:
+
+$$
+D\left(AP^2+2BPT+T^2\right)=(Y_f\,\pi a^2)^2
+$$
+
+with $A$, $B$ and $D$ functions of $a/t$ and the elastic constants (`contact/layered/edge`), to 0.5 % in $T$ up to $a/t=300$.
+That a film may yield inside or at its interface before is not asked:
+[`layered_peeling_or_yield`](#layered_peeling_or_yield) does. *Limit*: the law itself without a film, for a film like its body,
+and in the film's groups for $t\to\infty$.
+
+$\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. With `plastic_junctions` asperities
 that have yielded resist as another law says; the paper's is `none`, and results then say by how much mu differs from it.
 *Reconstructed*: the seven
 coefficients of the paper's yield condition, eq. (11), which it does not print (departure D12).
@@ -100,6 +113,6 @@ RECORD = TangentialLaw(
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     takes=("peeling",),
     junctions=LAWS,
-    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic; plastic_junctions names "
-    "another law for these.",
+    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic; plastic_junctions "
+    "names another law for these.",
 )

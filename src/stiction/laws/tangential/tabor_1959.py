@@ -75,12 +75,12 @@ RECORD = TangentialLaw(
     title="Junctions that grow under shear until their interface gives way",
     grade="B",
     sources=(
-        Source(
-            "mcfarlane_tabor_1950", "", "yield under pressure and shear together, p^2 + alpha tau^2 = H^2, as commonly quoted"
-        ),
+        Source("mcfarlane_tabor_1950", "", "yield under pressure and shear, p^2 + alpha tau^2 = H^2, as commonly quoted"),
         Source("tabor_1959", "", "growth ended by an interface weaker than the bulk, as commonly quoted; derived again"),
     ),
     tangential_resistance=tangential_resistance,
+    of_half_space="its junction is of one material, and of a film with its body it does not say what is plastic",
+    like="bowden_tabor_1943",
     verified="the criterion solved by bisection at 30 digits; closed form of plastic junctions; constant strength for c -> 0",
     needs=("hardness_group", "shear_strength", "hardness_to_yield"),
     limits=(Limit("bowden_tabor_1943", {"shear_strength": 1e-7}, ("friction_force",), 1e-11),),

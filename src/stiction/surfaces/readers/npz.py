@@ -18,6 +18,8 @@ def read(path: Path, channel) -> RawScan:
                 raise InputError("channel", channel, f"the name of an array of {path.name}: {names}")
             name = channel or archive.files[0]
             heights = archive[name]
+            if not isinstance(heights, np.ndarray):  # what is no array is handed on as bytes
+                raise TypeError
     except InputError:
         raise
     except Exception:  # of a damaged archive the unpacking raises anything, a MemoryError of a false header included

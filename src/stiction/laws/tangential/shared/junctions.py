@@ -21,6 +21,7 @@ from stiction.laws.piece import NormalPiece
 ALPHA: dict[str, Callable[[np.ndarray], np.ndarray]] = {"von_mises": lambda k: 3.0 * k * k, "9": lambda k: 9.0 + 0.0 * k}
 _DEEPEST = 100.0  # over sigma: no asperity that counts is pressed so far
 _ROUNDING = 1e-13  # a plastic piece is at its pressure everywhere, to rounding: that is no crossing
+_SAMPLES = 12  # pressures rise, and fall slowly if they do
 _MOST = 2  # on a piece: where the pressure rises above, and where a hardness that falls brings it back
 
 
@@ -45,6 +46,6 @@ def where_pressure_is(piece: NormalPiece, pressure: np.ndarray) -> np.ndarray:
     edges = np.ascontiguousarray(np.minimum(piece.edges, last[:, None]))
     parameters = (*piece.parameters, pressure * (1.0 + _ROUNDING))
     out = np.empty((len(edges), _MOST))
-    find = crossing(_above(piece.normal, len(piece.parameters)), len(parameters))
+    find = crossing(_above(piece.normal, len(piece.parameters)), len(parameters), _SAMPLES)
     find(columns(parameters, len(edges)), edges, out)
     return out

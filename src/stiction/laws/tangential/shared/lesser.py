@@ -13,15 +13,15 @@ from stiction.laws.tangential.shared.turns import turns
 
 __all__ = ["Force", "lesser_of"]
 
-# Turns that are looked for: where the forces cross or yield leaves nothing; where its root ends; where it is not smooth.
-_CROSSINGS, _ENDS = 6, 2
+# Turns of each number that are looked for.
+_MOST = 5
 
 
 class Force(NamedTuple):
     """A formula of (u, load, area, row), and the columns (n,) of its row.
 
-    Peeling gives the force. Yield gives a number that is 0 or more as far as its force is real, the force, which counts where it
-    is above 0, and a number that changes its sign where the force has a kink of its own.
+    Peeling gives the force. Yield gives a number that is 0 or more as far as its force is real, the force, which counts where
+    it is above 0, and a number that changes its sign where the force has a kink of its own.
     """
 
     formula: Callable
@@ -39,37 +39,27 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
 
 
 @cache
-def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> tuple[Any, Any, Any]:
-    """Formulas that change their sign where the forces cross or yield leaves nothing; where its force is real no more; where it
-    has a kink of its own."""
+def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> Any:
+    """A formula of numbers that change their sign where the forces cross or yield leaves nothing, where its force is real no
+    more, and where that has a kink of its own."""
     of_yield = parameters + width
 
     @formula
-    def crosses(u, row):
+    def signed(u, row):
         _, _, load, area = normal(u, *row[:parameters])
-        real, force, _ = yields(u, load, area, row[of_yield:])
+        real, force, own = yields(u, load, area, row[of_yield:])
         held = force if real >= 0.0 and force > 0.0 else 0.0
-        return (held - peels(u, load, area, row[parameters:])) * (1.0 if force > 0.0 else -1.0)
+        crosses = (held - peels(u, load, area, row[parameters:])) * (1.0 if force > 0.0 else -1.0)
+        return crosses, real, own
 
-    @formula
-    def ends(u, row):
-        _, _, load, area = normal(u, *row[:parameters])
-        return yields(u, load, area, row[of_yield:])[0]
-
-    @formula
-    def bends(u, row):
-        _, _, load, area = normal(u, *row[:parameters])
-        return yields(u, load, area, row[of_yield:])[2]
-
-    return crosses, ends, bends
+    return signed
 
 
 def lesser_of(piece: NormalPiece, peeling: Force, yielding: Force, kinks: np.ndarray | None = None) -> TangentialResistance:
     """Of the elastic piece of an adhesive asperity. kinks (n, k): of either force, known beforehand."""
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
-    crosses, ends, bends = _signed(peeling.formula, width, yielding.formula, piece.normal, len(piece.parameters))
-    lost = turns(ends, piece, own, _ENDS)
-    found = [turns(crosses, piece, own, _CROSSINGS), turns(bends, piece, own, _ENDS), lost]
-    whole = np.concatenate([*found, *([] if kinks is None else [kinks])], axis=1)
-    branch = np.where(lost > piece.edges[:, :1], lost, -np.inf)
+    signed = _signed(peeling.formula, width, yielding.formula, piece.normal, len(piece.parameters))
+    found = turns(signed, piece, own, 3, _MOST)
+    branch = np.where(found[:, 1] > piece.edges[:, :1], found[:, 1], -np.inf)
+    whole = np.concatenate([found.reshape(len(found), -1), *([] if kinks is None else [kinks])], axis=1)
     return TangentialResistance(_resistance(peeling.formula, width, yielding.formula), own, whole, branch)

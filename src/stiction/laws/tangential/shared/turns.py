@@ -27,29 +27,32 @@ def _finding(signed: Callable, parameters: int) -> Any:
             if not last > low:
                 continue
             ratio = (min(last / low, _FARTHEST) * (1.0 - 1e-9)) ** (1.0 / _STEPS)
-            before, found = signed(low, row), 0
-            for _ in range(_STEPS):
-                high = low * ratio
-                after = signed(high, row)
-                if (after > 0.0) != (before > 0.0) and found < out.shape[1]:
+            found = np.zeros(out.shape[1], np.int64)
+            high, before = low, signed(low, row)
+            for step in range(_STEPS + 1):
+                after = signed(high, row) if step > 0 else before
+                for one in range(out.shape[1]):
+                    if (after[one] > 0.0) == (before[one] > 0.0) or found[one] == out.shape[2]:
+                        continue
                     left, right = low, high
                     for _ in range(_HALVINGS):
                         middle = 0.5 * (left + right)
-                        if (signed(middle, row) > 0.0) == (before > 0.0):
+                        if (signed(middle, row)[one] > 0.0) == (before[one] > 0.0):
                             left = middle
                         else:
                             right = middle
-                    out[i, found] = right
-                    found += 1
+                    out[i, one, found[one]] = right
+                    found[one] += 1
                 low, before = high, after
+                high = low * ratio
 
     return fill
 
 
-def turns(signed: Callable, piece: NormalPiece, parameters: tuple[np.ndarray, ...], most: int) -> np.ndarray:
-    """Coordinates (n, most) of the piece at which signed(u, row) changes its sign, the first coordinate for none. signed: a
-    formula; row: the parameters of the piece, and these (n,)."""
+def turns(signed: Callable, piece: NormalPiece, parameters: tuple[np.ndarray, ...], numbers: int, most: int) -> np.ndarray:
+    """Coordinates (n, numbers, most) of the piece at which each of the numbers that signed(u, row) gives changes its sign, the
+    first coordinate for none. signed: a formula; row: the parameters of the piece, and these (n,)."""
     laws = len(piece.edges)
-    whole, out = (*piece.parameters, *parameters), np.empty((laws, most))
+    whole, out = (*piece.parameters, *parameters), np.empty((laws, numbers, most))
     _finding(signed, len(whole))(columns(whole, laws), np.ascontiguousarray(piece.edges), out)
     return out
