@@ -286,6 +286,36 @@ def test_a_kill_loses_nothing(tmp_path, workers):
     assert same(tmp_path / "whole", out)
 
 
+ORPHANS = """
+import multiprocessing, os, pathlib, signal, sys, json
+from stiction.studies import sweep_store
+from stiction.studies.sweep import sweep
+do, out = sweep_store.Store.do, sys.argv[2]
+def kills(store, block):
+    points = do(store, block)
+    pathlib.Path(f"{out}.{os.getpid()}").touch()
+    if block == 2:
+        os.kill(multiprocessing.parent_process().pid, signal.SIGKILL)
+    return points
+sweep_store.Store.do = kills
+if __name__ == "__main__":
+    sweep(json.loads(sys.argv[1]), out, workers=2)
+"""
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no such signal")
+def test_workers_end_with_the_sweep_that_is_killed(tmp_path):
+    psutil = pytest.importorskip("psutil")
+    script, out = tmp_path / "script.py", tmp_path / "store"
+    script.write_text(ORPHANS, encoding="utf-8")
+    killed = subprocess.run([sys.executable, str(script), json.dumps(DRAWN), str(out)], stderr=subprocess.DEVNULL)
+    assert killed.returncode == -signal.SIGKILL
+    workers = [int(one.suffix[1:]) for one in tmp_path.glob("store.*") if one.suffix[1:].isdigit()]
+    assert workers
+    _, alive = psutil.wait_procs([psutil.Process(one) for one in workers if psutil.pid_exists(one)], timeout=30)
+    assert [one for one in alive if one.is_running() and one.status() != psutil.STATUS_ZOMBIE] == []
+
+
 def test_a_full_disk_is_one_line_and_nothing_is_lost(tmp_path, monkeypatch):
     do = sweep_store.Store.do
 

@@ -1,9 +1,11 @@
 """Who does the blocks of a sweep: this process, several on this machine, or the workers of a dask.distributed cluster."""
 
+import os
 import pickle
 from collections.abc import Iterator
 from functools import lru_cache, partial
 from itertools import islice
+from threading import Thread
 from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
@@ -89,6 +91,17 @@ def _begin(store: "Store") -> None:
     global _store
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the first of them ends the work
     _store = store
+    Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    """A worker whose parent was killed would wait for blocks for ever: its siblings hold the pipe open."""
+    from multiprocessing import connection, parent_process
+
+    parent = parent_process()
+    if parent is not None:
+        connection.wait([parent.sentinel])
+        os._exit(1)
 
 
 def _do(block: int) -> int:
