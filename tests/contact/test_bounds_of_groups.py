@@ -1,5 +1,7 @@
 """Groups out of all range are refused where they are given, before sums silently lose all of their size."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -53,3 +55,9 @@ def test_within_the_bounds_nothing_is_lost(theta):
         assert found["pull_off_force"].item() == pytest.approx(1.5 * np.pi / theta, rel=1e-3)
     else:
         assert found["pull_off_force"].item() == 0.0 and found["contact_area"].item() > 0.0
+
+
+def test_a_film_without_thickness_is_infinitely_stiff_without_a_word():
+    given = st.Indices(theta=1e3, lam=100.0, n_E=0.2, n_H=0.2, tau=0.0, film_aspect=0.0)
+    assert given.film_stiffness == math.inf
+    assert np.isfinite(st.solve(given, separation=1.0, film="layered")["load"])

@@ -23,6 +23,7 @@ from stiction.studies.fit import fit, plan_of_fit, run_fit
 from stiction.studies.fit_answer import fitted
 from stiction.studies.fit_evidence import Rival, aicc_of, rank
 from stiction.studies.fit_model import forward_of
+from stiction.studies.fit_search import profiles, search
 
 pytest.importorskip("lmfit")
 
@@ -502,3 +503,19 @@ def test_an_interruption_keeps_the_fit(series, tmp_path, monkeypatch):
 def test_a_run_imports_nothing_of_it():
     code = "import sys, stiction.studies.case_results, stiction.studies.case; sys.exit('lmfit' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_an_interval_ends_where_the_profile_does_also_beyond_a_bend():
+    """(60 (p + q - 0.8), 18 (q - 0.1)), q from 0 on: from p = 0.809 on q is 0, and 3600 (p - 0.8)^2 + 3.24 the rise."""
+    scale = np.array([60.0, 18.0])
+
+    def residuals(sets: np.ndarray) -> np.ndarray:
+        bent = scale * (np.stack([sets.sum(axis=1), sets[:, 1]], axis=1) - [0.8, 0.1])
+        return np.concatenate([bent, np.ones((len(sets), 2))], axis=1)  # lmfit wants more values than numbers
+
+    best = search(residuals, np.array([0.5, 0.5]))
+    assert best.shares == pytest.approx([0.7, 0.1], abs=1e-7)
+    found = profiles(residuals, best, 3.84)[0]
+    assert found.high == pytest.approx(0.8 + (0.6 / 3600.0) ** 0.5, abs=1e-5)
+    # Below, nothing is in the way: the least over q of both squares is (p - 0.7)^2/(1/3600 + 1/324).
+    assert found.low == pytest.approx(0.7 - (3.84 * (1.0 / 3600.0 + 1.0 / 324.0)) ** 0.5, abs=1e-6)

@@ -167,8 +167,11 @@ class Indices(Subject):
 
     @property
     def film_stiffness(self) -> Any:
-        """n_E sqrt(R sigma)/t; None where there is no film, or R is not known."""
-        return self.n_E / self.film_aspect if self.has_film and self.film_aspect is not None else None
+        """n_E sqrt(R sigma)/t, infinite for a film without thickness; None where there is no film, or R is not known."""
+        if not self.has_film or self.film_aspect is None:
+            return None
+        with np.errstate(divide="ignore"):
+            return np.divide(self.n_E, self.film_aspect)
 
     @property
     def meniscus_tabor_parameter(self) -> Any:

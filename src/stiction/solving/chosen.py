@@ -88,13 +88,19 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         assert tangential is not None  # without friction there is nothing that could not suit
         raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
     options = _options(choice, model, asperity, tangential, film)
-    if film is not None and film.tangential not in ("", "interface") and options.get(JUNCTIONS, NO_JUNCTIONS) != NO_JUNCTIONS:
-        raise InputError(
-            JUNCTIONS, options[JUNCTIONS], f"{NO_JUNCTIONS}: {film.key} brings its own friction, {film.tangential}"
-        )
+    _refuse_junctions(film, tangential, options)
     ageing, ignored = _ageing(choice, model, tangential), _ignored(choice, coated)
     varies = _contamination(choice, tangential, film)
     return Chosen(model, asperity, tangential, film, presliding, options, ignored, meniscus, ageing, varies)
+
+
+def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, options: Mapping[str, str]) -> None:
+    """Raises InputError where the law that is taken for yielded junctions cannot go with the film."""
+    if film is None or options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS:
+        return
+    for law in () if tangential is None else tangential.parts(options):
+        if isinstance(law, TangentialLaw) and (reason := friction_incompatibility(film, law)):
+            raise InputError(JUNCTIONS, law.key, f"{NO_JUNCTIONS}, or what goes with the film: {reason}")
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:

@@ -14,6 +14,8 @@ FAR = 1e4
 _STEP = 1e-4  # of the ends: half the width of differences
 _GRID, _ROUNDS, _STEPS = 33, 4, 40
 _STARTS = 3
+# How often the stretch in which an interval ends is parted, and in how many.
+_NARROWINGS, _CELL = 2, 8
 
 # Standardised residuals (sets, n) of sets of shares (sets, k).
 Residuals = Callable[[np.ndarray], np.ndarray]
@@ -191,7 +193,26 @@ def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Pro
         if wanted_below == below and wanted_above == above:
             break
         below, above = wanted_below, wanted_above
+    if not open_low:
+        low = _narrowed(residuals, best, at, grid[grid <= centre][::-1], rise[grid <= centre][::-1], threshold)
+    if not open_high:
+        high = _narrowed(residuals, best, at, grid[grid >= centre], rise[grid >= centre], threshold)
     return Profile(grid, rise, others, 0.0 if open_low else low, 1.0 if open_high else high, open_low, open_high)
+
+
+def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise: np.ndarray, threshold: float) -> float:
+    """Where the rise is the threshold, between points that come closer: the root of the rise bends where another number comes
+    to its end."""
+    for _ in range(_NARROWINGS):
+        over = int(np.argmax(rise >= threshold))
+        if over == 0:
+            break
+        cell = np.linspace(grid[over - 1], grid[over], _CELL + 1)
+        grid, rise = (
+            cell,
+            np.concatenate([rise[over - 1 : over], _along(residuals, best, at, cell[1:-1])[1], rise[over : over + 1]]),
+        )
+    return _crossing(grid, rise, threshold)[0]
 
 
 def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
