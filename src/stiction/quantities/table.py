@@ -150,7 +150,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("friction_substrate", "T_s", r"T_\mathrm{s}", "N", _NOT_NEGATIVE, _LOAD,
      "tangential force of the substrate"),
     ("friction_coefficient", "mu", r"\mu", "", _NOT_NEGATIVE, "",
-     "static friction coefficient T/P, undefined where P <= 0"),
+     "static friction coefficient, T/P, undefined where P <= 0"),
     ("friction_coefficient_published", "mu_0", r"\mu_0", "", _NOT_NEGATIVE, "",
      "static friction coefficient of the law as published, which gives yielded junctions nothing"),
     ("tangential_stiffness", "k_t", r"k_\mathrm{t}", "N/m", _NOT_NEGATIVE, "K R^(1/2) sigma^(1/2) per asperity",
