@@ -30,7 +30,10 @@ _SAMPLE, _NOTES = "sample", ("note", "source")
 _LARGEST_FILE, _MOST_ROWS = 10**7, 20_000
 _LEAST_ERROR = 1e-10  # of the largest value
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d+([eE][+-]?\d+)?\s*")
-_FORM = 'a table with commas or semicolons between its cells and heads like "load [mN],friction_coefficient,friction_coefficient_error"'
+_FORM = (
+    "a table with commas or semicolons between its cells and heads like "
+    '"load [mN],friction_coefficient,friction_coefficient_error"'
+)
 
 
 @dataclass(frozen=True)
