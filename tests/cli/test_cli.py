@@ -91,6 +91,19 @@ def test_help_states_units_and_bounds_of_every_number_of_a_case_file():
     assert "theta" in command("figures", "--help").stdout
 
 
+@pytest.mark.parametrize(
+    ("words", "tables"),
+    [("fit", ["[fit]", "[fit.free]"]), ("design", ["[design]", "[design.choose]", "[design.limits]"]),
+     ("sweep", ["[sweep]"]), ("validate", ["[contact]", "[measured]"])],
+)  # fmt: skip
+def test_help_and_errors_name_the_tables_of_a_case(words, tables):
+    text = command(words, "--help").stdout
+    assert [name for name in tables if name not in text] == [] and "\\" not in text
+    missing = command(words, code=2).stderr
+    assert "not given" in missing and "\\" not in missing
+    assert tables[0] in missing or words in ("sweep", "validate")
+
+
 def test_run_prints_table_summary_and_what_is_outside_validity():
     text = command("run", SILVER).stdout
     assert "Silver film" in text and "E = 210 GPa" in text and "theta = 228.8" in text

@@ -119,3 +119,11 @@ def test_what_cannot_be(case, tmp_path):
     assert math.isnan(float(middle_point(apart)["stress_over_yield"]))
     with pytest.raises(InputError, match="at which asperities press"):
         film_section(st.Indices(theta=1, lam=1, n_E=1, n_H=1, tau=1, film_aspect=1), middle_point(apart))
+
+
+@pytest.mark.parametrize(("counterbody", "said"), [("hardened_steel_52100", True), ("silicon_carbide", False)])
+def test_it_is_said_that_a_counterbody_yields_before_the_film(tmp_path, counterbody, said):
+    path = tmp_path / "case.toml"
+    path.write_text(CASE.replace('second = "hardened_steel_52100"', f'second = "{counterbody}"'), encoding="utf-8")
+    told = CliRunner().invoke(app, ["film", str(path), "--load", "1 N"])
+    assert told.exit_code == 0 and ("softer than the film" in " ".join(told.output.split())) == said

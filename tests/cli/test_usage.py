@@ -23,9 +23,9 @@ CASES = {
     "--bad": ("option: '--bad'", "--version, --install-completion, --show-completion, --help"),
     "no-such-command --out x": (
         "command: 'no-such-command'",
-        "sweep, sensitivity, fit, design, compare, film, validate, surface",
+        "sweep, sensitivity, fit, design, compare, film, report, validate, surface",
     ),
-    "--": ("command: not given", "sweep, sensitivity, fit, design, compare, film, validate, surface"),
+    "--": ("command: not given", "sweep, sensitivity, fit, design, compare, film, report, validate, surface"),
 }
 
 

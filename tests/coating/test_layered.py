@@ -342,3 +342,25 @@ def test_what_cannot_be_is_refused():
         regimes(given, law_of("hertz"), "bhattacharya_nix_1988", "2")
     with pytest.raises(InputError, match="layered does not suit"):
         problem_of(groups(theta=10.0, **FILM), Choice(PLAIN, "maugis_1992", film="layered"))
+
+
+# A film softer than its bodies, on asperities so flat that the bodies themselves would not yield.
+SOFT = {"youngs_modulus": "82 GPa", "poissons_ratio": 0.37, "hardness": "0.4 GPa"}
+
+
+@pytest.mark.parametrize(("hardness", "sure"), [("0.4 GPa", False), ("40 GPa", True)])
+@pytest.mark.parametrize("laws", [{"film": "layered"}, {"film": "layered", "asperity": "dmt"}])
+def test_a_film_that_yields_under_elastic_asperities_is_doubted(laws, hardness, sure):
+    steel = st.material("hardened_steel_52100", hardness="73 GPa")
+    contact = st.Contact(
+        first=steel, second=steel, work_of_adhesion="1 mJ/m^2", nominal_area="1 mm^2", interfacial_shear_strength="60 MPa",
+        coating={"material": SOFT | {"hardness": hardness}, "thickness": "5 um", "bodies": "first"},
+        roughness=st.Roughness(asperity_height_deviation="40 nm", asperity_radius="100 um", asperity_density="2e9 1/m^2"),
+    )  # fmt: skip
+    result = st.solve(contact, load="0.3 N", model=PLAIN, **laws)
+    pressure = 0.3 / float(result["contact_area"])
+    yields = pressure > 1.1 * contact.coating.material.hardness / 2.8  # a sphere first does at p_m = 1.1 Y (Johnson 1985, 6.2)
+    assert contact.plasticity_index < 0.6 and yields != sure
+    assert ("the film, or what it meets, yields" in result.attrs["outside_validity"]) == (not sure)
+    result = st.solve(contact, load="0.3 N", model=PLAIN, film="layered", asperity="jackson_green_2005")
+    assert "what it meets, yields" not in result.attrs["outside_validity"]

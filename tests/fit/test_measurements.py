@@ -43,6 +43,23 @@ def test_a_table_is_read_in_si_units(read):
     assert [one[thickness] for one in found.known] == pytest.approx([50e-9, 100e-9], rel=1e-15) and found.line == (3, 5)
 
 
+def test_a_table_of_a_spreadsheet_with_decimal_commas(read):
+    found = read(
+        "\ufeffsample;load [mN];friction_coefficient;friction_coefficient_error;coating.thickness [nm];note\r\n"
+        'a, b;0,5;0,25;1,5e-2;50;"first; drier, too"\r\n'
+        ";;;;;\r\n"
+        "c;0.5;,5;0.02;1e2;\r\n"
+    )
+    np.testing.assert_allclose(found.load, [0.0005, 0.0005], rtol=1e-15)
+    assert found.value.tolist() == [0.25, 0.5] and found.error.tolist() == [0.015, 0.02]
+    assert found.sample == ("a, b", "c") and found.line == (2, 4)
+    for cell in ("1.250,5", "1,250,5", "1,2 N"):
+        with pytest.raises(InputError, match=f"'{cell}'; allowed: a number"):
+            read(f"load [mN];friction_coefficient\n{cell};0,2\n")
+    with pytest.raises(InputError, match="1 cells"):
+        read("load [mN];friction_coefficient\n1,0\n")
+
+
 def test_what_was_measured_without_a_load(read):
     found = read("pull_off_force [mN]\n1\n2\n")
     assert np.isnan(found.load).all() and found.value.tolist() == [0.001, 0.002]
@@ -69,7 +86,7 @@ def test_what_was_measured_without_a_load(read):
             "line 3, friction_coefficient_error: not given; allowed: a standard error for every value, or for none",
         ),
         ("load [N],friction_coefficient\n0,0.2\n", "line 2, load: 0.0; allowed: above 0 where friction_coefficient"),
-        ("load [N];friction_coefficient\n1;0,2\n", "a table with commas between its cells"),
+        ("load [N]\tfriction_coefficient\n1\t0.2\n", "a table with commas or semicolons between its cells"),
         (
             "load [N],friction_coefficient,friction_coefficient_error\n1,0.2,1e-12\n",
             "line 2, friction_coefficient_error: 1e-12; allowed: 2e-11 or more, 1e-10 of the largest value",

@@ -219,6 +219,7 @@ def test_the_spread_of_the_models_is_by_their_weights():
     assert weights_of_models(data, little=0.1)[0] == ["w", "z"]
     assert ends_of_models(data, 0.9) == [0.1, 0.3] and ends_of_models(data, 0.04) == [0.2, 0.2]
     assert ends_of_models(data.assign_attrs(recommended="none"), 0.9) == []
+    assert ends_of_models(data.assign_attrs(family="b"), 0.9) == []  # one opinion is no range
 
 
 def test_the_bar_has_a_colour_for_each(compared):

@@ -87,6 +87,8 @@ def _print(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:
     terminal = console()
     terminal.print(run_summary(case, data), "", film_table(data, all_rows), "")
     terminal.print(*(Text(one, style="dim") for one in MEANINGS), sep="\n")
+    if data.attrs.get("remarks"):
+        terminal.print(Text(data.attrs["remarks"], style="yellow"))
     beyond = outside_validity(data)
     if beyond is not None:
         terminal.print(beyond)

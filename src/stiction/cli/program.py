@@ -76,7 +76,8 @@ def _as_input(error: Any) -> InputError:
     message: str = error.message
     command: Any = getattr(error.ctx, "command", None)
     if hasattr(error, "param_type"):
-        return InputError(_name(error.param), None, (error.param.help or "a value").rstrip("."))
+        told = (error.param.help or "a value").replace("\\[", "[")  # of help, which is markup, not that of a table's name
+        return InputError(_name(error.param), None, told.rstrip("."))
     if hasattr(error, "param"):
         value, allowed = _refused(error)
         return InputError(_name(error.param), value, allowed)

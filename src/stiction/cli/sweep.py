@@ -27,8 +27,9 @@ def sweep(
 ) -> None:
     """Solve many contacts, into a labelled store on disk (zarr 3).
 
-    Which contacts, the table [sweep] of the case says: every combination, points of a list, or points that are drawn. It may be
-    interrupted at any time; calling it again goes on where it was. The store is the same, bit for bit, whoever does the work.
+    Which contacts, the table \\[sweep] of the case says: every combination, points of a list, or points that are drawn. It may
+    be interrupted at any time; calling it again goes on where it was. The store is the same, bit for bit, whoever does
+    the work.
     """
     from time import perf_counter
 
@@ -56,7 +57,8 @@ def sweep(
     terminal.print(f"{store.plan.size} points, {shown.computed} of them computed now in {seconds:.3g} s{rate}", highlight=False)
     for text, count in doubts.items():
         terminal.print(Text(f"doubtful in {count} points: {text}", style="yellow"))
-    terminal.print(f"stored in {out}: xarray.open_zarr({str(out)!r})", highlight=False, markup=False, soft_wrap=True)
+    opened = f"xarray.open_zarr({str(out)!r}, consolidated=False)"
+    terminal.print(f"stored in {out}: {opened}", highlight=False, markup=False, soft_wrap=True)
 
 
 class _Shown:

@@ -183,7 +183,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("friction_substrate", "T_s", r"T_\mathrm{s}", "N", _NOT_NEGATIVE, _LOAD,
      "tangential force of the substrate"),
     ("friction_coefficient", "mu", r"\mu", "", _NOT_NEGATIVE, "",
-     "static friction coefficient T/P, undefined where P <= 0"),
+     "static friction coefficient, T/P, undefined where P <= 0"),
     ("friction_coefficient_spread", "s_mu", r"s_\mu", "", _NOT_NEGATIVE, "",
      "standard deviation of mu from contact to contact, by the strength of single junctions"),
     ("friction_coefficient_published", "mu_0", r"\mu_0", "", _NOT_NEGATIVE, "",

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 __all__ = ["sensitivity_figure"]
 
 _SHOWN = 12  # bars of a panel at most
+_NAMED = 0.05  # of the largest effect, above which an input has its name
 _COLOURS = (BLUE, ORANGE, GREEN, RED)
 
 
@@ -92,7 +93,7 @@ def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         return
     axes.errorbar(size, deviation, xerr=error, linestyle="", marker="o", color=BLUE, elinewidth=0.8)
     for at in ranked(one, name, "effect", "input")[:_SHOWN]:
-        if np.isfinite(size[at]):
+        if size[at] > _NAMED * np.nanmax(size):  # the names of what hardly matters would lie on one another
             axes.annotate(str(one["input"].values[at]), (size[at], deviation[at]), fontsize=8, xytext=(4, 4),
                           textcoords="offset points")  # fmt: skip
     axes.set_xlim(0.0, 1.6 * max(float(np.nanmax(size)), 1e-9))

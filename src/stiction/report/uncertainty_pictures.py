@@ -95,7 +95,7 @@ def _spreads(axes: Axes, below: Axes, data: "xarray.Dataset") -> None:
         return
     for at, (name, one) in enumerate(known.items()):
         low, high = float(one["spread_low"]), float(one["spread_high"])
-        axes.barh(-at, high - low, left=low, height=0.4, color=COLOURS[name])
+        axes.barh(-at, high - low, left=low, height=0.4, color=COLOURS[name], edgecolor=COLOURS[name])  # seen if it is a line
         text = f"{MEANINGS[name]}: {low:.3g} to {high:.3g}"
         axes.annotate(text, (0.02, -at + 0.24), xycoords=("axes fraction", "data"), fontsize=8, va="bottom")
     nominal = float(data.attrs["spread_around"])

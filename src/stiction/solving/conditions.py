@@ -40,6 +40,15 @@ def _does_not_adhere(problem: Problem) -> bool:
     return not problem.adheres
 
 
+def _elastic_on_a_film(problem: Problem) -> bool:
+    """Film and body are solved as one, and yield as the asperity law says, which never does: it claims a range of
+    the plasticity index, and that is of the bodies without their film."""
+    film, asperity = problem.chosen.film, problem.chosen.asperity
+    if film is None or asperity is None or not film.solved_as_one:
+        return False
+    return any(rule.quantity == "plasticity_index" for rule in asperity.validity)
+
+
 _FEW = "so few make no average: from one contact to the next their number alone scatters by 1/sqrt(n)"
 
 RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
@@ -47,6 +56,8 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area is above the nominal one", "impossible"), _any),
     (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
     (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
+    (Validity("film_plasticity_index", 0.0, 0.6, "asperities are taken as elastic, and the film, or what it meets, yields",
+              "effect"), _elastic_on_a_film),
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),
     (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
     (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),

@@ -29,7 +29,11 @@ _ERROR = "_error"
 _SAMPLE, _NOTES = "sample", ("note", "source")
 _LARGEST_FILE, _MOST_ROWS = 10**7, 20_000
 _LEAST_ERROR = 1e-10  # of the largest value
-_FORM = 'a table with commas between its cells and heads like "load [mN],friction_coefficient,friction_coefficient_error"'
+_DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d+([eE][+-]?\d+)?\s*")
+_FORM = (
+    "a table with commas or semicolons between its cells and heads like "
+    '"load [mN],friction_coefficient,friction_coefficient_error"'
+)
 
 
 @dataclass(frozen=True)
@@ -82,6 +86,7 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     The first line that is no comment (#) has the heads: `load [mN]`; what was measured, one or several of MEASURABLE; its
     standard error, `friction_coefficient_error`; `sample`, the name of a series; numbers of the contact that differ from row to
     row, by their names in the case, `coating.thickness [nm]`; `note` and `source`, which are not read. A cell may be empty.
+    Between the cells there are commas; or semicolons, if the heads have them, and numbers may then have decimal commas.
     Raises InputError, one line with the line of the file and the column.
     """
     if not isinstance(path, str | PathLike):
@@ -89,12 +94,13 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     lines = [(at, line) for at, line in enumerate(_text(Path(path)).splitlines(), start=1) if _says(line)]
     if not lines:
         raise InputError("--data", str(path), f"{_FORM}; this file is empty")
-    heads = _cells(*lines[0])
+    between = ";" if ";" in lines[0][1] else ","
+    heads = _cells(*lines[0], between)
     columns = [_column(head, content) for head in heads]
     _check_heads(columns, heads)
     entries: list[tuple] = []
     for at, line in lines[1:]:
-        cells = _cells(at, line)
+        cells = _cells(at, line, between)
         if len(cells) != len(heads):
             raise InputError(f"line {at}", f"{len(cells)} cells", f"{len(heads)}, as many as there are heads")
         entries += _entries(at, dict(zip(heads, cells, strict=True)), dict(zip(heads, columns, strict=True)))
@@ -108,15 +114,19 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     return measured
 
 
-def _cells(at: int, line: str) -> list[str]:
+def _cells(at: int, line: str, between: str) -> list[str]:
     try:
-        return next(csv.reader(io.StringIO(line)))
+        cells = next(csv.reader(io.StringIO(line), delimiter=between))
     except csv.Error:  # a cell of more than 131072 characters
         raise InputError(f"line {at}", line, "cells with commas between them; one of these is out of all proportion") from None
+    if between == ",":
+        return cells
+    # Spreadsheets of countries with a decimal comma; a cell with a comma and a point is no number, and refused as one.
+    return [cell.replace(",", ".") if _DECIMAL_COMMA.fullmatch(cell) else cell for cell in cells]
 
 
 def _says(line: str) -> bool:
-    return bool(line.strip().strip(",")) and not line.lstrip().startswith("#")
+    return bool(line.strip().strip(",;")) and not line.lstrip().startswith("#")
 
 
 def _text(path: Path) -> str:
@@ -210,7 +220,7 @@ def _number(cell: str, column: _Column, where: str) -> float:
     try:
         plain = float(cell)
     except ValueError:
-        raise InputError(where, cell, "a number, with a decimal point") from None
+        raise InputError(where, cell, "a number, with a decimal point (or comma, with semicolons between the cells)") from None
     if not np.isfinite(plain):
         raise InputError(where, cell, "a finite number")
     try:

@@ -55,9 +55,9 @@ def ends_of_band(band: "xarray.DataArray") -> list[float]:
 
 def ends_of_models(data: "xarray.Dataset", coverage: float) -> list[float]:
     """Between which friction coefficients at the working load this share of the weight of the models is, of the family that is
-    recommended; nothing where there are none."""
+    recommended; nothing where there are not two of them: one opinion is no range."""
     names, weights = weights_of_models(data)
-    if not names:
+    if len(names) < 2:
         return []
     mu = data[_MU].sel(model=names).values
     order = np.argsort(mu)
