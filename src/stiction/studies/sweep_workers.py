@@ -1,5 +1,6 @@
 """Who does the blocks of a sweep: this process, several on this machine, or the workers of a dask.distributed cluster."""
 
+import os
 import pickle
 from collections.abc import Iterator
 from functools import lru_cache, partial
@@ -85,10 +86,23 @@ _store: "Store | None" = None  # of a process that works for another
 
 def _begin(store: "Store") -> None:
     import signal
+    from threading import Thread
 
     global _store
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the first of them ends the work
+    Thread(target=_end_with_parent, daemon=True).start()
     _store = store
+
+
+def _end_with_parent() -> None:
+    """End this process when the one that shares out the work has been killed: it would wait for work for ever. What it was
+    writing is not half there: files are moved into place."""
+    from multiprocessing import parent_process
+
+    parent = parent_process()
+    assert parent is not None
+    parent.join()
+    os._exit(1)
 
 
 def _do(block: int) -> int:
