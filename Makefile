@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: demo test bench truth check lock clean
+.PHONY: demo test bench docs truth check lock clean
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.ready
@@ -14,6 +14,10 @@ test: $(VENV)/.ready
 
 bench: $(VENV)/.ready
 	$(BIN)/python benchmarks/run.py
+
+# The site, build/docs/html/index.html: to be opened in a browser, without a network.
+docs: $(VENV)/.ready
+	$(BIN)/python docs/site/build.py
 
 # The set of solved surfaces that models are measured by: half an hour on one core; goes on where it was stopped.
 truth: $(VENV)/.ready
@@ -38,4 +42,4 @@ lock:
 	uv pip compile --quiet --universal --generate-hashes --no-header --python-version 3.11 --extra dev pyproject.toml -o requirements.lock
 
 clean:
-	rm -rf $(VENV) demo
+	rm -rf $(VENV) demo build

@@ -339,6 +339,9 @@ NAMES = {
     "films": "film",
     "composites": "composite",
     "stiffness before sliding": "presliding",
+    "menisci": "meniscus",
+    "strengthening at rest": "ageing",
+    "junctions that differ": "contamination",
     "criteria": "criterion",
     "ways of finding asperities": "asperity method",
 }

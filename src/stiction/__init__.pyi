@@ -1,5 +1,6 @@
 from .contact.contact import Coating as Coating
 from .contact.contact import Contact as Contact
+from .contact.contact import Liquid as Liquid
 from .contact.contact import Roughness as Roughness
 from .contact.contact import work_of_adhesion as work_of_adhesion
 from .contact.indices import Indices as Indices

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.laws import registry
+from stiction.laws import records as record_finding
 from stiction.laws.finding import SPOKEN_OF, asperities, method_of_moments, methods, methods_for
 from stiction.laws.registry import AsperityMethod, Parameter
 from stiction.laws.sources import Source
@@ -276,11 +276,11 @@ class Entry:
 
 @pytest.fixture
 def outside(monkeypatch):
-    monkeypatch.setattr(registry, "entry_points", lambda group: [Entry()] if group == "stiction" else [])
-    registry._outside.cache_clear()
+    monkeypatch.setattr(record_finding, "entry_points", lambda group: [Entry()] if group == "stiction" else [])
+    record_finding._outside.cache_clear()
     yield OUTSIDE
     monkeypatch.undo()
-    registry._outside.cache_clear()
+    record_finding._outside.cache_clear()
 
 
 @pytest.mark.filterwarnings("ignore::stiction.InputDoubt")  # every point is no asperity, and is said not to be
@@ -319,7 +319,7 @@ def test_one_that_says_it_is_of_summits_comes_after_those_before_it(outside, mon
 
     first = replace(OUTSIDE, order=0, of_summits=True)
     monkeypatch.setattr(Entry, "load", lambda self: first)
-    registry._outside.cache_clear()
+    record_finding._outside.cache_clear()
     found = dict.fromkeys(methods(), asperities(rough(), "eight_neighbour"))
     assert _standing(found, dict.fromkeys(found, 100)) == "every_point"
     assert _standing(found, dict.fromkeys(found, 100) | {"every_point": 3}) == "eight_neighbour"

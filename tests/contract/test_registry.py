@@ -11,7 +11,7 @@ from stiction.contact.indices import Groups
 from stiction.engine import summation
 from stiction.engine.heights import gaussian, height_distribution
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
-from stiction.laws import registry
+from stiction.laws import records as record_finding
 from stiction.laws.joining import coordinates, normal_states
 from stiction.laws.registry import (
     GRADES,
@@ -573,12 +573,12 @@ def outside(request, monkeypatch):
         asked.append(group)
         return [Outside(record)]
 
-    monkeypatch.setattr(registry, "entry_points", entry_points)
-    registry._outside.cache_clear()
+    monkeypatch.setattr(record_finding, "entry_points", entry_points)
+    record_finding._outside.cache_clear()
     yield record
     assert asked == ["stiction"]
     monkeypatch.undo()
-    registry._outside.cache_clear()
+    record_finding._outside.cache_clear()
 
 
 def test_a_model_from_outside_appears(outside):
@@ -600,8 +600,8 @@ class Broken(Outside):
 @pytest.mark.parametrize("what", [ModuleNotFoundError("No module named\n'theirs'"), SystemExit(1), {"key": "no record"}])
 def test_a_broken_plug_in_is_named_and_all_else_goes_on(monkeypatch, what):
     sound = replace(next(iter(of_kind(AsperityLaw).values())), key="somebody_2031")
-    monkeypatch.setattr(registry, "entry_points", lambda group: [Broken(what), Outside(sound)])
-    registry._outside.cache_clear()
+    monkeypatch.setattr(record_finding, "entry_points", lambda group: [Broken(what), Outside(sound)])
+    record_finding._outside.cache_clear()
     notice.cache_clear()
     try:
         with pytest.warns(Notice, match=r"^the plug-in theirs \(theirs.law:RECORD\) is left out: [^\n]+$") as said:
@@ -612,15 +612,15 @@ def test_a_broken_plug_in_is_named_and_all_else_goes_on(monkeypatch, what):
         assert len(said) == 1
     finally:
         monkeypatch.undo()
-        registry._outside.cache_clear()
+        record_finding._outside.cache_clear()
 
 
 def test_a_plug_in_takes_no_name_of_ours(monkeypatch):
     ours = next(iter(of_kind(AsperityLaw).values()))
-    monkeypatch.setattr(registry, "entry_points", lambda group: [Outside(replace(ours, title="Theirs"))])
-    registry._outside.cache_clear()
+    monkeypatch.setattr(record_finding, "entry_points", lambda group: [Outside(replace(ours, title="Theirs"))])
+    record_finding._outside.cache_clear()
     try:
         assert of_kind(AsperityLaw)[ours.key] is ours
     finally:
         monkeypatch.undo()
-        registry._outside.cache_clear()
+        record_finding._outside.cache_clear()

@@ -66,8 +66,8 @@ class Example:
 
 
 def pages() -> list[Path]:
-    """The README and everything in docs/."""
-    return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+    """The README and every page in docs/ and its folders."""
+    return [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
 
 def blocks(page: str) -> list[Block]:

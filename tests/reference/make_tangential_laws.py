@@ -8,6 +8,7 @@ von Mises stress at the two places, with the two constants that the authors roun
 
 - `savkoor_briggs_1977.csv`: `friction` at `load`
 - `thornton_1991.csv`: the same
+- `waters_guduru_2010.csv`: the same
 - `chang_etsion_bogy_1988.csv` of `chang_etsion_bogy_1988` (tangential law): `friction` at `w`, of Hertz's asperity
 - `kogut_etsion_2003.csv`: `friction` at `w`, `load`
 - `brizmer_kligerman_etsion_2007.csv`: `friction` at `load`
@@ -85,6 +86,45 @@ def peeling():
                     middle = (low + high) / 2
                     low, high = (middle, high) if steady(middle) else (low, middle)
                 yield [*pair.groups, zeta, P / pair.force, low / pair.force]
+
+
+def mixed_mode():
+    """At every radius from Hertz's to that at rest: the phase angle at which G_N is its share of the toughness, by bisection,
+    and with it G_T and the force; the largest over the radii by golden section, after a search on a grid."""
+    for pair in map(Pair, BODIES):
+        for ratio in ("-0.5", "0", "2", "10"):
+            for zeta in (mpf(1), mpf("0.5"), mpf("0.1")):
+                P = mpf(ratio) * pair.pull_off
+
+                def force(a, pair=pair, P=P, zeta=zeta):
+                    cube = pair.K * a**3
+                    opening = (cube / pair.R - P) ** 2 / (6 * mp.pi * cube)
+                    low, high = mpf(0), mp.pi / 2
+                    for _ in range(70):  # G_N is all of the toughness without shear, and nothing of it at a right angle
+                        psi = (low + high) / 2
+                        share = mp.cos(psi) ** 2 * (1 + mp.tan((1 - zeta) * psi) ** 2)
+                        low, high = (psi, high) if share * pair.gamma > opening else (low, psi)
+                    toughness = pair.gamma * (1 + mp.tan((1 - zeta) * low) ** 2)
+                    return mp.sqrt(max(toughness - opening, 0) * 32 * mp.pi * a**3 / pair.beta)
+
+                root = mp.sqrt(6 * mp.pi * pair.gamma * pair.K)
+                largest = ((root + mp.sqrt(root**2 + 4 * pair.K / pair.R * P)) / (2 * pair.K / pair.R)) ** (mpf(2) / 3)
+                least = (P * pair.R / pair.K) ** (mpf(1) / 3) if P > 0 else largest * mpf("0.2")
+                yield [*pair.groups, zeta, P / pair.force, _largest(force, least, largest) / pair.force]
+
+
+def _largest(value, low, high):
+    places = [low + (high - low) * step / 40 for step in range(41)]
+    at = max(range(41), key=lambda step: value(places[step]))
+    low, high = places[max(at - 1, 0)], places[min(at + 1, 40)]
+    golden = (mp.sqrt(5) - 1) / 2
+    for _ in range(60):
+        left, right = high - golden * (high - low), low + golden * (high - low)
+        if value(left) > value(right):
+            high = right
+        else:
+            low = left
+    return max(value(low), value(high))
 
 
 def thornton():
@@ -222,6 +262,7 @@ GROUPS = ["theta", "lambda", "nu", "H_over_Y", "K_beta"]
 TABLES = {
     "savkoor_briggs_1977": ([*GROUPS, "peeling", "load", "friction"], peeling),
     "thornton_1991": ([*GROUPS, "load", "friction"], thornton),
+    "waters_guduru_2010": ([*GROUPS, "peeling", "load", "friction"], mixed_mode),
     "chang_etsion_bogy_1988": ([*GROUPS, "w", "friction"], first_yield),
     "kogut_etsion_2003": ([*GROUPS, "w", "load", "friction"], kogut_etsion),
     "brizmer_kligerman_etsion_2007": ([*GROUPS, "load", "friction"], full_stick),

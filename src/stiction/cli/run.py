@@ -59,6 +59,15 @@ def run(
     film: Annotated[str | None, typer.Option(help="Film law in place of its own.", autocompletion=keys_of("film"))] = None,
     coating_law: Annotated[str | None, typer.Option(hidden=True)] = None,
     presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
+    meniscus: Annotated[
+        str | None, typer.Option(help="Law of menisci of a liquid; none: without.", autocompletion=keys_of("meniscus"))
+    ] = None,
+    ageing: Annotated[
+        str | None, typer.Option(help="Law of strengthening at rest; none: without.", autocompletion=keys_of("ageing"))
+    ] = None,
+    contamination: Annotated[
+        str | None, typer.Option(help="Law of junctions that differ; none: without.", autocompletion=keys_of("contamination"))
+    ] = None,
     sliding: Annotated[
         bool,
         typer.Option("--sliding", help="Tangential force against displacement up to sliding, at five of the points at most."),
@@ -92,7 +101,14 @@ def run(
 
         chosen = read_case(case, ranges=ranges)
         chosen = chosen if load is None else chosen.at_load(load)
-    given = {"film": film, "coating_law": coating_law, "presliding": presliding}
+    given = {
+        "film": film,
+        "coating_law": coating_law,
+        "presliding": presliding,
+        "meniscus": meniscus,
+        "ageing": ageing,
+        "contamination": contamination,
+    }
     laws = {"model": model, "asperity": asperity, "tangential": tangential} | without_old_names(given)
     if kept != 1.0 and not sliding:
         raise InputError("--kept", kept, "nothing without --sliding")

@@ -8,9 +8,11 @@ from pydantic import Field, model_validator
 
 from stiction.contact.coating import Body, Coating
 from stiction.contact.indices import Indices, plain_number
+from stiction.contact.liquid import Liquid
 from stiction.contact.materials import Material, as_material
 from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
 from stiction.contact.roughness import Rough, Roughness
+from stiction.contact.size_effect import at_radius, size_ratio
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, named_by
 from stiction.quantities.errors import InputError
@@ -18,7 +20,7 @@ from stiction.quantities.inputs import Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
-__all__ = ["Body", "Coating", "Contact", "Indices", "Roughness", "work_of_adhesion"]
+__all__ = ["Body", "Coating", "Contact", "Indices", "Liquid", "Roughness", "work_of_adhesion"]
 
 # Equilibrium distance of two surfaces for the Tabor parameter. Of the order of an atomic spacing; 0.3 nm is
 # a customary round value, written down from memory and not taken from one source.
@@ -35,12 +37,14 @@ class Contact(Subject):
     topography of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size); or a dict like the table
     of a case file, with a scan or numbers as `first`, `second` or both, and how asperities are found. With a scan, results say
     the spread over the ways of finding asperities, and `roughness.measured` what each finds.
-    work_of_adhesion: of the bodies' surfaces, see the function of that name; left out or zero, nothing adheres, and models that
-    need it say so. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that has no
-    yield_stress. interfacial_shear_strength and
-    pressure_coefficient are needed by the tangential laws that shear an interface; peeling, 1 if left out, is the share of the
-    tangential energy release that peels an adhesive asperity (Savkoor and Briggs: all). Every number may be an array with a
-    named dimension (`stiction.axis`). Raises InputError.
+    work_of_adhesion: of the bodies' surfaces, see the function of that name; left out or zero, nothing adheres, and models
+    that need it say so. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that
+    has no yield_stress. interfacial_shear_strength and pressure_coefficient are needed by the tangential laws that shear an
+    interface; peeling, 1 if left out, is the share of the tangential energy release that peels an adhesive asperity (Savkoor
+    and Briggs: all). liquid: Liquid, or dict of its numbers: its vapour condenses between asperities, and the menisci pull.
+    waiting_time, cut_off_time and strengthening: how the interface strengthens at rest, as measured; strength_variation: how
+    its strength varies from junction to junction. Every number may be an array with a named dimension (`stiction.axis`).
+    Raises InputError.
     """
 
     first: Body = Field(description="a material: the name of a preset, or its numbers")
@@ -53,11 +57,20 @@ class Contact(Subject):
     interfacial_shear_strength: OptionalNumber = None
     pressure_coefficient: OptionalNumber = None
     peeling: OptionalNumber = None
+    liquid: Liquid | None = None
+    strength_variation: OptionalNumber = None
+    waiting_time: OptionalNumber = None
+    cut_off_time: OptionalNumber = None
+    strengthening: OptionalNumber = None
 
     @model_validator(mode="after")
     def _dimensions_agree(self):
         self.check_dimensions()
         self._check_adhesion()
+        rest = ("waiting_time", "cut_off_time", "strengthening")
+        left_out = [name for name in rest if getattr(self, name) is None]
+        if 0 < len(left_out) < len(rest):
+            raise InputError(left_out[0], None, f"{', '.join(rest)} together, or none of them")
         return self
 
     def _check_adhesion(self) -> None:
@@ -91,7 +104,7 @@ class Contact(Subject):
         return Indices(**{name: named_by(value, names) for name, value in groups.items()})
 
     def _groups(self) -> dict[str, Any]:
-        bare = pair_of(self.first, self.second)
+        bare = self._bare
         sigma, radius = self._sigma, self._radius
         groups = self._adhesion(bare) | {
             "nu": bare.nu,
@@ -103,7 +116,13 @@ class Contact(Subject):
             "pressure_coefficient": self.pressure_coefficient,
             "peeling": self.peeling,
             "hardening": bare.hardening,
+            "waiting": None if self.cut_off_time is None else self.waiting_time / self.cut_off_time,
+            "strengthening": self.strengthening,
+            "strength_variation": self.strength_variation,
         }
+        if self.liquid is not None:
+            groups["meniscus_index"] = bare.K * sigma**1.5 / (self.liquid.work * radius**0.5)
+            groups["meniscus_height"] = self.liquid.height / sigma
         if self.interfacial_shear_strength is not None:
             groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
@@ -120,7 +139,7 @@ class Contact(Subject):
         }
 
     def _film_groups(self, coating: Coating, bare: "Pair") -> dict[str, Any]:
-        film = pair_of(coating.material, self._against_film(coating))
+        film = pair_of(at_radius(coating.material, self._radius), at_radius(self._against_film(coating), self._radius))
         film_gamma, constant = coating.work_of_adhesion if self.adheres else None, coating.friction_constant
         # With both coated either may be called the coated one: the more compliant, so that their order does not matter.
         coated, counter = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
@@ -158,24 +177,46 @@ class Contact(Subject):
             "pressure_coefficient": "pressure_coefficient",
             "peeling": "peeling",
             "hardness_to_yield": "hardness_to_yield",
+            "waiting_time": "waiting",
+            "cut_off_time": "waiting",
+            "strengthening": "strengthening",
+            "strength_variation": "strength_variation",
         }
         found = {name: group for name, group in names.items() if getattr(self, name) is not None}
-        of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening"}
+        of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening", "characteristic_depth": "hardness"}
         for body in ("first", "second"):
             found |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
+        found |= {} if self.liquid is None else {"liquid": "meniscus_index"}
         if self.coating is None:
             return found
-        found |= {f"coating.material.{name}": "" for name in of_bodies if self.coating.material.is_own(name)}
+        film = self.coating.material
+        found |= {f"coating.material.{name}": "" for name in ("yield_stress", "tangent_modulus") if film.is_own(name)}
+        found |= {} if film.characteristic_depth is None else {"coating.material.characteristic_depth": "hardness"}
         return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
 
     def remarks(self) -> list[str]:
+        return [*self._of_size(), *self._of_film()]
+
+    def _of_size(self) -> list[str]:
+        """How hard asperities find bodies whose hardness depends on the size."""
+        bodies = [self.first, self.second, *([] if self.coating is None else [self.coating.material])]
+        found = []
+        for body in bodies:
+            if body.characteristic_depth is not None:
+                times = (1.0 + size_ratio(body, self._radius)) ** 0.5
+                much = f"{float(times):.3g} times as hard" if np.ndim(times) == 0 else "harder"
+                found.append(f"asperities find {body.name} {much} as large imprints do (Nix and Gao 1998)")
+        return list(dict.fromkeys(found))
+
+    def _of_film(self) -> list[str]:
         if self.coating is None or self.coating.bodies == "both":
             return []
-        film, other = self.coating.material, self._against_film(self.coating)
+        bodies = self.coating.material, self._against_film(self.coating)
+        film, other = (at_radius(body, self._radius) for body in bodies)
         below = np.asarray(other.hardness) < np.asarray(film.hardness)  # of sweeps, anywhere, as far as they can be lined up
         if not (below.any() if below.shape else bool(below)):
             return []
-        ratio = other.hardness / pair_of(self.first, self.second).hardness
+        ratio = other.hardness / self._bare.hardness
         n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
         return [
             f"the counterbody {other.name} is softer than the film {film.name} and yields first: where they meet its hardness "
@@ -207,6 +248,7 @@ class Contact(Subject):
 
     def given_as(self, group: str) -> str:
         names = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}
+        names |= dict.fromkeys(("meniscus_index", "meniscus_height"), "liquid") | {"waiting": "waiting_time"}
         return names.get(group, "work_of_adhesion" if group in ("theta", "lam", "tabor_parameter") else group)
 
     def read(self, value: Any, name: str) -> Any:
@@ -232,7 +274,7 @@ class Contact(Subject):
 
     def scales(self) -> Scales:
         """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""
-        K = pair_of(self.first, self.second).K
+        K = self._bare.K
         return Scales(
             load=K * self._radius**0.5 * self._sigma**1.5,
             contact_area=pi * self._radius * self._sigma,
@@ -244,12 +286,17 @@ class Contact(Subject):
     @property
     def contact_modulus(self):
         """E* of the two bodies without film [Pa] (theory 1)."""
-        return 0.75 * pair_of(self.first, self.second).K
+        return 0.75 * self._bare.K
+
+    @property
+    def kelvin_radius(self):
+        """Radius of the menisci [m], see Liquid; None where there is no liquid."""
+        return None if self.liquid is None else self.liquid.kelvin_radius
 
     @property
     def plasticity_index(self):
         """psi = (E*/H) (sigma/R)^(1/2) of the bodies without film, H of the softer (GW 1966)."""
-        hardness = pair_of(self.first, self.second).hardness
+        hardness = self._bare.hardness
         return self.contact_modulus / hardness * (self._sigma / self._radius) ** 0.5
 
     def tabor_parameter(self, equilibrium_distance=EQUILIBRIUM_DISTANCE):
@@ -262,6 +309,18 @@ class Contact(Subject):
         if not self.adheres:
             return 0.0
         return (self._radius * self.work_of_adhesion**2 / (self.contact_modulus**2 * distance**3)) ** (1 / 3)
+
+    @property
+    def _bare(self) -> Pair:
+        """Both bodies without a film, as hard as asperities find them."""
+        return pair_of(at_radius(self.first, self._radius), at_radius(self.second, self._radius))
+
+    @property
+    def size_effect(self):
+        """The largest R*/R of all bodies, None where no hardness depends on the size."""
+        bodies = [self.first, self.second, *([] if self.coating is None else [self.coating.material])]
+        found = [size_ratio(body, self._radius) for body in bodies if body.characteristic_depth is not None]
+        return max(found, key=lambda one: float(np.max(one))) if found else None
 
     @property
     def _sigma(self):

@@ -57,8 +57,8 @@ class Indices(Subject):
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
     half-space to every asperity. One body is coated, and the other rigid, unless films and coated_share say otherwise; with two
     films the bodies are alike unless coated_share does; layer_nu left out is film_nu, coated_nu and counter_nu are nu.
-    film_friction_constant left out follows from strength and hardness. It and the last eight are needed by some
-    laws only. Raises InputError.
+    film_friction_constant left out follows from strength and hardness. It and the last thirteen are needed by some
+    laws only; waiting and strengthening, meniscus_index and meniscus_height are given together. Raises InputError.
     """
 
     theta: OptionalNumber = None
@@ -88,6 +88,11 @@ class Indices(Subject):
     pressure_coefficient: OptionalNumber = None
     peeling: OptionalNumber = None
     hardening: OptionalNumber = None
+    strength_variation: OptionalNumber = None
+    waiting: OptionalNumber = None
+    strengthening: OptionalNumber = None
+    meniscus_index: OptionalNumber = None
+    meniscus_height: OptionalNumber = None
 
     @model_validator(mode="before")
     @classmethod
@@ -100,6 +105,10 @@ class Indices(Subject):
     @model_validator(mode="after")
     def _adheres_or_not(self):
         given = [name for name in ("theta", "lam") if getattr(self, name) is not None]
+        for pair in (("meniscus_index", "meniscus_height"), ("waiting", "strengthening")):
+            left_out = [name for name in pair if getattr(self, name) is None]
+            if len(left_out) == 1:
+                raise InputError(left_out[0], None, f"{pair[0]} and {pair[1]} together, or none of them")
         if (self.hardness_group is None) == (len(given) == 2) and len(given) != 1:
             return self
         missing = "lam" if self.lam is None and self.theta is not None else "theta"
@@ -160,6 +169,21 @@ class Indices(Subject):
     def film_stiffness(self) -> Any:
         """n_E sqrt(R sigma)/t; None where there is no film, or R is not known."""
         return self.n_E / self.film_aspect if self.has_film and self.film_aspect is not None else None
+
+    @property
+    def meniscus_tabor_parameter(self) -> Any:
+        """(R W^2/(E*^2 H^3))^(1/3) of a meniscus of the work W = 2 gamma_L c and the height H = 2 r c: that of Tabor with the
+        range of this attraction; None where there are none."""
+        if self.meniscus_index is None or self.meniscus_height is None:
+            return None
+        return (4.0 / 3.0 / self.meniscus_index) ** (2.0 / 3.0) / self.meniscus_height
+
+    @property
+    def meniscus_over_radius(self) -> Any:
+        """Height of a meniscus over the radius of asperities; None where one is not known."""
+        if self.meniscus_height is None or self.sharpness is None:
+            return None
+        return self.meniscus_height * self.sharpness**2
 
     @property
     def film_modulus(self) -> Any:

@@ -22,7 +22,9 @@ class Material(Input):
 
     name: what to call it; source: where the numbers come from, one text or one for each field; range: between which ends a
     number lies, {"hardness": ("0.3 GPa", "0.5 GPa")}, kept in SI units: of a preset, what tables, grades and makes give; no
-    result uses it.
+    result uses it. characteristic_depth: h* of a hardness that grows as imprints get smaller (Nix and Gao 1998), under a
+    pyramid; hardness is then that of large imprints, and asperities find more (stiction.contact.size_effect). Left out, the
+    hardness is that of every asperity; the contact of a map, solved point by point, always takes it so.
     Numbers are SI floats, text with a unit ("210 GPa"), or arrays with a named dimension (`stiction.axis`).
     Raises InputError naming the field, its value and the allowed range.
     """
@@ -33,6 +35,7 @@ class Material(Input):
     hardness: Number
     yield_stress: OptionalNumber = None
     tangent_modulus: OptionalNumber = None
+    characteristic_depth: OptionalNumber = None
     surface_energy: OptionalNumber = None
     source: str | dict[str, str] | None = Field(None, union_mode="left_to_right")
     range: Ranges = Field(default_factory=dict, description="low and high end of its numbers")

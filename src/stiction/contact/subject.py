@@ -58,7 +58,11 @@ class Subject(Input):
 
     def optional_inputs(self) -> dict[str, str]:
         """What was given and may be left out: dotted name -> the group that it decides, "" where no law asks for it."""
-        names = ("shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield")
+        names = (
+            "shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield", "waiting", "strengthening",
+            "strength_variation",
+            "meniscus_index", "meniscus_height",
+        )  # fmt: skip
         return {name: name for name in names if name in self.model_fields_set and getattr(self, name) is not None}
 
     def remarks(self) -> list[str]:

@@ -15,8 +15,8 @@ _CLOSE = 1e-15  # two steps nearer to each other than this, relative, are one pl
 def _narrowing(excess: Callable) -> Any:
     @formula
     def narrow(left, right, at_left, at_right, row):
-        """The place between at which the sign changes: secants (Illinois variant) with halvings between, which alone go on where
-        it changes by a jump."""
+        """The place between at which the sign changes: secants (Illinois variant) with halvings between, which alone go on
+        where it changes by a jump."""
         rises, last = at_right > 0.0, left
         for step in range(_STEPS):
             middle = 0.5 * (left + right)

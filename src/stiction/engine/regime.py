@@ -5,6 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+# The state of a regime that is no solid: what it pulls with is counted by itself.
+MENISCUS = "meniscus"
+
 
 @dataclass(frozen=True)
 class Regime:

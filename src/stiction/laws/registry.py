@@ -5,60 +5,12 @@ package, an entry point in the group "stiction"), one file of reference numbers 
 command line, citations and contract tests are made from the record.
 """
 
-import importlib
-import importlib.util
-import inspect
-import pkgutil
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cache
-from importlib.metadata import entry_points
-from typing import ClassVar, TypeVar
 
 from stiction.laws.claims import FILM_LIMITS, GRADES, TRAITS, Departure, Jump, Limit, Parameter, Validity
-from stiction.laws.sources import Source
+from stiction.laws.records import Record, find, of_kind, text_of
 from stiction.quantities.errors import InputError
-from stiction.quantities.notices import notice
-
-
-@dataclass(frozen=True, kw_only=True)
-class Record:
-    """All that is said of one model; each kind adds what it computes.
-
-    kind: what it is, in words; its folder has this name. keyword: by which a user chooses one, "" if nobody does. key:
-    author_year, or a name. grade: see GRADES. verified: what the numbers were checked against. needs: names of the groups
-    it depends on; takes: of others that count where they are given.
-    own_options: option name -> allowed values, the first is the default. load_falls: the source's load falls
-    with growing separation wherever it is compressive. accuracy: sums are good to this, relative to each law's own; larger
-    where kinks of a law are found by scanning. notes: what a user should know. entries: bibliography entries that the
-    package does not have, key -> BibTeX.
-    """
-
-    kind: ClassVar[str]
-    keyword: ClassVar[str] = ""
-    key: str
-    title: str
-    grade: str
-    sources: tuple[Source, ...]
-    verified: str
-    needs: tuple[str, ...] = ()
-    takes: tuple[str, ...] = ()
-    validity: tuple[Validity, ...] = ()
-    limits: tuple[Limit, ...] = ()
-    own_options: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    load_falls: bool = True
-    accuracy: float = 1e-10
-    notes: str = ""
-    entries: Mapping[str, str] = field(default_factory=dict)
-
-    @property
-    def options(self) -> Mapping[str, tuple[str, ...]]:
-        """Every option of it: name -> allowed values, the first is the default."""
-        return self.own_options
-
-    def parts(self, options: Mapping[str, str]) -> list["Record"]:
-        """Other records that these options bring into it: they answer too, and are to be cited."""
-        return []
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,7 +44,8 @@ class TangentialLaw(Record):
     its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. of_half_space:
     why a law that is neither says nothing of film and body as one; like: key of the law to take there in its place, or "".
     junctions: keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where its own
-    gives them nothing.
+    gives them nothing. of_area: its force is the strength of the interface times the contact area, beside what goes with the
+    load.
     """
 
     kind = keyword = "tangential"
@@ -102,6 +55,7 @@ class TangentialLaw(Record):
     layered: bool = False
     of_half_space: str = ""
     like: str = ""
+    of_area: bool = False
     junctions: tuple[str, ...] = ()
 
     @property
@@ -221,6 +175,39 @@ class Presliding(TangentialLaw):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Meniscus(Record):
+    """How a liquid that condenses around an asperity pulls, whatever carries the load of that.
+
+    pull(groups, **own options) -> list of Regime, by displacement, which may begin below zero, where the liquid bridges a gap:
+    no area, no resistance, and loads below zero. wants: trait of the asperity law that it cannot do without -> why.
+    """
+
+    kind = keyword = "meniscus"
+    pull: Callable
+    wants: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ageing(Record):
+    """How an interface strengthens at rest.
+
+    aged(groups) -> the groups as tangential laws take them then: with the strength of the interface that a contact has by now,
+    over the area that it had at first.
+    """
+
+    kind = keyword = "ageing"
+    aged: Callable
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contamination(TangentialLaw):
+    """How the strength of an interface that differs from junction to junction spreads friction: a tangential law whose
+    resistance is the variance of the force of one asperity, in the square of the unit of the load."""
+
+    kind = keyword = "contamination"
+
+
+@dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
     """A number that tells one behaviour of a rough surface in contact from another.
 
@@ -265,74 +252,24 @@ KINDS: tuple[type[Record], ...] = (
     FilmLaw,
     Composite,
     Presliding,
+    Meniscus,
+    Ageing,
+    Contamination,
     Criterion,
     AsperityMethod,
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "AsperityLaw", "AsperityMethod", "Composite",
-    "Criterion", "Departure",
-    "FilmLaw", "Jump", "Limit", "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw",
-    "Validity", "all_options", "composites_of", "find", "friction_incompatibility", "incompatibility", "of_kind", "records",
-    "resolve_options", "select_options", "text_of",
+    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "Ageing", "AsperityLaw", "AsperityMethod",
+    "Composite", "Contamination", "Criterion", "Departure", "FilmLaw", "Jump", "Limit", "Meniscus", "Parameter",
+    "Presliding", "Record", "RoughSurface", "TangentialLaw", "Validity", "all_options", "composites_of", "find",
+    "friction_incompatibility", "incompatibility", "of_kind", "records", "resolve_options", "select_options", "text_of",
 ]  # fmt: skip
-_R = TypeVar("_R", bound=Record)
-
-
-def _package(kind: type[Record]) -> str:
-    """The folder of the records of a kind."""
-    return f"stiction.laws.{kind.kind.replace(' ', '_')}"
-
-
-@cache
-def _outside() -> tuple[tuple[Record, str], ...]:
-    """Records of other distributions, each with its module. One that cannot be had is named, and all else goes on."""
-    found = []
-    for entry in entry_points(group="stiction"):
-        try:
-            record = entry.load()
-            problem = "" if isinstance(record, Record) else f"it is {type(record).__name__}, no record of a law"
-        except (Exception, SystemExit) as error:  # somebody else's code may raise anything
-            problem = " ".join(f"{type(error).__name__}: {error}".split())
-        if problem:
-            notice(f"the plug-in {entry.name} ({entry.value}) is left out: {problem}")
-        else:
-            found.append((record, entry.module))
-    return tuple(found)
-
-
-@cache
-def _inside(folder: str) -> tuple[Record, ...]:
-    """The records of one folder of this package."""
-    package = importlib.import_module(folder)
-    modules = [importlib.import_module(one.name) for one in pkgutil.iter_modules(package.__path__, f"{folder}.")]
-    return tuple(module.RECORD for module in modules if hasattr(module, "RECORD"))
-
-
-def of_kind(kind: type[_R]) -> dict[str, _R]:
-    """The records of one kind, in alphabetical order: key -> record. Those of other kinds are not loaded."""
-    everybody = (*(record for record, _ in _outside()), *_inside(_package(kind)))  # of two with one key ours is the last
-    found = [one for one in everybody if isinstance(one, kind) and one.kind == kind.kind]
-    return {one.key: one for one in sorted(found, key=lambda one: one.key)}
 
 
 def records() -> tuple[Record, ...]:
     """Every record, in the order of KINDS, each kind in alphabetical order."""
     return tuple(record for kind in KINDS for record in of_kind(kind).values())
-
-
-def find(key: str, kind: type[_R]) -> _R:
-    """The record of this key and kind; InputError otherwise. One of the package is in the file of its name: the others are then
-    not loaded."""
-    module = f"{_package(kind)}.{key}"
-    if isinstance(key, str) and key.isidentifier() and importlib.util.find_spec(module) is not None:
-        record = getattr(importlib.import_module(module), "RECORD", None)
-        if isinstance(record, kind):
-            return record
-    known = of_kind(kind)
-    if not isinstance(key, str) or key not in known:
-        raise InputError(kind.keyword or kind.kind, key, ", ".join(known))
-    return known[key]
 
 
 def all_options() -> dict[str, tuple[str, ...]]:
@@ -354,8 +291,8 @@ def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
     return key, *(one for one in known if one != key)
 
 
-def incompatibility(law: TangentialLaw | FilmLaw, asperity: AsperityLaw) -> str:
-    """Why a tangential law or a film cannot go with an asperity law; "" if it can."""
+def incompatibility(law: TangentialLaw | FilmLaw | Meniscus, asperity: AsperityLaw) -> str:
+    """Why a tangential law, a film or a meniscus cannot go with an asperity law; "" if it can."""
     missing = [f"{why} ({trait}: {TRAITS[trait]})" for trait, why in law.wants.items() if trait not in asperity.traits]
     return f"{law.key} does not suit the asperity law {asperity.key}: {'; '.join(missing)}" if missing else ""
 
@@ -390,20 +327,3 @@ def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) 
             nothing = f"nothing: {' and '.join(keys)} have no such option, but {', '.join(allowed) or 'none'}"
             raise InputError(name, value, ", ".join(allowed.get(name, ())) or nothing)
     return {name: options.get(name) or values[0] for name, values in allowed.items()}
-
-
-def text_of(record: Record) -> str:
-    """What the file of a record says of it: equations with their source, assumptions, what was reconstructed; Markdown.
-
-    It is the docstring of the module in which the record stands, of this package or of the project that brought it; "" if that
-    has none.
-    """
-    name = f"{_package(type(record))}.{record.key}"
-    if record.key.isidentifier() and importlib.util.find_spec(name) is not None:
-        module = importlib.import_module(name)
-        if getattr(module, "RECORD", None) is record:
-            return inspect.getdoc(module) or ""
-    for other, where in _outside():
-        if other is record:
-            return inspect.getdoc(importlib.import_module(where)) or ""
-    return ""

@@ -5,9 +5,10 @@ unit or a bound. The symbols are those of docs/theory.md.
 """
 
 from dataclasses import replace
-from math import inf
+from math import inf, pi
 
 from stiction.quantities.quantity import COUNT, Quantity
+from stiction.quantities.short_names import SHORT
 
 __all__ = ["QUANTITIES", "Quantity"]
 
@@ -24,8 +25,11 @@ _SOLID = (1e3, inf, True, False)
 _GROUP = (1e-12, 1e12, True, True)
 _THETA = (1e-12, 1e40, True, True)
 _LAMBDA = (1e-60, 1e120, True, True)
+_HEIGHT = (1e-9, 1e3, True, True)
 _LENGTH_RATIO = (0.0, 1e15, True, True)
 _PART = (0.0, 1.0, False, True)
+_SHARE_INSIDE = (0.0, 1.0, False, False)
+_ANGLE = (0.0, pi, True, False)
 _ONE_OR_TWO = (1.0, 2.0, True, True)
 # nu = 1/2 is left out: an incompressible film does not carry load as a half-space does.
 # Below 0 nothing was checked.
@@ -44,6 +48,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("yield_stress", "Y", "Y", "Pa", _SOLID, "2.5 GPa", "yield stress in tension"),
     ("tangent_modulus", "E_t", r"E_\mathrm{t}", "Pa", _NOT_NEGATIVE, "2 GPa",
      "tangent modulus, the slope of stress over strain beyond yield"),
+    ("characteristic_depth", "h*", "h^*", "m", _POSITIVE, "500 nm",
+     "depth of a pyramid's imprint at which the hardness is sqrt(2) times that of large ones"),
     ("surface_energy", "gamma_s", r"\gamma_s", "J/m^2", _POSITIVE, "1.25 J/m^2",
      "surface energy of one surface"),
     # contact
@@ -64,6 +70,21 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "shear strength of the interface at no pressure"),
     ("equilibrium_distance", "epsilon", r"\varepsilon", "m", _POSITIVE, "0.3 nm",
      "equilibrium distance of two surfaces"),
+    ("strength_variation", "c_tau", r"c_\tau", "", _NOT_NEGATIVE, "0.5",
+     "standard deviation of the interface's strength from junction to junction, over its mean"),
+    # rest
+    ("waiting_time", "t_w", r"t_\mathrm{w}", "s", _NOT_NEGATIVE, "60 s", "time at rest under load before it is pulled"),
+    ("cut_off_time", "t_c", r"t_\mathrm{c}", "s", _POSITIVE, "1 s", "time below which a contact does not strengthen at rest"),
+    ("strengthening", "m", "m", "", _NOT_NEGATIVE, "0.02",
+     "relative growth of area and strength at rest, for every factor of e in time"),
+    # vapour
+    ("relative_humidity", "p/p_s", r"p/p_\mathrm{s}", "", _SHARE_INSIDE, "0.5",
+     "pressure of the vapour over that of saturation"),
+    ("temperature", "T", "T", "K", _POSITIVE, "293.15 K", "temperature"),
+    ("contact_angle_first", "theta_1", r"\theta_1", "rad", _ANGLE, "10 deg", "contact angle on the first body"),
+    ("contact_angle_second", "theta_2", r"\theta_2", "rad", _ANGLE, "10 deg", "contact angle on the second body"),
+    ("surface_tension", "gamma_L", r"\gamma_\mathrm{L}", "N/m", _POSITIVE, "72.7 mN/m", "surface tension of the liquid"),
+    ("molar_volume", "V_L", r"V_\mathrm{L}", "m^3/mol", _POSITIVE, "18.05 cm^3/mol", "molar volume of the liquid"),
     # dimensionless groups
     ("theta", "theta", r"\theta", "", _THETA, "40",
      "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2))"),
@@ -106,6 +127,11 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "share of the tangential energy release that peels: 1 after Savkoor and Briggs, 0 for none"),
     ("hardening", "E_t/E", r"E_\mathrm{t}/E", "", _SHARE_BELOW_ONE, "0.01",
      "tangent modulus over Young's modulus, of the softer body"),
+    ("waiting", "t_w/t_c", r"t_\mathrm{w}/t_\mathrm{c}", "", _NOT_NEGATIVE, "60", "time at rest over the cut-off time"),
+    ("meniscus_index", "theta_m", r"\theta_\mathrm{m}", "", _THETA, "40",
+     "K sigma^(3/2) / (2 gamma_L c R^(1/2)) of menisci, c the mean cosine of the contact angles"),
+    ("meniscus_height", "2 r c/sigma", r"2rc/\sigma", "", _HEIGHT, "0.05",
+     "gap that a meniscus bridges, over sigma"),
     ("specific_contact_resistance", "rho_c", r"\rho_\mathrm{c}", "ohm m^2", _POSITIVE, "1e-12 ohm m^2",
      "electrical resistance of the interface times its real area"),
     # of a measurement; no example, so that it is not listed among the numbers of a case file
@@ -125,6 +151,12 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "plasticity index of the film against what it meets"),
     ("film_stiffness", "n_E sqrt(R sigma)/t", r"n_E\sqrt{R\sigma}/t", "", _POSITIVE, "",
      "modulus over thickness of the film, over the substrate's modulus over sqrt(R sigma)"),
+    ("size_effect", "R*/R", "R^*/R", "", _NOT_NEGATIVE, "",
+     "square of the hardness that asperities find over that of large imprints, less one"),
+    ("kelvin_radius", "r", "r", "m", _POSITIVE, "", "radius of a meniscus in equilibrium with the vapour"),
+    ("meniscus_tabor_parameter", "mu_m", r"\mu_\mathrm{m}", "", _POSITIVE, "",
+     "Tabor parameter with work and height of a meniscus"),
+    ("meniscus_over_radius", "2 r c/R", r"2rc/R", "", _NOT_NEGATIVE, "", "height of a meniscus over the asperity radius"),
     # of a solution
     ("mean_separation", "d", "d", "m", _ANY, "sigma",
      "mean separation, from the mean of the asperity heights"),
@@ -132,6 +164,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("load_elastic", "P_el", r"P_\mathrm{el}", "N", _ANY, _LOAD, "net load on elastic asperities"),
     ("load_plastic", "P_pl", r"P_\mathrm{pl}", "N", _ANY, _LOAD, "net load on plastic asperities"),
     ("load_elastic_plastic", "P_ep", r"P_\mathrm{ep}", "N", _ANY, _LOAD, "net load on elastic-plastic asperities"),
+    ("load_meniscus", "P_m", r"P_\mathrm{m}", "N", _ANY, _LOAD, "load on menisci, which pull: 0 or less"),
     ("load_film", "P_f", r"P_\mathrm{f}", "N", _ANY, _LOAD, "net load carried by the film"),
     ("load_substrate", "P_s", r"P_\mathrm{s}", "N", _ANY, _LOAD, "net load carried by the substrate"),
     ("contact_area", "A", "A", "m^2", _NOT_NEGATIVE, _AREA, "real contact area"),
@@ -151,6 +184,8 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "tangential force of the substrate"),
     ("friction_coefficient", "mu", r"\mu", "", _NOT_NEGATIVE, "",
      "static friction coefficient T/P, undefined where P <= 0"),
+    ("friction_coefficient_spread", "s_mu", r"s_\mu", "", _NOT_NEGATIVE, "",
+     "standard deviation of mu from contact to contact, by the strength of single junctions"),
     ("friction_coefficient_published", "mu_0", r"\mu_0", "", _NOT_NEGATIVE, "",
      "static friction coefficient of the law as published, which gives yielded junctions nothing"),
     ("tangential_stiffness", "k_t", r"k_\mathrm{t}", "N/m", _NOT_NEGATIVE, "K R^(1/2) sigma^(1/2) per asperity",
@@ -175,6 +210,10 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("touching_share", "n/(N A_n)", r"n/(NA_\mathrm{n})", "", _SHARE, "", "share of the asperities that touch"),
     ("asperity_area_over_yield", "A/(n A_c)", r"A/(nA_\mathrm{c})", "", _NOT_NEGATIVE, "",
      "mean contact area of a touching asperity over that at first yield"),
+    ("meniscus_coverage", "n 2 pi R 2 r c/A_n", r"n\,4\pi Rrc/A_\mathrm{n}", "", _NOT_NEGATIVE, "",
+     "area of the menisci of touching asperities over the nominal one"),
+    ("penetration_over_meniscus", "w/(2 r c)", r"\bar w/(2rc)", "", _NOT_NEGATIVE, "",
+     "contact area of the mean touching asperity over pi R times the height of its meniscus"),
     ("adhesion_share", "n P_0/P", r"nP_0/P", "", _NOT_NEGATIVE, "",
      "pull-off forces of the touching asperities over the load"),
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
@@ -239,122 +278,6 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
 
 _RESULT_EXAMPLES = {"mean_separation": "48 nm", "load": "1 N"}  # results that are also what is solved for
 
-# Names for axes, where the meaning with its unit is longer than the 30 characters to which xarray's plots break their labels.
-_SHORT = {
-    "hardness_group": "hardness group",
-    "films": "coated bodies",
-    "layer_nu": "Poisson's ratio, layer",
-    "coated_share": "compliance share",
-    "coated_nu": "Poisson's ratio, coated",
-    "counter_nu": "Poisson's ratio, counter",
-    "film_stiffness": "film stiffness group",
-    "load_share_substrate": "substrate's load share",
-    "contact_over_thickness": "a over film thickness",
-    "stress_over_yield": "stress over yield stress",
-    "interface_tension": "tension at the interface",
-    "interface_shear": "shear at the interface",
-    "film_plasticity_index": "film plasticity index",
-    "friction_constant": "film friction constant",
-    "film_friction_constant": "film constant over K",
-    "hardness": "hardness",
-    "tangent_modulus": "tangent modulus",
-    "surface_energy": "surface energy",
-    "asperity_height_deviation": "asperity deviation",
-    "asperity_density": "asperities per area",
-    "interfacial_energy": "interfacial energy",
-    "thickness": "film thickness",
-    "hardness_to_yield": "hardness over yield",
-    "interfacial_shear_strength": "shear strength",
-    "equilibrium_distance": "equilibrium distance",
-    "theta": "elastic adhesion index",
-    "lam": "plastic adhesion index",
-    "nu": "Poisson's ratio",
-    "K_beta": "K beta",
-    "n_E": "film modulus ratio",
-    "n_H": "film hardness ratio",
-    "tau": "thickness over sigma",
-    "n_g": "film adhesion ratio",
-    "film_aspect": "t over sqrt(R sigma)",
-    "film_nu": "Poisson's ratio, film",
-    "film_K_beta": "K beta of the film",
-    "tabor_parameter": "Tabor parameter",
-    "roughness_parameter": "N R sigma",
-    "nominal_width": "sqrt(A_n) over sigma",
-    "shear_strength": "shear strength over H",
-    "pressure_coefficient": "pressure coefficient",
-    "peeling": "peeling share",
-    "hardening": "hardening E_t/E",
-    "contact_resistance": "contact resistance",
-    "specific_contact_resistance": "resistance x area",
-    "scan_size": "scan size",
-    "shear_modulus": "shear modulus",
-    "contact_modulus": "contact modulus",
-    "tangential_compliance": "compliance beta",
-    "plasticity_index": "plasticity index",
-    "mean_separation": "mean separation",
-    "load": "net normal load",
-    "load_elastic": "load, elastic",
-    "load_plastic": "load, plastic",
-    "load_elastic_plastic": "load, elastic-plastic",
-    "load_film": "load on the film",
-    "load_substrate": "load on the substrate",
-    "contact_area_elastic": "real area, elastic",
-    "contact_area_plastic": "real area, plastic",
-    "contact_area_elastic_plastic": "area, elastic-plastic",
-    "friction_force": "friction force",
-    "friction_slip_limited": "friction, slip first",
-    "friction_yield_limited": "friction, yield first",
-    "friction_film": "friction of the film",
-    "friction_substrate": "friction, substrate",
-    "friction_coefficient": "friction coefficient",
-    "friction_coefficient_published": "mu as published",
-    "tangential_stiffness": "tangential stiffness",
-    "displacement": "displacement",
-    "tangential_force": "tangential force",
-    "largest_tangential_force": "largest tangential force",
-    "largest_friction_coefficient": "largest force over load",
-    "sliding_displacement": "sliding displacement",
-    "energy_loss": "energy lost in a cycle",
-    "area_fraction": "real area fraction",
-    "nominal_pressure": "nominal pressure",
-    "nominal_pressure_over_hardness": "pressure over hardness",
-    "mean_pressure_over_hardness": "contact pressure over H",
-    "touching_share": "share that touches",
-    "asperity_area_over_yield": "area over that at yield",
-    "adhesion_share": "pull-off over load",
-    "load_share_without_friction": "load without friction",
-    "load_share_yielded": "load, yielded",
-    "load_share_substrate_yielded": "load, substrate yielded",
-    "rms_slope": "rms slope",
-    "stickiness_ratio": "repulsion over attraction",
-    "range_over_gap": "range over gap",
-    "thickness_over_radius": "thickness over radius",
-    "stiff_film_over_wave": "stiff film over wave",
-    "touching_asperities": "touching asperities",
-    "pull_off_force": "pull-off force",
-    "pull_off_separation": "pull-off separation",
-    "plane_separation": "plane separation",
-    "contact_area_pixels": "area in points",
-    "load_share_plastic": "load at the hardness",
-    "contact_stiffness": "normal stiffness",
-    "points_in_contact": "points in contact",
-    "points_in_shortest_wave": "points in shortest waves",
-    "longest_waves_on_a_side": "longest waves on a side",
-    "map_gradient": "rms gradient",
-    "points_in_film": "points in the film",
-    "film_over_side": "film over side",
-    "load_at_ends": "load at the ends",
-    "solution_residual": "residual",
-    "load_error": "error of the load",
-    "point_spacing": "point spacing",
-    "adhesion_range": "range of attraction",
-    "range_tabor": "Tabor parameter of range",
-    "points_at_edge": "points at the edge",
-    "attraction_residual": "attraction left",
-    "load_share_beyond_film": "load share with a > t",
-    "friction_share_beyond_film": "friction share, a > t",
-}
-
 _ROWS: dict[str, Quantity] = {
     name: Quantity(name, symbol, latex, unit, meaning, *bounds, example=example)
     for name, symbol, latex, unit, bounds, example, meaning in _INPUTS
@@ -363,4 +286,4 @@ _ROWS: dict[str, Quantity] = {
     for name, symbol, latex, unit, bounds, divisor, meaning in _OUTPUTS
 }
 
-QUANTITIES: dict[str, Quantity] = {name: replace(row, short=_SHORT.get(name, "")) for name, row in _ROWS.items()}
+QUANTITIES: dict[str, Quantity] = {name: replace(row, short=SHORT.get(name, "")) for name, row in _ROWS.items()}

@@ -28,6 +28,8 @@ _POWER = r"(?:1|%|[^\W\d]+(?:(?:\^|\*\*)[+-]?\d|⁻?[⁰¹²³⁴-⁹])?)"
 _UNIT = re.compile(rf"/?\s*{_POWER}(?:(?:\s*[/*·]\s*|\s+){_POWER})*")
 _LONGEST_TEXT = 100  # no quantity takes more, and the patterns above take their time over megabytes
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
+_CELSIUS = ("degC", "°C", "celsius", "deg C")  # temperatures only: no factor turns these into kelvins
+_ZERO_CELSIUS = 273.15
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 
@@ -60,15 +62,15 @@ def show(value, name: str, digits: int = 6) -> str:
     six at most."""
     unit = QUANTITIES[name].unit
     value = float(f"{value:.{digits}g}")
-    prefixed = re.fullmatch(r"(m|Pa|N|J)(\^2)?(.*)", unit)
+    prefixed = re.fullmatch(r"(m|Pa|N|J)(\^[23])?(.*)", unit)
     if prefixed is None or value == 0 or not np.isfinite(value):
         return f"{value:.6g} {unit}".rstrip()
-    symbol, square, rest = prefixed.groups(default="")
-    power = 2 if square else 1  # 1 mm^2 is (1 mm)^2: a prefix counts twice in an area
+    symbol, raised, rest = prefixed.groups(default="")
+    power = int(raised[1:] or 1)  # 1 mm^2 is (1 mm)^2: a prefix counts twice in an area
     # It is rounded to the printed digits first, so that 999.9999999 nm is shown as 1 um and not as 1000 nm.
     exponent = int(f"{value:.5e}".partition("e")[2]) // (3 * power) * 3
     exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
-    return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{square}{rest}"
+    return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{raised}{rest}"
 
 
 def axis(name: str, values=None, dimension: str | None = None):
@@ -118,6 +120,8 @@ def _from_text(text: str, quantity: Quantity) -> float:
         if quantity.unit:
             raise InputError(quantity.name, text, f"a number with its unit: {quantity.wanted}{meant(number, '', quantity)}")
         return rounded
+    if quantity.unit == "K" and unit in _CELSIUS:
+        return round(rounded + _ZERO_CELSIUS, 9)
     if quantity.name == "hardness" and (pressure := from_hardness_test(rounded, unit, text)) is not None:
         return pressure
     factor = _factor(unit, quantity, text)
@@ -146,6 +150,8 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
 def _exact_factor(unit: str, si_unit: str) -> Fraction:
     registry = _registry()
     parsed = registry.parse_units("1" + unit if unit.startswith("/") else unit)
+    if registry.Quantity(Fraction(0), parsed).to(si_unit or "dimensionless").magnitude != 0:
+        raise ValueError("a scale with a zero of its own")
     return Fraction(registry.Quantity(Fraction(1), parsed).to(si_unit or "dimensionless").magnitude)
 
 

@@ -109,7 +109,8 @@ def facts(pairs: Iterable[tuple[str, str]]) -> Table:
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
     """What was solved: contact, groups, model with its options and grade, and the pull-off force if the model knows it."""
     used = data.attrs
-    laws = [f"{kind} law {used[kind]}" for kind in ("asperity", "tangential", "film") if used[kind] != "none"]
+    kinds = ("asperity", "tangential", "film", "meniscus", "ageing", "contamination")
+    laws = [f"{kind} law {used[kind]}" for kind in kinds if used.get(kind, "none") != "none"]
     options = [f"{name} {used[name]}" for name in used["options"].split()]
     return facts(
         [
@@ -131,6 +132,8 @@ def _contact(subject: Any) -> list[tuple[str, str]]:
     if subject.coating is not None:
         coating = subject.coating
         rows.append(("film", f"{_material(coating.material)}, {_numbers(coating)}, on {coating.bodies}"))
+    if subject.liquid is not None:
+        rows.append(("liquid", _numbers(subject.liquid)))
     return [*rows, ("roughness", _numbers(subject.roughness)), ("contact", _numbers(subject))]
 
 

@@ -5,12 +5,25 @@ from dataclasses import dataclass, replace
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, friction_incompatibility, of_kind
+from stiction.laws.registry import (
+    AsperityLaw,
+    Contamination,
+    FilmLaw,
+    RoughSurface,
+    TangentialLaw,
+    find,
+    friction_incompatibility,
+    of_kind,
+)
 from stiction.quantities.errors import InputError
-from stiction.solving.choice import Choice
+from stiction.solving.choice import LAWS, Choice
 
 # Greenwood & Williamson's sum takes any asperity law, and this film law any of them.
 _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
+# The law of menisci that takes any asperity law.
+_MENISCI = "equilibrium_meniscus"
+_AGEING = "berthoud_1999"
+_JUNCTIONS = "independent_junctions"
 # Of a map that is solved at some loads in a few seconds.
 _POINTS = 300_000
 
@@ -97,7 +110,7 @@ def choice_of(name: str, given: Mapping[str, str | None], subject: Subject) -> C
                 raise InputError(error.field, name, "a name: stiction.compare says which, in attrs['recommended']") from None
             raise InputError(error.field, name, ", ".join(dict.fromkeys([*of_kind(RoughSurface), *known]))) from None
     asked = Choice.of(name, given)
-    laws = {law: getattr(asked, law) for law in ("asperity", "tangential", "film", "presliding")}
+    laws = {law: getattr(asked, law) for law in LAWS if law != "model"}
     return known[name].with_changes(laws, asked.options)
 
 
@@ -107,6 +120,35 @@ def with_interface(choice: Choice, groups: Groups) -> Choice:
     if choice.tangential is not None or find(choice.model, RoughSurface).tangential != "none":
         return choice
     return replace(choice, tangential=law_of_the_interface(groups))
+
+
+def with_menisci(choice: Choice, groups: Groups) -> Choice:
+    """The choice with the law of menisci that suits every asperity law, where the contact states a liquid, none was named, and
+    the model is a sum over asperities."""
+    if choice.meniscus is not None or groups.meniscus_index is None or not find(choice.model, RoughSurface).asperity:
+        return choice
+    return replace(choice, meniscus=_MENISCI)
+
+
+def with_ageing(choice: Choice, groups: Groups) -> Choice:
+    """The choice with the law of strengthening at rest, where the contact states how long that was, none was named, and the
+    strength of the interface is what is sheared."""
+    model = find(choice.model, RoughSurface)
+    key = choice.tangential or model.tangential
+    if choice.ageing is not None or groups.waiting is None or key == "none" or model.of_map is not None:
+        return choice
+    return replace(choice, ageing=_AGEING) if find(key, TangentialLaw).of_area else choice
+
+
+def with_contamination(choice: Choice, groups: Groups) -> Choice:
+    """The choice with the spread by single junctions, where the contact states how they vary, none was named, the strength of
+    the interface is what is sheared, and a sum without a film knows them."""
+    model = find(choice.model, RoughSurface)
+    key = choice.tangential or model.tangential
+    known = all(groups.knows(name) for name in find(_JUNCTIONS, Contamination).needs) and not groups.has_film
+    if choice.contamination is not None or not known or key == "none" or not model.asperity:
+        return choice
+    return replace(choice, contamination=_JUNCTIONS) if find(key, TangentialLaw).of_area else choice
 
 
 def law_of_the_interface(groups: Groups) -> str:

@@ -7,14 +7,16 @@ from typing import Any
 
 from stiction.quantities.errors import InputError
 
-LAWS = ("model", "asperity", "tangential", "film", "presliding")  # keywords of the kinds of records that a user chooses
+# Keywords of the kinds of records that a user chooses.
+LAWS = ("model", "asperity", "tangential", "film", "presliding", "meniscus", "ageing", "contamination")
 
 
 @dataclass(frozen=True)
 class Choice:
     """What is to answer: a model, and in place of what it takes by itself another asperity law, tangential law ("none" for
-    contact only) or film law; and how the contact yields before it slides, if that is wanted; keys of the registry. options:
-    options of any of these, by name; None for a default."""
+    contact only) or film law; how the contact yields before it slides, if that is wanted; how menisci pull ("none": as if
+    there were no liquid), how the interface strengthens at rest ("none": it does not), and how it varies; keys of the
+    registry. options: options of any of these, by name; None for a default."""
 
     model: str = "soft_coating_2015"
     asperity: str | None = None
@@ -22,6 +24,9 @@ class Choice:
     film: str | None = None
     options: Mapping[str, str | None] = field(default_factory=dict)
     presliding: str | None = None
+    meniscus: str | None = None
+    ageing: str | None = None
+    contamination: str | None = None
 
     def __post_init__(self):
         for name, value in (self.arguments() | {"model": None}).items():  # a model that is no text is refused with all that are

@@ -7,8 +7,11 @@ from stiction.laws.joining import Law
 from stiction.laws.registry import (
     JUNCTIONS,
     NO_JUNCTIONS,
+    Ageing,
     AsperityLaw,
+    Contamination,
     FilmLaw,
+    Meniscus,
     Presliding,
     Record,
     RoughSurface,
@@ -27,7 +30,8 @@ class Chosen:
     """A model with its laws and all their options.
 
     asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
-    ignored: what was chosen too and has nothing to answer for.
+    ignored: what was chosen too and has nothing to answer for. meniscus: None where no menisci pull;
+    ageing: None where nothing strengthens at rest; contamination: None where no spread is asked.
     """
 
     model: RoughSurface
@@ -37,6 +41,9 @@ class Chosen:
     presliding: Presliding | None
     options: Mapping[str, str]
     ignored: tuple[str, ...] = ()
+    meniscus: Meniscus | None = None
+    ageing: Ageing | None = None
+    contamination: Contamination | None = None
 
     @property
     def law(self) -> Law:
@@ -51,7 +58,8 @@ class Chosen:
     def records(self) -> list[Record]:
         """The records of all that answers, each with the parts that its options bring into it."""
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
-        laws = [one for one in (self.model, asperity, self.tangential, self.film, self.presliding) if one is not None]
+        interface = self.presliding, self.meniscus, self.ageing, self.contamination
+        laws = [one for one in (self.model, asperity, self.tangential, self.film, *interface) if one is not None]
         return [record for one in laws for record in (one, *one.parts(self.options))]
 
 
@@ -65,12 +73,14 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
     tangential = _tangential(choice.tangential or model.tangential)
     if not model.asperity:
         _refuse_parts(choice, model, tangential, coated and model.of_map is None)
-        return Chosen(model, None, tangential, None, None, _options(choice, model, tangential), _ignored(choice, coated))
+        options, ignored = _options(choice, model, tangential), _ignored(choice, coated)
+        return Chosen(model, None, tangential, None, None, options, ignored, ageing=_ageing(choice, model, tangential))
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
+    meniscus = None if choice.meniscus in (None, "none") else find(choice.meniscus, Meniscus)
     if choice.film and not coated:
         find(choice.film, FilmLaw)  # one that is known waits for a contact with a film; one that nobody knows is refused
-    for one in (tangential, film):
+    for one in (tangential, film, meniscus):
         if one is not None and (reason := incompatibility(one, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)
             raise InputError(field, value, f"laws that go together: {reason}")
@@ -82,7 +92,9 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         raise InputError(
             JUNCTIONS, options[JUNCTIONS], f"{NO_JUNCTIONS}: {film.key} brings its own friction, {film.tangential}"
         )
-    return Chosen(model, asperity, tangential, film, presliding, options, _ignored(choice, coated))
+    ageing, ignored = _ageing(choice, model, tangential), _ignored(choice, coated)
+    varies = _contamination(choice, tangential, film)
+    return Chosen(model, asperity, tangential, film, presliding, options, ignored, meniscus, ageing, varies)
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
@@ -92,6 +104,37 @@ def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
 
 def _options(choice: Choice, *laws: Record | None) -> dict[str, str]:
     return resolve_options([one for one in laws if one is not None], choice.options)
+
+
+def _ageing(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None) -> Ageing | None:
+    """The law of strengthening at rest; InputError where no strength of the interface is sheared that could grow."""
+    if choice.ageing in (None, "none"):
+        return None
+    found = find(choice.ageing, Ageing)
+    if model.of_map is not None:
+        raise InputError("ageing", found.key, f"none: {model.key} limits the shear of points, which do not wait")
+    if tangential is None or not tangential.of_area:
+        without = "there is no tangential law" if tangential is None else f"{tangential.key} is none that goes with the area"
+        raise InputError(
+            "ageing", found.key, f"none, or a tangential law whose force is a strength of the interface on the area: {without}"
+        )
+    return found
+
+
+def _contamination(choice: Choice, tangential: TangentialLaw | None, film: FilmLaw | None) -> Contamination | None:
+    """The law of junctions that differ; InputError where no strength of the interface is sheared, or a film is."""
+    if choice.contamination in (None, "none"):
+        return None
+    found = find(choice.contamination, Contamination)
+    if film is not None:
+        raise InputError(
+            "contamination", found.key, f"none: how a junction is shared by film and substrate ({film.key}) is not known"
+        )
+    if tangential is None or not tangential.of_area:
+        raise InputError(
+            "contamination", found.key, "none, or a tangential law whose force is a strength of the interface on the area"
+        )
+    return found
 
 
 def _tangential(key: str) -> TangentialLaw | None:
@@ -125,6 +168,10 @@ def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw
         raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
     if choice.presliding:
         raise InputError("presliding", choice.presliding, f"nothing: {model.key} knows no single asperities")
+    if choice.contamination not in (None, "none"):
+        raise InputError("contamination", choice.contamination, f"none: {model.key} knows no single junctions")
+    if choice.meniscus not in (None, "none"):
+        raise InputError("meniscus", choice.meniscus, f"none: {model.key} knows no single asperities for a liquid to bridge")
     if model.of_map is not None and choice.film:
         raise InputError("film", choice.film, f"nothing: {model.key} solves the film of the contact itself")
     if tangential is not None and not tangential.interfacial:

@@ -55,6 +55,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _by_numbers),
     (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _by_numbers),
     (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _by_numbers),
+    (Validity("size_effect", 0.0, 10.0, "no metal is known to be so much harder under small asperities"), _any),
     (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _by_numbers),
 )  # fmt: skip
 
@@ -123,7 +124,13 @@ def _of_groups(problem: Problem) -> dict[str, Any]:
     """The groups of the contacts (n, 1), and what follows from them; None for what is not known. They are there already: to ask
     the contact for each would compute them all again each time."""
     groups = problem.groups
-    names = [*type(groups).model_fields, "film_plasticity_index", "film_stiffness"]
+    names = [
+        *type(groups).model_fields,
+        "film_plasticity_index",
+        "film_stiffness",
+        "meniscus_tabor_parameter",
+        "meniscus_over_radius",
+    ]
     return {name: None if (value := getattr(groups, name)) is None else np.reshape(value, (-1, 1)) for name in names}
 
 

@@ -240,7 +240,7 @@ def _approach(problem: Problem, targets: np.ndarray) -> _Approach:
     h, loads, size = _loads_past(problem, targets)
     load = _load_of(problem)
     tension, where = largest_tension(load, np.broadcast_to(h, loads.shape), loads)
-    if problem.heights.tops.size and problem.groups.theta is not None:
+    if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):
         near = _below_tops(problem)
         more, at = largest_tension(load, near, load(near, np.arange(len(near))[:, None]))
         larger = more > tension
@@ -261,12 +261,15 @@ def _load_of(problem: Problem) -> Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 def _below_tops(problem: Problem) -> np.ndarray:
     """Separations (n, m), descending, about the tops of the heights, where a few asperities adhere before many press: they do
-    so over a distance of theta^(-2/3)."""
-    scale = problem.groups.theta ** (-2.0 / 3.0)
+    so over a distance of theta^(-2/3), and menisci over their height or where their pull is overcome."""
+    groups = problem.groups
     steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
     about = np.concatenate([steps[::-1], [0.0], -steps])
-    places = problem.heights.tops[None, :, None] + scale[:, None, None] * about
-    return -np.sort(-places.reshape(len(scale), -1), axis=1)
+    indices = [one for one in (groups.theta, groups.meniscus_index) if one is not None]
+    scales = [one ** (-2.0 / 3.0) for one in indices] + [one for one in (groups.meniscus_height,) if one is not None]
+    places = [problem.heights.tops[None, :, None] + scale[:, None, None] * about for scale in scales]
+    every = np.concatenate([one.reshape(len(groups), -1) for one in places], axis=1)
+    return -np.sort(-every, axis=1)
 
 
 def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -168,6 +168,10 @@ def _why_not(problem: Problem, results: Mapping[str, np.ndarray], column: str, p
         return "the roughness is not known as a surface"
     if points > _MOST_POINTS:
         return f"asked for {_MOST_POINTS} points at most"
+    if "load_meniscus" in results:
+        pull, load = (np.abs(np.asarray(results[name], dtype=float)) for name in ("load_meniscus", "load"))
+        if (pull > _MOST_ADHESION * load).any():
+            return "menisci pull, the solved surfaces are dry"
     adhesion = state_of(problem, results).get("adhesion_share")
     if adhesion is not None and np.nanmax(np.where(np.isfinite(adhesion), adhesion, -np.inf), initial=-np.inf) > _MOST_ADHESION:
         return "the contact adheres, the solved surfaces do not"

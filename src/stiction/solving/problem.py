@@ -9,14 +9,14 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights, gaussian, height_distribution
-from stiction.engine.regime import Regime
+from stiction.engine.regime import MENISCUS, Regime
 from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
-from stiction.laws.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, find, select_options
+from stiction.laws.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, TangentialLaw, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.candidates import with_interface
+from stiction.solving.candidates import with_ageing, with_contamination, with_interface, with_menisci
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import look_up
 from stiction.solving.on_map import OnMap
@@ -45,11 +45,17 @@ class Sum(Problem):
 
     @property
     def effects(self) -> list[str]:
-        plasticity, film = any(one.state != "elastic" for one in self.regimes), self.chosen.film is not None
-        return [name for name, there in (("adhesion", self.adheres), ("plasticity", plasticity), ("the film", film)) if there]
+        plasticity = any(one.state not in ("elastic", MENISCUS) for one in self.regimes)
+        known = ("adhesion", self.adheres), ("plasticity", plasticity), ("the film", self.chosen.film is not None)
+        return [name for name, there in (*known, ("menisci", self.chosen.meniscus is not None)) if there]
 
     @cached_property
     def regimes(self) -> list[Regime]:
+        """Those of the solids, then those of menisci between them."""
+        menisci = self.chosen.meniscus
+        return self._solids() if menisci is None else [*self._solids(), *menisci.pull(self.groups)]
+
+    def _solids(self) -> list[Regime]:
         record, film = self.record, self.chosen.film
         if record.regimes is not None:
             return record.regimes(self.groups, self.law, film, **select_options(record, self.options))
@@ -88,10 +94,23 @@ class Sum(Problem):
         assert presliding is not None
         if self.chosen.film is not None:
             raise InputError("presliding", presliding.key, "nothing: how film and substrate share it is not known")
-        plain = replace(self.chosen, model=replace(self.record, regimes=None), tangential=presliding)
+        return self._summed_alone(presliding, h)
+
+    def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
+        """What a law that stands in the place of a tangential law gives, per asperity (n, m), at the separations h (n, m)."""
+        plain = replace(self.chosen, model=replace(self.record, regimes=None), tangential=law, meniscus=None)
         rows = np.repeat(np.arange(len(h)), h.shape[1])
         sums = replace(self, chosen=plain)._scattered(h.reshape(-1), rows)
         return sums[..., _SLIP_LIMITED].sum(axis=0).reshape(h.shape)
+
+    def _spread(self, results: dict[str, np.ndarray], h: np.ndarray) -> np.ndarray:
+        """Standard deviation of mu (n, m): variances of the asperities' forces add up, and so do their loads."""
+        law, load = self.chosen.contamination, results["load"]
+        assert law is not None
+        asperities = number_of_asperities(self.groups)
+        assert asperities is not None  # the law needs what decides it
+        deviation = np.sqrt(self._summed_alone(law, h) / asperities)
+        return np.divide(deviation, load, where=load > 0.0, out=np.full(load.shape, np.nan))
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
         results = self._by_name(np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1))
@@ -102,12 +121,7 @@ class Sum(Problem):
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
         law = np.repeat(np.arange(len(h)), h.shape[1])
-        sums = self._scattered(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5)
-        results = self._by_name(sums)
-        if (published := self._as_published()) is not None:
-            friction = published._scattered(h.reshape(-1), law).sum(axis=0)[:, [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=1)
-            results |= _published(results["load"], friction.reshape(h.shape))
-        return self._with_stiffness(results, h)
+        return self._at_sums(h, self._scattered(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5))
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """The sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
@@ -118,10 +132,18 @@ class Sum(Problem):
         law, at = np.nonzero(np.isnan(sums[0, ..., LOAD]))
         if law.size:
             sums[:, law, at] = self._scattered(h[law, at], law)
-        return self._with_stiffness(self._by_name(sums), h)
+        return self._at_sums(h, sums)
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         raise AssertionError(f"{self.record.key} is solved at separations")
+
+    def _at_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
+        """Results (n, m) of the sums (regimes, n, m, 5) at the separations h (n, m)."""
+        results = self._by_name(sums)
+        if (published := self._as_published()) is not None:
+            friction = published.forces(h.reshape(-1), np.repeat(np.arange(len(h)), h.shape[1])).sum(axis=0)
+            results |= _published(results["load"], friction.reshape(h.shape))
+        return self._with_stiffness(results, h)
 
     def _scattered(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         return scattered(self.regimes, h, self.heights, law, self.threads)
@@ -133,6 +155,8 @@ class Sum(Problem):
         return replace(self, chosen=self.chosen.with_option(JUNCTIONS, NO_JUNCTIONS))
 
     def _with_stiffness(self, results: dict[str, np.ndarray], h: np.ndarray) -> dict[str, np.ndarray]:
+        if self.chosen.contamination is not None:
+            results["friction_coefficient_spread"] = self._spread(results, h)
         return results if self.chosen.presliding is None else results | {"tangential_stiffness": self.stiffness(h)}
 
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
@@ -149,6 +173,8 @@ class Sum(Problem):
             name = state.replace("-", "_")
             results[f"load_{name}"] = sums[chosen, ..., LOAD].sum(axis=0)
             results[f"contact_area_{name}"] = sums[chosen, ..., _AREA].sum(axis=0)
+        if self.chosen.meniscus is not None:
+            results["load_meniscus"] = sums[[regime.state == MENISCUS for regime in regimes], ..., LOAD].sum(axis=0)
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
             results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., LOAD].sum(axis=0)
@@ -162,7 +188,9 @@ class Sum(Problem):
             return results
         friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
         if not self.law.interfacial:
-            results["load_share_without_friction"] = _share_without(regimes, sums[..., LOAD], friction)
+            solid = [regime.state != MENISCUS for regime in regimes]
+            some = [regime for regime in regimes if regime.state != MENISCUS]
+            results["load_share_without_friction"] = _share_without(some, sums[solid][..., LOAD], friction[solid])
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
@@ -274,7 +302,7 @@ def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
 
 
 def _states(regimes: list[Regime]) -> list[str]:
-    """Elastic and plastic, and whatever else there is."""
+    """Elastic and plastic, and elastic-plastic if there is any."""
     return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
 
 
@@ -331,9 +359,23 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     return problem
 
 
+def _completed(choice: Choice, groups: Groups) -> Choice:
+    """The choice with the laws that a contact asks for by what it states."""
+    for more in (with_interface, with_menisci, with_ageing, with_contamination):
+        choice = more(choice, groups)
+    return choice
+
+
+def number_of_asperities(groups: Groups) -> np.ndarray | None:
+    """Number of asperities on the nominal area (n, 1), N A_n = N R sigma (A_n/sigma^2) (sigma/R); None if that is not known."""
+    if groups.nominal_width is None or groups.sharpness is None or groups.roughness_parameter is None:
+        return None
+    return (groups.roughness_parameter * (groups.nominal_width * groups.sharpness) ** 2)[:, None]
+
+
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
     """The problem of these groups, with one dimension, "contact". subject: what a user gave, if it was more than groups."""
-    chosen = look_up(with_interface(choice, groups), groups.has_film)
+    chosen = look_up(_completed(choice, groups), groups.has_film)
     for record in chosen.records():
         for name in record.needs:
             if not groups.knows(name):
@@ -341,4 +383,5 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
                 whose = "" if record is chosen.model else f", which {chosen.model.key} takes here,"
                 raise InputError(given, getattr(subject, given, None), f"{_wanted(given)}: {record.key}{whose} needs it")
     kind: type[Problem] = Sum if chosen.asperity is not None else OnMap if chosen.model.of_map is not None else ClosedForm
+    groups = groups if chosen.ageing is None else chosen.ageing.aged(groups)
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

@@ -46,12 +46,14 @@ def solve(
     separation: mean separation, m for a Contact (text with a unit is fine), over sigma for Indices; or load: net normal
     load, N or normalised. A number, a 1-D sequence, or an xarray.DataArray with named dimensions. Any number of the
     contact may be an array with a named dimension (stiction.axis): the result carries all dimensions.
-    model: key of a rough-surface model (stiction.models()), or any name that `compare` shows for this contact; where it has no
-    tangential law and the contact states the strength of its interface, that is sheared. laws: keys of other laws in place of
-    those that the model takes by itself, as asperity, tangential ("none" for contact only) or film; presliding="mindlin_1949"
-    adds tangential_stiffness, that of the contact before anything slides; and options of the model or of these laws, by name,
-    such as reading="published", branch="unloading", transition="gradual"; None for a default. heights: a height distribution,
-    or its name; by default the contact's own, or Gaussian. threads: how many share the work, which changes no digit.
+    model: key of a rough-surface model (stiction.models()), or any name that `compare` shows for this contact; where it has
+    no tangential law and the contact states the strength of its interface, that is sheared. laws: keys of other laws in place
+    of those that the model takes by itself, as asperity, tangential ("none" for contact only) or film;
+    presliding="mindlin_1949" adds tangential_stiffness, that of the contact before anything slides; meniscus and ageing are
+    taken where the contact states a liquid and a waiting time, "none" leaves them out; and options of the model or of these
+    laws, by name, such as reading="published", branch="unloading", transition="gradual"; None for a default. heights: a
+    height distribution, or its name; by default the contact's own, or Gaussian. threads: how many share the work, which
+    changes no digit.
 
     Returns an xarray.Dataset with units and long names: load, contact_area, friction_force, friction_coefficient (not a
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,

@@ -21,7 +21,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
-from stiction.solving.problem import Problem
+from stiction.solving.problem import Problem, number_of_asperities
 
 # Pull-off force of a sphere over gamma R at the most (Derjaguin, Muller & Toporov 1975); JKR's is 3/4 of it.
 _DMT = 2.0 * math.pi
@@ -42,7 +42,7 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
         density = math.pi * groups.roughness_parameter[:, None]
         found["area_fraction"] = density * area
         found["nominal_pressure_over_hardness"] = density * load / (groups.eta * _softest(groups))[:, None]
-        count = _asperities(groups)
+        count = number_of_asperities(groups)
         if count is not None:
             found["touching_asperities"] = count * (expected_share(area) if share is None else share)
     of_surface = _of_the_surface(groups) | _of_the_map(problem) | (_of_attraction(groups) if problem.record.adheres else {})
@@ -95,9 +95,21 @@ def _by_asperity(
         if not groups.has_film:
             yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
             found["asperity_area_over_yield"] = area / np.where(share > 0.0, share * yielded, np.nan)
+    found |= _of_menisci(groups, area, share)
     per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
     pull = per_theta if groups.n_g is None else per_theta * groups.n_g
     found["adhesion_share"] = pull[:, None] * (expected_share(area) if share is None else share) / compressed
+    return found
+
+
+def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None) -> dict[str, np.ndarray]:
+    """How much of the surface they cover, and how far asperities are pressed in beside their height (n, m)."""
+    if groups.meniscus_height is None or share is None:
+        return {}
+    height = groups.meniscus_height[:, None]
+    found = {"penetration_over_meniscus": area / (np.where(share > 0.0, share, np.nan) * height)}
+    if groups.roughness_parameter is not None:
+        found["meniscus_coverage"] = 2.0 * math.pi * groups.roughness_parameter[:, None] * height * share
     return found
 
 
@@ -118,13 +130,6 @@ def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarra
     of_film = np.asarray(results["load_film"]).reshape(load.shape)
     share = np.clip(np.divide(of_film, load, where=load > 0.0, out=np.ones_like(load)), 0.0, 1.0)
     return share * n_H + (1.0 - share)
-
-
-def _asperities(groups: Groups) -> np.ndarray | None:
-    """Number of asperities on the nominal area (n, 1)."""
-    if groups.nominal_width is None or groups.sharpness is None:
-        return None
-    return (groups.roughness_parameter * (groups.nominal_width * groups.sharpness) ** 2)[:, None]
 
 
 def expected_share(area: np.ndarray) -> np.ndarray:

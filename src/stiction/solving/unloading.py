@@ -180,13 +180,15 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     """The way apart under these laws; InputError, with the reason, where it is not known."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
-    for name in ("film", "presliding"):
+    for name in ("film", "presliding", "meniscus", "ageing", "contamination"):
         if getattr(choice, name) is not None:
             raise InputError(name, getattr(choice, name), "nothing: of what unloads there is no such option")
     tangential = choice.tangential or "none"
     if tangential != "none" and not find(tangential, TangentialLaw).interfacial:
         reason = f"{tangential} speaks of asperities as they are pressed"
         raise InputError("tangential", tangential, f"none, or a law of the interface: {reason}")
+    if as_subject(contact).indices().meniscus_index is not None:
+        raise InputError("contact", "with a liquid", "a dry contact: how menisci that were made let go is not known")
     if as_subject(contact).has_film:
         raise InputError("contact", "with a film", "a bare contact: no film law says how it unloads")
     model = find(choice.model, RoughSurface)

@@ -50,6 +50,9 @@ def unused_inputs(problem: Problem) -> list[Unused]:
         spoken_of.add(_OF_FILM)
     if (problem.adheres and not one_body) or (_OF_FILM in spoken_of and _OF_FILM not in given.values()):
         spoken_of.add(_ADHESION)
+    plastic = [one for one in problem.records() if not (isinstance(one, TangentialLaw) and one.interfacial)]
+    if any(name in ("lam", "hardness_group", "n_H") for record in plastic for name in record.needs):
+        spoken_of.add("hardness")
     found = [Unused(name, why="this contact has no film") for name in problem.chosen.ignored]
     for name, group in given.items():
         if not group:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from stiction.engine.regime import MENISCUS
 from stiction.quantities.errors import InputError
 from stiction.solving.problem import Problem, Sum
 
@@ -25,6 +26,8 @@ def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
         raise InputError(name, film.key, "a film law that tells film and substrate apart: sequential, printed")
     law = np.repeat(np.arange(len(h)), h.shape[1])
     loads = np.abs(problem.loads_by_regime(h.reshape(-1), law)).reshape(len(regimes), *h.shape)
-    counted = [one.state != "elastic" and (of_all or film is None or one.body == "substrate") for one in regimes]
-    whole = loads.sum(axis=0)
+    counted = [
+        one.state not in ("elastic", MENISCUS) and (of_all or film is None or one.body == "substrate") for one in regimes
+    ]
+    whole = loads[[one.state != MENISCUS for one in regimes]].sum(axis=0)
     return np.divide(loads[counted].sum(axis=0), whole, where=whole > 0.0, out=np.zeros_like(whole))

@@ -131,6 +131,9 @@ class _Solve(Input):
     tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
     film: str | None = Field(None, description="key of a film law, see `stiction models`")
     presliding: str | None = Field(None, description="mindlin_1949: the tangential stiffness before sliding, too")
+    meniscus: str | None = Field(None, description="key of a law of menisci where the contact has a liquid, or none")
+    ageing: str | None = Field(None, description="key of a law of strengthening at rest, where the contact waits, or none")
+    contamination: str | None = Field(None, description="key of a law of junctions of different strength, or none")
     options: dict[str, str] = Field(
         default_factory=dict, description="options of the model or of a law, which may also stand here"
     )

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from stiction.contact.contact import Coating, Contact, Indices, Roughness
+from stiction.contact.contact import Coating, Contact, Indices, Liquid, Roughness
 from stiction.contact.materials import Material
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.inputs import Input
@@ -20,6 +20,7 @@ _PARTS: dict[str, type[Input]] = {
     "roughness": Roughness,
     "coating": Coating,
     "coating.material": Material,
+    "liquid": Liquid,
 }
 
 
@@ -37,8 +38,8 @@ def _known(content: Mapping) -> list[str]:
     if subject_table(content) == "indices":
         return _numbers_of(Indices)
     contact: Any = content.get("contact", {})
-    film = isinstance(contact, Mapping) and "coating" in contact
-    parts = [part for part in _PARTS if film or not part.startswith("coating")]
+    absent = [part for part in ("coating", "liquid") if not (isinstance(contact, Mapping) and part in contact)]
+    parts = [part for part in _PARTS if part.partition(".")[0] not in absent]
     return [f"{part}.{name}".removeprefix(".") for part in parts for name in _numbers_of(_PARTS[part])]
 
 

@@ -281,7 +281,7 @@ def numbers_schema(schema: dict, more: Sequence[tuple[str, type[Input]]] = ()) -
     forms: tuple[tuple[str, type[Input]], ...] = (("RangeOfNumbers", _Ends), ("ListAlong", _Values), *more)
     several = {name: cls.model_json_schema() for name, cls in forms}
     schema["$defs"] |= several
-    for table in ("Contact", "Indices", "Coating", "Roughness", "Material"):
+    for table in ("Contact", "Indices", "Coating", "Liquid", "Roughness", "Material"):
         for name, entry in schema["$defs"].get(table, {}).get("properties", {}).items():
             if name in QUANTITIES and "type" in entry:
                 of_one = {key: value for key, value in entry.items() if key not in ("description", "examples", "default")}

@@ -22,7 +22,7 @@ import numpy as np
 from stiction import __version__
 from stiction.quantities.errors import InputError
 from stiction.quantities.paths import require_place
-from stiction.solving.choice import Choice
+from stiction.solving.choice import LAWS, Choice
 from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
 from stiction.studies.quantile_counts import PERCENTILES, counted, quantiles_of
 from stiction.studies.sweep_blocks import merged, rules_as_data, solve_block, solve_region, statistics_of
@@ -195,8 +195,7 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
 
 
 def _of_choice(choice: Choice) -> dict[str, Any]:
-    names = ("model", "asperity", "tangential", "film", "presliding")
-    return {name: getattr(choice, name) for name in names} | {"options": dict(choice.options)}
+    return {name: getattr(choice, name) for name in LAWS} | {"options": dict(choice.options)}
 
 
 def _first(plan: Plan) -> tuple[Choice, Any]:

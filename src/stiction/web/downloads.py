@@ -10,7 +10,7 @@ from stiction.studies.bands import as_columns as with_quantiles
 from stiction.studies.case_text import as_toml
 from stiction.web.asked import Answer
 
-__all__ = ["KINDS", "content"]
+__all__ = ["KINDS", "SLOW", "content"]
 
 
 def _picture(answer: Answer, path: Path) -> None:
@@ -57,6 +57,8 @@ KINDS: dict[str, Callable[[Answer, Path], None]] = {
     "curve.png": _picture,
     "report.html": _report,
 }
+
+SLOW = frozenset({"report.html"})  # takes as long as a study, and its turn among them
 
 
 def content(answer: Answer, name: str) -> bytes:

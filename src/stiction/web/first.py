@@ -7,7 +7,10 @@ from typing import Any
 __all__ = ["OPTIONAL_PARTS", "first_case"]
 
 # What the switch of a part that may be left out puts there.
-OPTIONAL_PARTS: dict[str, dict[str, Any]] = {"coating": {"material": "silver", "thickness": "200 nm", "bodies": "first"}}
+OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
+    "coating": {"material": "silver", "thickness": "200 nm", "bodies": "first"},
+    "liquid": {"relative_humidity": 0.5, "contact_angle_first": "10 deg", "contact_angle_second": "10 deg"},
+}
 
 
 def first_case() -> dict[str, Any]:

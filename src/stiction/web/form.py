@@ -16,6 +16,8 @@ __all__ = ["Form"]
 
 _OWN = "numbers of its own"
 _NONE = "the model's own"
+# Laws that may be left out of a contact that would have them.
+_MAY_BE_NONE = ("tangential", "meniscus", "ageing", "contamination")
 _ENDINGS = {"first": "first body", "second": "second body"}
 
 
@@ -61,7 +63,10 @@ class Form:
             self._select("model", [*names, *([] if given in names else [given])], given, ("solve", "model"), None)
             with ui.expansion("Other laws than its own").classes("w-full").props("dense"):
                 for keyword in CHOSEN_BY_KEY:
-                    keys = [*law_keys(keyword), *(["none"] if keyword == "tangential" else [])]
+                    keys = [
+                        *law_keys(keyword),
+                        *(["none"] if keyword in _MAY_BE_NONE else []),
+                    ]
                     chosen = str(solve.get(keyword, _NONE))
                     self._select(keyword, [_NONE, *keys], chosen, ("solve", keyword), _NONE)
             for name, values in option_values(self._explorer.good.data).items():

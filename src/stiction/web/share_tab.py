@@ -1,12 +1,15 @@
 """The tab Share: the address of this page, and files of it."""
 
+from typing import Any
+
 from nicegui import ui
 
+from stiction.quantities.errors import InputError
 from stiction.studies.case_text import as_toml
-from stiction.web.downloads import KINDS, content
+from stiction.web.downloads import KINDS, SLOW, content
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.working import run
+from stiction.web.working import QUICK, STUDIES, run
 
 __all__ = ["ShareTab"]
 
@@ -21,7 +24,7 @@ class ShareTab:
         self._files = ui.label().classes("text-sm text-negative")
         with ui.row().classes("gap-2"):
             for name in KINDS:
-                button = ui.button(name, on_click=lambda _, name=name: self._download(name)).props("no-caps")
+                button = ui.button(name, on_click=lambda event, name=name: self._download(name, event.sender)).props("no-caps")
                 attributes(button, aria_label=f"download {name}")
         ui.label("The same numbers, to the last digit, on the command line: stiction run case.toml").classes("text-sm")
         self._text = ui.code("", language="toml").classes("w-full")
@@ -30,8 +33,15 @@ class ShareTab:
         explorer.listen(self.show)
         self.show()
 
-    async def _download(self, name: str) -> None:
-        data = await run(content, self._explorer.good, name)
+    async def _download(self, name: str, button: Any) -> None:
+        attributes(button, loading=True)
+        try:
+            data = await run(content, self._explorer.good, name, pool=STUDIES if name in SLOW else QUICK)
+        except InputError as error:
+            ui.notify(f"{name}: {error}", type="negative")
+            return
+        finally:
+            attributes(button, loading=False)
         ui.download.content(data, name)
 
     def show(self) -> None:

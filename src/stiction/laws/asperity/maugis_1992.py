@@ -68,7 +68,7 @@ _TERMS = 14
 
 
 @formula
-def _ring(s):
+def ring(s):
     """F, -F'/s, G, -G'/s and arctan(1/s): functions of the shape of the attracting ring alone."""
     turn = math.atan2(1.0, s)
     root = math.sqrt(1.0 + s * s)
@@ -90,7 +90,7 @@ def _ring(s):
 @formula
 def _contact(s, lam):
     """B = A/s, (dB/ds)/s and arctan(1/s), from the condition at the edge of the attracting ring."""
-    F, F_falls, G, G_falls, turn = _ring(s)
+    F, F_falls, G, G_falls, turn = ring(s)
     square, linear = 0.5 * lam * F, 4.0 / 3.0 * lam * lam * G
     root = math.sqrt(linear * linear + 4.0 * square)
     B = 2.0 / (linear + root)

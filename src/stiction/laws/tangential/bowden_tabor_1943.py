@@ -46,6 +46,7 @@ RECORD = TangentialLaw(
     ),
     tangential_resistance=tangential_resistance,
     interfacial=True,
+    of_area=True,
     verified="dimensional evaluation at 30 digits; mu = tau_0/H where the mean pressure is the hardness",
     needs=("hardness_group", "shear_strength"),
     notes="With a soft film, the area is that of the whole asperity and tau_0 the film's strength. Where all contacts are "

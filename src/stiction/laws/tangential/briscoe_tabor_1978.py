@@ -49,6 +49,7 @@ RECORD = TangentialLaw(
     ),
     tangential_resistance=tangential_resistance,
     interfacial=True,
+    of_area=True,
     verified="dimensional evaluation at 30 digits; constant strength for alpha = 0",
     needs=("hardness_group", "shear_strength", "pressure_coefficient"),
     limits=(Limit("bowden_tabor_1943", {"pressure_coefficient": 0.0}, ("friction_force",), 1e-12),),

@@ -1,0 +1,48 @@
+"""A front of designs: little friction, or little area?
+
+A silver film and the roughness below it are chosen freely. No design on the line is better than another in both wishes: what is
+gained in friction is lost in area. `stiction design` searches it, with limits.
+"""
+
+import matplotlib.pyplot as plt
+
+import stiction as st
+
+CASE = {
+    "contact": {
+        "first": "hardened_steel_52100",
+        "second": "hardened_steel_52100",
+        "work_of_adhesion": "0.3 J/m^2",
+        "nominal_area": "1 mm^2",
+        "roughness": {
+            "asperity_height_deviation": "48 nm",
+            "asperity_radius": "50 um",
+            "asperity_density": "1.7e10 1/m^2",
+        },
+        "coating": {"material": "silver", "bodies": "first", "thickness": "200 nm"},
+    },
+    "solve": {"load": "1 N"},
+    "design": {
+        "wish": [{"minimise": "friction_coefficient"}, {"minimise": "contact_area"}],
+        "validity": "possible",
+        "effort": 12,
+        "choose": {
+            "coating": {"thickness": {"low": "20 nm", "high": "500 nm"}},
+            "roughness": {"asperity_height_deviation": {"low": "20 nm", "high": "80 nm"}},
+        },
+    },
+}
+data = st.design(CASE)
+
+figure, axes = plt.subplots(figsize=(6.5, 4), layout="constrained")
+points = axes.scatter(
+    data["front_contact_area"] * 1e12,
+    data["front_friction_coefficient"],
+    c=data["front_coating.thickness"] * 1e9,
+    norm="log",
+)
+figure.colorbar(points, label="thickness of the silver [nm]")
+axes.set(xlabel="real contact area [um$^2$]", ylabel="static friction coefficient", ylim=(0.0, None))
+axes.set_title("Silver on bearing steel at 1 N: the front of two wishes", fontsize="medium")
+axes.grid(alpha=0.3)
+figure.savefig("design_front.png", dpi=120)

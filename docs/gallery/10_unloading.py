@@ -1,0 +1,37 @@
+"""An unloading loop: pressed together, and drawn apart.
+
+Adhesive, elastic-plastic asperities (Thornton & Ning 1998) are pressed with three loads and drawn apart again. What was pressed
+harder is flatter, touches on more area, and holds the surfaces longer: the pull-off force grows with the load that was carried.
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import stiction as st
+
+silver = st.material("silver")
+contact = st.Contact(
+    first=silver,
+    second=silver,
+    roughness=st.Roughness(asperity_height_deviation="5 nm", asperity_radius="20 um", asperity_density="5e10 1/m^2"),
+    work_of_adhesion="1 J/m^2",
+    nominal_area="1 mm^2",
+)
+laws = {"model": "greenwood_williamson_1966", "asperity": "thornton_ning_1998", "tangential": "none"}
+
+figure, axes = plt.subplots(figsize=(6.5, 4.2), layout="constrained")
+down = st.solve(contact, separation=np.linspace(3.5, -6.2, 120) * 5e-9, **laws)
+axes.plot(down["mean_separation"] * 1e9, down["load"], color="black", label="pressed")
+for load in (0.5, 2.0, 6.0):
+    distance = np.linspace(0.0, 40e-9, 200)
+    back = st.unload(contact, pressed_with=load, distance=distance, **laws)
+    axes.plot(
+        back["mean_separation"] * 1e9,
+        back["load"],
+        label=f"back from {load:g} N: pull-off {float(back['pull_off_force']):.2g} N",
+    )
+axes.axhline(0.0, color="grey", linewidth=0.8)
+axes.set(xlabel="mean separation [nm]", ylabel="net load [N]", title="Silver on silver, w = 1 J/m$^2$")
+axes.legend(fontsize="small")
+axes.grid(alpha=0.3)
+figure.savefig("unloading.png", dpi=120)

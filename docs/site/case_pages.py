@@ -1,0 +1,112 @@
+"""The page of the case file, from its schema."""
+
+from collections.abc import Iterator
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from docstrings import as_markdown, cell
+
+from stiction.studies.case import json_schema
+
+# Where a part of the schema stands in a case file, in the order of the page; those without are values (held by a test).
+TABLES = {
+    "Contact": "[contact]",
+    "Roughness": "[contact.roughness]",
+    "MeasuredRoughness": "[contact.roughness] with scans",
+    "Scan": "a scan",
+    "Coating": "[contact.coating]",
+    "Material": "a material",
+    "Indices": "[indices]",
+    "_Solve": "[solve]",
+    "Uncertainty": "[uncertainty]",
+    "Sweep": "[sweep]",
+    "Sample": "sample of [sweep]",
+    "Fit": "[fit]",
+    "Design": "[design]",
+    "Range": "points in a row",
+    "RangeOfNumbers": "numbers in a row",
+    "ListAlong": "a list along a dimension",
+    "Between": "between two ends",
+    "WithinFactor": "within a factor",
+    "FromSamples": "from samples",
+}
+_NUMBERS = ("RangeOfNumbers", "ListAlong", "Between", "WithinFactor", "FromSamples")
+
+
+def write(out: Path) -> list[PurePosixPath]:
+    """One page with a section for each table."""
+    folder = out / "reference"
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "case-file.md").write_text("\n".join(page(json_schema())) + "\n", encoding="utf-8")
+    return [PurePosixPath("docs/quickstart.md"), PurePosixPath("docs/uncertainty.md")]
+
+
+def page(schema: dict[str, Any]) -> Iterator[str]:
+    yield from ("# Case file", "")
+    yield (
+        schema["description"]
+        + " It is TOML. `stiction schema` prints the schema from which this page is made, for editors that"
+    )
+    yield from ("complete and check as you type. Every number with a dimension is text with its unit.", "")
+    yield from _table(schema)
+    for name, title in TABLES.items():
+        part = schema["$defs"][name]
+        yield from (f"({_anchor(name)})=", f"## {title}", "", as_markdown(_described(part), part.get("properties", ())), "")
+        yield from _table(part)
+
+
+def _described(part: dict[str, Any]) -> str:
+    """Without its list of numbers, which the table has."""
+    return part.get("description", "").partition("\n\nNumbers, each")[0].replace("*", "\\*")
+
+
+def _anchor(name: str) -> str:
+    return f"case-{name.strip('_').lower()}"
+
+
+def _table(part: dict[str, Any]) -> Iterator[str]:
+    rows = part.get("properties", {})
+    if not rows:
+        return
+    yield from ("| key | value | default | what it is |", "|---|---|---|---|")
+    for name, one in rows.items():
+        must = "**must be given**" if name in part.get("required", ()) else ""
+        default = (
+            f"`{one['default']}`" if one.get("default") not in (None, "") and not isinstance(one["default"], dict) else must
+        )
+        yield f"| `{name}` | {value_of(one)} | {default} | {_meaning(one)} |"
+    yield ""
+
+
+def _meaning(one: dict[str, Any]) -> str:
+    said = cell(one.get("description", "").replace("*", "\\*"))
+    examples = ", ".join(f"`{_toml(each)}`" for each in one.get("examples", ()))
+    return f"{said}; for example {examples}" if examples else said
+
+
+def _toml(value: Any) -> str:
+    return f'"{value}"' if isinstance(value, str) else str(value)
+
+
+def value_of(one: dict[str, Any]) -> str:
+    """What may be written, in words."""
+    if "$ref" in one:
+        return _link(one["$ref"])
+    if "enum" in one:
+        return " or ".join(f'`"{value}"`' for value in one["enum"])
+    if "anyOf" in one:
+        references = [part["$ref"].rpartition("/")[2] for part in one["anyOf"] if "$ref" in part]
+        if set(_NUMBERS) <= set(references):
+            first = value_of(one["anyOf"][0])
+            return f"{first}; one, a list, or [several, or uncertain](#{_anchor('RangeOfNumbers')})"
+        return ", or ".join(dict.fromkeys(value_of(part) for part in one["anyOf"]))
+    kind = one.get("type", "")
+    if kind == "array":
+        return f"a list of {value_of(one.get('items', {}))}"
+    names = {"string": "text", "number": "number", "integer": "whole number", "boolean": "`true` or `false`", "object": "table"}
+    return names.get(kind, "value")
+
+
+def _link(reference: str) -> str:
+    name = reference.rpartition("/")[2]
+    return f"[{TABLES[name].replace('[', '').replace(']', '')}](#{_anchor(name)})"

@@ -1,0 +1,61 @@
+"""How Sphinx builds the site; `build.py` lays out what it reads."""
+
+from importlib.metadata import version as version_of
+
+project = "stiction"
+author = "The stiction authors"
+project_copyright = "the stiction authors"
+version = release = version_of("stiction")
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.mathjax",
+    "sphinx-mathjax-offline",  # the formulas' script and letters, copied into the site
+    "sphinx_copybutton",
+    "sphinx_design",
+]
+root_doc = "index"
+nitpicky = True
+templates_path: list[str] = []
+exclude_patterns: list[str] = []
+smartquotes = False  # options of commands have two hyphens
+
+myst_enable_extensions = ["attrs_block", "attrs_inline", "colon_fence", "deflist", "dollarmath", "html_image"]
+myst_heading_anchors = 5
+myst_dmath_double_inline = True
+# Only what is formula is looked through: a page of models has hundreds.
+mathjax3_config = {"options": {"enableMenu": False}}
+
+html_theme = "furo"
+html_title = f"stiction {version}"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sourcelink = False
+html_theme_options = {
+    "light_css_variables": {"color-brand-primary": "#00507a", "color-brand-content": "#00679c"},
+    "dark_css_variables": {"color-brand-primary": "#7cc4ea", "color-brand-content": "#7cc4ea"},
+}
+copybutton_exclude = ".linenos, .gp, .go"
+pygments_style = "default"
+pygments_dark_style = "github-dark"
+
+
+def setup(app):
+    """Tables of measured series are shown as they are; formulas with a number of their own are not wrapped."""
+    from pygments.lexers.special import TextLexer
+
+    app.add_lexer("csv", TextLexer)
+    app.connect("doctree-read", numbered_as_written)
+
+
+def numbered_as_written(app, doctree):
+    r"""Sphinx puts formulas of several lines into an environment in which no \tag may stand: these are left as they are."""
+    from docutils import nodes
+
+    for formula in doctree.findall(nodes.math_block):
+        if r"\tag" in formula.astext():
+            text = rf"\[{formula.astext()}\]"
+            formula["nowrap"] = formula["no-wrap"] = True
+            formula.children = [nodes.Text(text)]
+            formula.rawsource = text

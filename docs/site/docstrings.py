@@ -1,0 +1,53 @@
+"""Docstrings of the project as Markdown.
+
+They are paragraphs, in which what is said of an argument begins with its name and a colon. Here each becomes an item of
+a list.
+"""
+
+import re
+from collections.abc import Collection
+
+# What is said of an argument, or of several: their names at the beginning of a sentence, and a colon.
+_SAYS = re.compile(r"(?:^|(?<=[.;)]) )(\*{0,2}[a-z_]\w*(?:, [a-z_]\w*)*): ", re.IGNORECASE)
+_NUMBERS = "Numbers, each with its SI unit:"
+_BLOCK = re.compile(r"^(?: {4}|[-|>]|\d+\. |```)")
+_PAGE = re.compile(r"(?<![\w/])(?<!\]\()docs/([\w-]+)\.md")
+
+
+def as_markdown(text: str, names: Collection[str] = (), root: str = "") -> str:
+    """The docstring as Markdown. names: what is said of these becomes items of a list; root: the way to the pages of docs/."""
+    said = "\n\n".join(_paragraph(one, names) for one in re.split(r"\n\s*\n", text.strip()))
+    return _PAGE.sub(rf"[\1]({root}\1.md)", said) if root else said
+
+
+def _paragraph(text: str, names: Collection[str]) -> str:
+    lines = text.split("\n")
+    if _BLOCK.match(text):
+        return text
+    if lines[0] == _NUMBERS:
+        return "\n".join(
+            [_NUMBERS, "", *(f"- `{name}`: {rest}" for name, _, rest in (one.partition(": ") for one in lines[1:]))]
+        )
+    whole = " ".join(lines)
+    found = [one for one in _SAYS.finditer(whole) if all(name.lstrip("*") in names for name in one[1].split(", "))]
+    if not found:
+        return text
+    ends = [one.start() for one in found[1:]] + [len(whole)]
+    items = [f"- {_code(one[1])}: {whole[one.end() : end].strip()}" for one, end in zip(found, ends, strict=True)]
+    before = whole[: found[0].start()].strip()
+    return "\n".join([before, "", *items] if before else items)
+
+
+def _code(names: str) -> str:
+    return ", ".join(f"`{name}`" for name in names.split(", "))
+
+
+def summary(text: str) -> str:
+    """The first sentence, or line."""
+    first = re.split(r"\n\s*\n", text.strip())[0].replace("\n", " ")
+    return re.split(r"(?<=[a-z)\]`])\. ", first)[0]
+
+
+def cell(text: str) -> str:
+    """A text in a cell of a table."""
+    return " ".join(text.split()).replace("|", "\\|")

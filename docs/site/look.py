@@ -1,0 +1,80 @@
+"""Opens pages of the built site in a browser, on a wide and a narrow screen, light and dark, and says what is broken.
+
+    python docs/site/look.py                        # thirty pages of build/docs/html
+    python docs/site/look.py --out /some/folder     # and keeps what they look like
+
+Broken is: a picture that is not there, a formula that is not set, a page that is wider than the screen, an error of a script,
+and anything that is asked of a network. Chromium must be installed.
+"""
+
+import argparse
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from playwright.sync_api import Page, sync_playwright
+
+SITE = Path(__file__).resolve().parents[2] / "build" / "docs" / "html"
+WIDTHS, THEMES, COUNT = (1280, 400), ("light", "dark"), 30
+FIRST = ("index", "tutorials/1-bare-metal", "theory", "published-models", "reference/case-file", "reference/command-line")
+# Pictures that come only as one scrolls are not asked for; what MathJax has not set stays in its delimiters.
+_BROKEN = """() => ({
+  pictures: [...document.images].filter(one => one.complete && !one.naturalWidth).map(one => one.src),
+  formulas: [...document.querySelectorAll('mjx-merror, mjx-container mtext[mathcolor=red]')].map(one => one.textContent)
+    .concat([...document.querySelectorAll('.math')].filter(one => !one.querySelector('mjx-container'))
+      .map(one => one.textContent)),
+  wide: document.documentElement.scrollWidth > window.innerWidth + 1 ? [document.documentElement.scrollWidth] : [],
+})"""
+
+
+def pages(site: Path) -> list[Path]:
+    """The first ones by name, and others evenly from all."""
+    every = sorted(path for path in site.rglob("*.html") if "_" not in path.parts[len(site.parts)][:1])
+    first = [site / f"{name}.html" for name in FIRST]
+    rest = [path for path in every if path not in first]
+    step = max(1, len(rest) // (COUNT - len(first)))
+    return [*first, *rest[::step]][:COUNT]
+
+
+def broken(page: Page, path: Path, width: int, theme: str) -> Iterator[str]:
+    """What is broken of a page as it is shown."""
+    page.set_viewport_size({"width": width, "height": 900})
+    page.emulate_media(color_scheme=theme)  # type: ignore[arg-type]
+    wrong: list[str] = []
+    page.on("pageerror", lambda error: wrong.append(f"script: {error}"))
+    page.on("request", lambda one: wrong.append(f"asks {one.url}") if one.url.startswith("http") else None)
+    page.goto(path.as_uri())
+    page.wait_for_function("() => !window.MathJax || (MathJax.startup && MathJax.startup.promise)", timeout=60_000)
+    page.evaluate("() => window.MathJax ? MathJax.startup.promise.then(() => true) : true")
+    yield from wrong
+    for kind, found in page.evaluate(_BROKEN).items():
+        yield from (f"{kind}: {str(one)[:120]}" for one in found)
+
+
+def main() -> int:
+    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("--site", type=Path, default=SITE)
+    words.add_argument("--out", type=Path, help="folder for pictures of the pages")
+    words.add_argument("--browser", default="/usr/bin/chromium")
+    given = words.parse_args()
+    count = 0
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=given.browser, args=["--no-sandbox"])
+        for path in pages(given.site.resolve()):
+            for width, theme in ((width, theme) for width in WIDTHS for theme in THEMES):
+                page = browser.new_page()
+                name = path.relative_to(given.site.resolve()).with_suffix("")
+                for one in broken(page, path, width, theme):
+                    count += 1
+                    print(f"{name}, {width} px, {theme}: {one}", flush=True)
+                if given.out:
+                    given.out.mkdir(parents=True, exist_ok=True)
+                    page.screenshot(path=given.out / f"{str(name).replace('/', '-')}-{width}-{theme}.png")
+                page.close()
+        browser.close()
+    print(f"{count} things are broken")
+    return bool(count)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

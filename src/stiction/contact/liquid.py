@@ -1,0 +1,75 @@
+"""A vapour that condenses where two bodies are near each other."""
+
+import numpy as np
+from pydantic import model_validator
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input, Number, OptionalNumber
+
+__all__ = ["Liquid"]
+
+# Molar gas constant [J/(mol K)], exact since 2019 (CODATA 2018).
+GAS_CONSTANT = 8.31446261815324
+# Molar volume of liquid water at 20 C [m^3/mol]: 18.015 g/mol over 0.99821 g/cm^3; between 0 and 60 C it changes by 1.7 %.
+WATER = 18.05e-6
+# Critical temperature of water, and between which temperatures it is a liquid [K] (IAPWS R1-76, revised 2014).
+_CRITICAL, _LIQUID = 647.096, (248.15, 647.096)
+
+
+class Liquid(Input):
+    """The vapour of a liquid in equilibrium around a contact, such as that of water in humid air.
+
+    relative_humidity: pressure of the vapour over that of saturation. contact_angle_first, contact_angle_second: of the liquid
+    on the first and the second body, or on the film that it carries; 0 where it spreads. surface_tension and molar_volume left
+    out are those of water: then surface_tension is that at the temperature, and molar_volume that at 20 C. Raises InputError,
+    also where the liquid wets so little that it does not condense: the cosines of both angles must add up to more than 0.
+    """
+
+    relative_humidity: Number
+    contact_angle_first: Number
+    contact_angle_second: Number
+    temperature: Number = 293.15
+    surface_tension: OptionalNumber = None
+    molar_volume: OptionalNumber = None
+
+    @model_validator(mode="after")
+    def _wets(self):
+        self.check_dimensions()
+        if not np.all(np.asarray(self.wetting) > 0.0):
+            allowed = "angles whose cosines add up to more than 0: this liquid does not condense between the bodies"
+            raise InputError("contact_angle_second", float(np.asarray(self.contact_angle_second).max()), allowed)
+        if self.surface_tension is None:
+            low, high = _LIQUID
+            outside = (np.asarray(self.temperature) < low) | (np.asarray(self.temperature) >= high)
+            if outside.any():
+                raise InputError("surface_tension", None, f"that of the liquid: water is none outside of {low} to {high} K")
+        return self
+
+    @property
+    def wetting(self):
+        """(cos theta_1 + cos theta_2)/2."""
+        return (np.cos(self.contact_angle_first) + np.cos(self.contact_angle_second)) / 2
+
+    @property
+    def tension(self):
+        """Surface tension [N/m]: as given, or that of water, 0.2358 (1 - T/T_c)^1.256 (1 - 0.625 (1 - T/T_c)) (IAPWS R1-76)."""
+        if self.surface_tension is not None:
+            return self.surface_tension
+        below = 1 - self.temperature / _CRITICAL
+        return 0.2358 * below**1.256 * (1 - 0.625 * below)
+
+    @property
+    def kelvin_radius(self):
+        """Radius of a meniscus that neither grows nor dries up [m]: gamma_L V/(R_g T ln(p_s/p)) (Thomson 1871)."""
+        volume = WATER if self.molar_volume is None else self.molar_volume
+        return self.tension * volume / (GAS_CONSTANT * self.temperature * -np.log(self.relative_humidity))
+
+    @property
+    def height(self):
+        """Gap that a meniscus just bridges [m], 2 r c."""
+        return 2 * self.kelvin_radius * self.wetting
+
+    @property
+    def work(self):
+        """Energy that parting a wetted area takes [J/m^2], 2 gamma_L c."""
+        return 2 * self.tension * self.wetting

@@ -1,0 +1,46 @@
+r"""Hardness that depends on the size of what is pressed in: Nix & Gao 1998, for asperities after Swadener, George & Pharr 2002.
+
+*Assumes*: a crystal that hardens by the dislocations that an imprint makes necessary, beside those that are there; they fill
+a hemisphere as wide as the contact, and strength goes with the square root of all (Taylor). *Source*: [nix_gao_1998], the
+form as several texts restate it; [swadener_george_pharr_2002], abstract: under spheres hardness does not depend on the depth
+but grows as the radius falls. The densities below are derived here, by the count of loops that both build on. For a cone or
+pyramid, whose faces lie at the angle beta to the surface, and a sphere of radius R, b being the length of a Burgers vector,
+
+    rho = 3 tan^2(beta)/(2 b h),   H = H_0 sqrt(1 + h*/h);      rho = 1/(b R),   H = H_0 sqrt(1 + R*/R)
+
+so that R* = (2/3) h*/tan^2(beta), 5.20 h* for Berkovich's and Vickers's pyramids, each as a cone of 70.3 degrees. An asperity
+is a sphere: it has one hardness at every depth. H_0 is the hardness of large imprints, and h* is fitted to hardness against
+the depth under a pyramid. The yield stress is taken to grow as the hardness does.
+
+*Limit*: h* -> 0 or R -> infinity: H_0. *Unknown*: what limits the growth; measured hardness is said to be less than this at
+depths below some 100 nm, where the dislocations spread over more than the hemisphere; results are flagged where R* is above
+10 R.
+"""
+
+from math import radians, tan
+
+from stiction.contact.materials import Material
+
+__all__ = ["at_radius", "radius_of", "size_ratio"]
+
+# Angle between the surface and the faces of a cone that displaces as much as Berkovich's or Vickers's pyramid.
+_FACE = radians(90.0 - 70.3)
+
+
+def radius_of(depth):
+    """R* [m] of a sphere for h* [m] of a pyramid."""
+    return 2.0 / 3.0 * depth / tan(_FACE) ** 2
+
+
+def size_ratio(body: Material, radius):
+    """R*/R of a body under asperities of this radius; 0 where it has no characteristic depth."""
+    return 0.0 if body.characteristic_depth is None else radius_of(body.characteristic_depth) / radius
+
+
+def at_radius(body: Material, radius) -> Material:
+    """The material as asperities of this radius [m] find it: of the same moduli, harder and stronger."""
+    if body.characteristic_depth is None:
+        return body
+    factor = (1.0 + size_ratio(body, radius)) ** 0.5
+    strength = {} if body.yield_stress is None else {"yield_stress": body.yield_stress * factor}
+    return body.replace(hardness=body.hardness * factor, characteristic_depth=None, range={}, **strength)

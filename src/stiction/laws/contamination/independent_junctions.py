@@ -1,0 +1,54 @@
+r"""Junctions whose strength differs, as on contaminated surfaces, each independent of the others: the spread of friction.
+
+*Assumes*: the strength of the interface is one number for each junction, drawn anew for each, with the mean $\tau_0$ and the
+standard deviation $c_\tau\tau_0$, whatever its size and load; the junctions let go together. *Source*: none but the theorem
+that variances of independent numbers add up; the force of a junction is that of [bowden_tabor_1943].
+
+$$
+s_\mu=\frac{c_\tau\tau_0}P\sqrt{\sum_iA_i^2},\qquad
+\frac{s_\mu}\mu=c_\tau\sqrt{\frac{\langle A^2\rangle}{n\langle A\rangle^2}}
+$$
+
+over the $n$ junctions that touch; the second for a law that is $\tau_0A$ alone. It is the standard deviation from one contact
+to the next of the same load, by the strength only: that other asperities touch is not counted (the doubt about few asperities
+is of that). The mean of $\mu$ stays. Theories without single junctions refuse it, and so do films, whose junctions are shared
+by two bodies.
+
+*Limit*: many junctions, or $c_\tau=0$: no spread. *Check*: Hertz's asperities with exponential heights,
+$\langle A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every load.
+
+*Units*: $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+"""
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import Contamination
+from stiction.laws.sources import Source
+
+# Far beyond any height in reach some laws' areas are so large that their squares are none.
+_LARGEST = 1e150
+
+
+@formula
+def resistance(u, w, load, area, eta, shear_strength, strength_variation):
+    """The variance of the force of one asperity, in the place of a force."""
+    deviation = min(strength_variation * shear_strength * eta * area, _LARGEST)
+    return deviation * deviation, 0.0
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
+    """On every piece: what touches has a strength of its own."""
+    return TangentialResistance(resistance, (groups.eta, groups.shear_strength, groups.strength_variation))
+
+
+RECORD = Contamination(
+    key="independent_junctions",
+    title="Spread of friction by junctions of different strength, each independent of the others",
+    grade="B",
+    sources=(Source("bowden_tabor_1943", "", "force of one junction; that variances add up needs no source"),),
+    tangential_resistance=tangential_resistance,
+    verified="closed form of exponential heights; draws of strengths; integrals at 20 digits",
+    needs=("hardness_group", "shear_strength", "strength_variation", "roughness_parameter", "nominal_width", "sharpness"),
+    notes="The standard deviation is of single contacts; over many of them the mean friction is that without contamination.",
+)

@@ -1,0 +1,113 @@
+r"""Menisci in equilibrium with their vapour, by Kelvin's radius and the circle approximation: Orr, Scriven & Rivas 1975.
+
+*Assumes*: the meniscus neither grows nor dries up: its total curvature is $1/r$, Kelvin's, at every distance (slow approach
+and parting, seconds in humid air); it is small beside the asperity, $r\ll R$; the pull leaves the shape of the solids as it
+is (as in DMT's law), and the sphere, where it is pressed in, as one that is cut off. Menisci of neighbours do not meet.
+*Sources*: [thomson_1871] for the radius; [orr_scriven_rivas_1975] for the circle approximation and the exact meniscus; force
+of a sphere and a flat as [israelachvili_2011] and [butt_kappl_2009] review it, written down from memory and derived again:
+Laplace's pressure $\gamma_\mathrm L/r$ on the ring $2\pi R(2rc-D)$. Menisci between rough surfaces, each in equilibrium:
+[de_boer_de_boer_2007], of which the abstract was seen: its result for a sphere and a flat is met, below. Radii at which
+Kelvin's equation was found to hold: [fisher_gamble_middlehurst_1981]; surface tension of water: [iapws_2014].
+
+$$
+r=\frac{\gamma_\mathrm LV_\mathrm L}{R_\mathrm gT\ln(p_\mathrm s/p)},\quad c=\frac{\cos\theta_1+\cos\theta_2}2,\qquad
+F=4\pi R\gamma_\mathrm Lc\left(1-\frac D{2rc}\right)\quad(0\le D\le2rc)\quad\text{(SI)}
+$$
+
+$$
+P=-\frac{2\pi}{\theta_\mathrm m}\min\left(1,\;1+\frac w{w_\mathrm m}\right)\quad(w\ge-w_\mathrm m),\qquad
+\theta_\mathrm m=\frac{K\sigma^{3/2}}{2\gamma_\mathrm Lc\sqrt R},\quad w_\mathrm m=\frac{2rc}\sigma
+$$
+
+It is added to what the asperity law carries. An asperity that does not touch is bridged, and pulls, from a gap of $2rc$ on.
+No area and no resistance to sliding are the meniscus's own: it presses the solids together, and the tangential law sees the
+load that they carry. A work of adhesion, if the contact states one, is what the solids have inside the liquid. With a film
+the liquid is on its surface.
+
+*Limit*: no humidity, $w_\mathrm m\to0$: still the whole pull of those that touch, as the force in contact does not depend on
+$r$. Below a relative humidity at which $r$ is a few molecules there is no such meniscus; results say so.
+
+*Trap*: with elastic asperities that are pressed in farther than $2rc$ the pull falls to half of this:
+[`hertzian_meniscus`](#hertzian_meniscus). *Unknown*: menisci of constant volume, which do not dry up as fast as surfaces
+part: what they hold depends on how they came to be.
+
+*Check*: parted in equilibrium, a sphere and a flat take $4\pi R\gamma_\mathrm Lrc^2$, half of the surface energy
+$2\gamma_\mathrm Lc\cdot4\pi Rrc$ that is created ([de_boer_de_boer_2007], abstract). Water at 20 °C: $r$ is 0.777 nm at 50 %
+and 5.112 nm at 90 %. The exact meniscus of the same
+curvature pulls less, by
+
+| $2rc/R$ | touching, $\theta_1=\theta_2=0$ | gap $rc$ | touching, 30° and 60° | gap $rc$ |
+|---|---|---|---|---|
+| $10^{-2}$ | 2.8 % | 7.9 % | 4.4 % | 13.4 % |
+| $10^{-4}$ | 0.28 % | 0.79 % | 0.46 % | 1.31 % |
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$; [symbols](#1-units).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.engine.regime import MENISCUS, Regime
+from stiction.laws.registry import Meniscus, Validity
+from stiction.laws.sources import Source
+
+# Below this radius the Kelvin equation was not found to hold by experiment: 4 nm for organic liquids, 9 nm for water (Fisher,
+# Gamble & Middlehurst 1981, and what they cite).
+SMALLEST = 4e-9
+
+VALIDITY = (
+    Validity(
+        "kelvin_radius", SMALLEST, math.inf, "no experiment says that so small a meniscus follows Kelvin's equation", "fit"
+    ),
+    Validity("meniscus_over_radius", 0.0, 0.01, "menisci are not small beside asperities: their pull is off by a twentieth"),
+    Validity("meniscus_tabor_parameter", 0.0, 0.1, "menisci draw so soft asperities out of shape"),
+    Validity("meniscus_coverage", 0.0, 0.5, "menisci of neighbouring asperities meet"),
+)
+
+
+@formula
+def along(w, pull, height):
+    """At the displacement w, its own coordinate: w, 1, the pull, and neither area nor resistance. pull: 2 pi/theta_m."""
+    return w, 1.0, -pull * min(1.0, max(1.0 + w / height, 0.0)), 0.0, 0.0, 0.0
+
+
+@formula
+def coordinate(w, pull, height):
+    return w
+
+
+def pull(groups: Groups) -> list[Regime]:
+    """Bridging from w = -w_m on, in contact from 0 on."""
+    height = groups.meniscus_height
+    edges = np.stack([-height, np.zeros_like(height), np.full_like(height, np.inf)], axis=1)
+    lowest = float(np.min(-height, initial=0.0))
+    parameters = (2.0 * math.pi / groups.meniscus_index, height)
+    return [Regime(along, coordinate, parameters, edges, MENISCUS, touching=False, lowest=lowest)]
+
+
+RECORD = Meniscus(
+    key="equilibrium_meniscus",
+    title="Menisci in equilibrium with their vapour, of a pull that does not change in contact",
+    grade="B",
+    sources=(
+        Source("thomson_1871", "", "the radius of a meniscus over its vapour"),
+        Source("orr_scriven_rivas_1975", "", "circle approximation; the exact meniscus, solved anew as a check"),
+        Source("israelachvili_2011", "", "force of a sphere and a flat; written down from memory and derived again"),
+        Source("butt_kappl_2009", "", "the same, reviewed; the abstract was seen"),
+        Source("de_boer_de_boer_2007", "abstract", "work of parting a sphere and a flat in equilibrium"),
+        Source("fisher_gamble_middlehurst_1981", "", "radii at which the Kelvin equation was found to hold"),
+        Source("iapws_2014", "", "surface tension of water, from memory, checked against 72.74 mN/m at 20 C"),
+    ),
+    pull=pull,
+    verified="exact menisci of constant curvature by quadrature; sums over heights at 20 digits",
+    needs=("meniscus_index", "meniscus_height"),
+    validity=(
+        *VALIDITY,
+        Validity("penetration_over_meniscus", 0.0, 0.1, "elastic asperities pressed in so far are pulled less, down to half"),
+    ),
+    notes="Of plastic asperities, which are cut off, the pull does not change; of elastic ones it falls to half as they are "
+    "pressed in farther than a meniscus is high: hertzian_meniscus.",
+)

@@ -1,0 +1,97 @@
+r"""Menisci around elastic asperities, which pull less the farther those are pressed in: Maugis's ring on Hertz's shape.
+
+*Assumes*: as [`equilibrium_meniscus`](#equilibrium_meniscus), but that the gap beside the contact is Hertz's, so that the
+ring of liquid is the attracting ring of [`maugis_1992`](#maugis_1992), with the stress $\gamma_\mathrm L/r$ and the range
+$2rc$, at small Tabor parameters, where it does not draw the solids out of shape. *Source*: that a meniscus is such a ring:
+[maugis_gauthier_manuel_1994], as [intersurface_adhesion_2018] reports it, JKR's law in dry air, DMT's in moist; the equations
+are those of [maugis_1992] to first order in $\lambda_M$, derived here. With $s=a/\sqrt{c^2-a^2}$, $a$ and $c$ being the inner
+and the outer radius of the ring,
+
+$$
+F=s+(1-s^2)\arctan\tfrac1s,\qquad w=\frac{\pi w_\mathrm ms^2}F,\qquad
+P=-\frac{2\pi}{\theta_\mathrm m}\left(\frac{2\arctan(1/s)}F-1\right)\quad(w\ge0)
+$$
+
+and, where the asperity does not touch, the straight line of `equilibrium_meniscus`, to which it joins.
+
+*Limit*: `equilibrium_meniscus` for $w\ll w_\mathrm m$, half of its pull for $w\gg w_\mathrm m$: DMT's force as the derivative
+of an energy, $-2\gamma_\mathrm Lc\,\mathrm d(\pi a^2)/\mathrm d\omega$. *Check*:
+
+| $w/w_\mathrm m$ | 0 | 0.1 | 1 | 10 | 100 |
+|---|---|---|---|---|---|
+| pull over $4\pi R\gamma_\mathrm Lc$ | 1 | 0.7958 | 0.6295 | 0.5355 | 0.5081 |
+
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$; [symbols](#1-units).
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.engine.regime import MENISCUS, Regime
+from stiction.laws.asperity import maugis_1992
+from stiction.laws.meniscus import equilibrium_meniscus
+from stiction.laws.registry import Limit, Meniscus, Validity
+from stiction.laws.sources import Source
+
+_ring = maugis_1992.ring
+
+
+@formula
+def along(s, pull, height):
+    """At the coordinate s: displacement, its slope, the pull, and neither area nor resistance. pull: 2 pi/theta_m."""
+    if s == math.inf:
+        return math.inf, math.inf, -0.5 * pull, 0.0, 0.0, 0.0
+    F, F_falls, _, _, turn = _ring(s)
+    w = math.pi * height * s * s / F
+    slope = math.pi * height * s * (2.0 + s * s * F_falls / F) / F
+    return w, slope, -pull * (2.0 * turn / F - 1.0), 0.0, 0.0, 0.0
+
+
+@formula
+def coordinate(w, pull, height):
+    """s at the displacement w: Newton on s^2/F from above, as F is at most pi/2 and at most 4/(3 s)."""
+    if w == math.inf:
+        return math.inf
+    y = max(w, 0.0) / (math.pi * height)
+    s = min(math.sqrt(0.5 * math.pi * y), (4.0 / 3.0 * y) ** (1.0 / 3.0))
+    for _ in range(60):
+        F, F_falls, _, _, _ = _ring(s)
+        step = (s * s - y * F) / (s * (2.0 + s * s * F_falls / F)) if s > 0.0 else 0.0
+        s -= step
+        if step <= 1e-14 * s:
+            break
+    return s
+
+
+def pull(groups: Groups) -> list[Regime]:
+    """Bridging from w = -w_m to 0, as in equilibrium, and the ring from there on."""
+    bridging = equilibrium_meniscus.pull(groups)[0]
+    edges = np.tile([0.0, np.inf], (len(groups), 1))
+    ring = Regime(along, coordinate, bridging.parameters, edges, MENISCUS, touching=False)
+    return [replace(bridging, edges=bridging.edges[:, :2]), ring]
+
+
+RECORD = Meniscus(
+    key="hertzian_meniscus",
+    title="Menisci in equilibrium with their vapour, around elastic contacts",
+    grade="B",
+    sources=(
+        Source("maugis_1992", "", "the attracting ring, to first order in the attraction; derived here"),
+        Source("maugis_gauthier_manuel_1994", "", "that a meniscus is such a ring; not seen"),
+        Source("intersurface_adhesion_2018", "introduction", "the same, reported"),
+        Source("thomson_1871", "", "the radius of a meniscus over its vapour"),
+    ),
+    pull=pull,
+    wants={"Hertz's shape": "the gap that the liquid fills is that beside a Hertz contact"},
+    verified="the energy of a ring of liquid on Hertz's gap, differentiated numerically at 30 digits",
+    needs=("meniscus_index", "meniscus_height"),
+    validity=(
+        *equilibrium_meniscus.VALIDITY,
+        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
+    ),
+    limits=(Limit("equilibrium_meniscus", {"meniscus_index": 1.0, "meniscus_height": 1e8}, ("load",), 0.002),),
+)

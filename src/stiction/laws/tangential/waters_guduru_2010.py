@@ -1,0 +1,148 @@
+r"""Peeling by shear of a contact that is tougher the more it is sheared: Waters & Guduru 2010, Hutchinson & Suo 1992.
+
+*Assumes*: the edge of a JKR contact is a crack in mixed mode, as for [`savkoor_briggs_1977`](#savkoor_briggs_1977), whose
+work of adhesion grows with the share of shear in it; it peels where no radius of contact is in balance any more, or comes
+down to Hertz's contact, where nothing opens it. *Source*: [waters_guduru_2010], abstract: a work of adhesion that rises with
+the degree of mode mixity, measured and modelled; [papangelo_ciavarella_2018], abstract: of models compared some end in a jump
+to the Hertzian area, some in a limit that is never left. The function is that of [hutchinson_suo_1992]. *Reconstructed*:
+neither paper's equations were seen. The function is written down from memory as what both build on; what follows from it here
+is derived.
+
+$$
+G_N+G_T=\gamma\left[1+\tan^2\left((1-\zeta)\psi\right)\right],\qquad\tan^2\psi=\frac{G_T}{G_N}
+$$
+
+with $G_N$ and $G_T$ of `savkoor_briggs_1977`. With $p=P/P_c$, $P_c=3\pi/(2\theta)$, and $\kappa=1-\zeta$
+
+$$
+T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\max_\psi\left(\sqrt g+\sqrt{g+p}\right)\sqrt q,\qquad
+g=\frac{\cos^2\psi}{\cos^2\kappa\psi},\quad q=\frac{\sin^2\psi}{\cos^2\kappa\psi}
+$$
+
+over $0\le\psi\le\pi/2$ with $g+p\ge0$: the radius on the way is as of a JKR contact of the work of adhesion $g\gamma$. The
+largest is at $\psi=\pi/2$, Hertz's contact, for all loads above $P_c/(\kappa\sin\frac{\kappa\pi}2)^2$:
+$T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\sqrt p/\cos\frac{\kappa\pi}2$.
+
+$\zeta$ is `peeling` of the contact, 1 if left out; 0, with which nothing peels, is refused. The rule of `savkoor_briggs_1977`
+is $G_N+\zeta G_T=\gamma$, which is the other function of [hutchinson_suo_1992], $[1+(\zeta-1)\sin^2\psi]^{-1}$. *Limit*: that
+law for $\zeta=1$. *Unknown*: a third function, $1+(1-\zeta)\tan^2\psi$, would have no largest force at all: it is left out.
+*Check*: $T$ over that for $\zeta=1$,
+
+| $P/P_c$ | −0.5 | 0 | 2 | 10 |
+|---|---|---|---|---|
+| $\zeta=0.5$ | 1.18126 | 1.20113 | 1.25364 | 1.34840 |
+| $\zeta=0.1$ | 2.99699 | 3.58189 | 5.21942 | 6.09497 |
+
+*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.engine.compiled import formula
+from stiction.laws.joining import coordinates
+from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.registry import Limit, TangentialLaw
+from stiction.laws.sources import Source
+from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance
+from stiction.quantities.errors import InputError
+
+# An angle that is off by this changes its largest force by the square of it.
+_NEAR = 1e-9
+
+
+@formula
+def _grows(psi, p, kappa):
+    """Of the sign of the derivative of the force by the phase angle: finite, and continuous over all angles."""
+    sine, cosine = math.sin(psi), math.cos(psi)
+    narrow, shared = math.cos(kappa * psi), kappa * sine * math.tan(kappa * psi)
+    opening = cosine / narrow
+    left = math.sqrt(max(opening * opening + p, 0.0))
+    return shared * opening - sine * sine / narrow + (cosine + shared) * left
+
+
+@formula
+def _phase(p, kappa):
+    """The phase angle at which the force is largest: regula falsi (Illinois), or pi/2."""
+    low, high = 0.0, 0.5 * math.pi
+    at_low, at_high = _grows(low, p, kappa), _grows(high, p, kappa)
+    if at_high >= 0.0:
+        return high
+    psi, side = low, 0
+    for _ in range(100):
+        if high - low <= _NEAR or at_low <= 0.0:
+            break
+        before = psi
+        psi = (low * at_high - high * at_low) / (at_high - at_low)
+        there = _grows(psi, p, kappa)
+        if there > 0.0:
+            low, at_low = psi, there
+            at_high = 0.5 * at_high if side > 0 else at_high
+            side = 1
+        else:
+            high, at_high = psi, there
+            at_low = 0.5 * at_low if side < 0 else at_low
+            side = -1
+        if abs(psi - before) <= _NEAR or there == 0.0:
+            break
+    return psi
+
+
+@formula
+def peeling_force(p, kappa):
+    """(sqrt(g) + sqrt(g + p)) sqrt(q) at its largest, at the load p P_c: sqrt(1 + p) for kappa = 0."""
+    p = max(p, -1.0)
+    psi = _phase(p, kappa)
+    narrow = math.cos(kappa * psi)
+    opening = math.cos(psi) / narrow
+    return (opening + math.sqrt(max(opening * opening + p, 0.0))) * math.sin(psi) / narrow
+
+
+@formula
+def resistance(u, w, load, area, theta, K_beta, kappa):
+    unit = 4.0 * math.sqrt(3.0) * math.pi / (theta * math.sqrt(K_beta))
+    return unit * peeling_force(load * theta / (1.5 * math.pi), kappa), 0.0
+
+
+def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
+    """On the elastic pieces of a JKR asperity; a plastic one resists nothing."""
+    if piece.state != "elastic":
+        return None
+    share = np.ones_like(groups.theta) if groups.peeling is None else groups.peeling
+    if np.any(share == 0.0):
+        raise InputError("peeling", 0.0, "more than 0: what never peels has no peeling force; take another tangential law")
+    kinks = [_to_hertz(piece, groups, 1.0 - share)[:, None], no_resistance(piece, groups)]
+    parameters = (groups.theta, groups.K_beta, 1.0 - share)
+    return TangentialResistance(resistance, parameters, np.concatenate([one for one in kinks if one is not None], axis=1))
+
+
+def _to_hertz(piece: NormalPiece, groups: Groups, kappa: np.ndarray) -> np.ndarray:
+    """Where the force begins to be that of Hertz's contact, a coordinate (n,)."""
+    with np.errstate(divide="ignore"):
+        p = 1.0 / (kappa * np.sin(0.5 * math.pi * kappa)) ** 2
+    S = np.sqrt(6.0 * math.pi / groups.theta)
+    y = 0.5 * S * (1.0 + np.sqrt(1.0 + p))  # u^3 of the JKR contact, from P = y (y - S) and p = 4 P/S^2
+    return coordinates(piece, np.where(np.isfinite(y), np.cbrt(y) * (y - 2.0 / 3.0 * S), np.inf))
+
+
+RECORD = TangentialLaw(
+    key="waters_guduru_2010",
+    title="Peeling of an adhesive contact whose work of adhesion grows with the share of shear",
+    grade="C",
+    sources=(
+        Source("waters_guduru_2010", "abstract", "that the work of adhesion grows with the mode mixity; equations not seen"),
+        Source("hutchinson_suo_1992", "", "reconstructed: the function of the phase angle is from memory"),
+        Source("papangelo_ciavarella_2018", "abstract", "how models of the coupling differ, with the jump to Hertz's area"),
+        Source("savkoor_briggs_1977", "", "energy release of a sheared JKR contact"),
+    ),
+    tangential_resistance=tangential_resistance,
+    wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
+    verified="energy balance over all radii of contact, solved anew at 30 digits; Savkoor and Briggs",
+    needs=("theta", "K_beta"),
+    takes=("peeling",),
+    limits=(Limit("savkoor_briggs_1977", {"peeling": 1.0}, ("friction_force",), 1e-9),),
+    notes="Slip resistance alone: no yield. The group `peeling` is zeta, the lambda of Hutchinson and Suo: 1 is Savkoor and "
+    "Briggs. Asperities that are no longer elastic resist nothing.",
+)

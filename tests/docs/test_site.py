@@ -1,0 +1,214 @@
+"""What the site is laid out from: links, pages that are made, tutorials, the gallery; and the search for dead links."""
+
+import json
+import re
+import sys
+from pathlib import Path, PurePosixPath
+
+import matplotlib
+import pytest
+from pages import ROOT
+
+import stiction as st
+from stiction.laws.registry import KINDS, of_kind, records
+from stiction.studies.case import json_schema
+
+matplotlib.use("Agg")
+sys.path[:0] = [str(ROOT / "docs" / "site"), str(ROOT / "docs")]
+
+import case_pages  # noqa: E402 - in docs/site
+import command_pages  # noqa: E402
+import gallery  # noqa: E402
+import model_pages  # noqa: E402
+import name_pages  # noqa: E402
+import notebooks  # noqa: E402
+from dead_links import dead_links  # noqa: E402
+from docstrings import as_markdown  # noqa: E402
+from links import place_of, relinked  # noqa: E402
+from matplotlib.image import imread  # noqa: E402
+from model_pictures import picture  # noqa: E402
+
+PAGE = PurePosixPath("docs/theory.md")
+
+
+def test_pages_of_docs_stand_at_the_root():
+    assert place_of(PAGE) == PurePosixPath("theory.md")
+    assert place_of(PurePosixPath("tests/reference/hertz.csv")) == PurePosixPath("project/tests/reference/hertz.csv")
+
+
+@pytest.mark.parametrize(
+    ("written", "there", "leads"),
+    [
+        ("[a](trust.md#in-numbers)", "[a](trust.md#in-numbers)", ["docs/trust.md"]),
+        ("[a](../CONTRIBUTING.md)", "[a](project/CONTRIBUTING.md)", ["CONTRIBUTING.md"]),
+        ("[`a`](../tests/reference/hertz.csv)", "[`a`](project/tests/reference/hertz.csv)", ["tests/reference/hertz.csv"]),
+        ("![a](film_errors.svg)", "![a](film_errors.svg)", ["docs/film_errors.svg"]),
+        ("[a](../README.md)", "[a](index.md)", ["README.md"]),
+        ("[a](../validation/)", "a", []),
+        ("[a](#1-units)", "[a](#1-units)", []),
+        ("[a](https://example.org/x)", "[a](https://example.org/x)", []),
+        ("`x[1](2)`", "`x[1](2)`", []),
+        ("```python\nf[a](trust.md)\n```", "```python\nf[a](trust.md)\n```", []),
+    ],
+)
+def test_links_of_a_page_become_those_of_the_site(written, there, leads):
+    text, linked = relinked(written, PAGE)
+    assert text == there
+    assert linked == [PurePosixPath(one) for one in leads]
+
+
+def test_links_of_a_text_that_stands_elsewhere_are_meant_from_where_it_was():
+    text, _ = relinked(
+        "[a](theory.md) [b](#4-films)", PurePosixPath("docs/published-models.md"), PurePosixPath("models-by-name/x.md")
+    )
+    assert text == "[a](../theory.md) [b](../published-models.md#4-films)"
+
+
+def test_every_page_is_in_a_table_of_contents():
+    """Of its folder; what stands at the root in that of the start page."""
+    for folder in (ROOT / "docs", *(ROOT / "docs" / name for name in ("tutorials", "how-to"))):
+        listed = (folder / "index.md").read_text(encoding="utf-8").splitlines()
+        for page in folder.glob("*.md"):
+            assert page.stem == "index" or page.stem in listed, f"{page.name} is in no toctree of {folder.name}/index.md"
+
+
+def test_every_public_name_has_its_page():
+    listed = [name for names in name_pages.GROUPS.values() for name in names]
+    left_out = {"fan"}  # the old name of another
+    assert sorted(listed) == sorted(set(st.__all__) - left_out - {"__version__"})
+    assert len({name_pages.page_name(name).lower() for name in listed}) == len(listed)
+
+
+def test_page_of_a_name_says_what_its_docstring_says():
+    page = "\n".join(name_pages.page("read_scan", st.read_scan))
+    assert "stiction.read_scan(path, *, size=None, unit=None" in page
+    assert "- `path`: of the file." in page
+    assert "Missing points are NaN." in page
+
+
+def test_arguments_in_a_docstring_become_a_list():
+    text = "What it is.\n\npath: of the\nfile. unit, scale: of it.\nother: not listed.\n\nAs in (docs/theory.md)."
+    assert as_markdown(text, {"path", "unit", "scale"}, "../") == (
+        "What it is.\n\n- `path`: of the file.\n- `unit`, `scale`: of it. other: not listed.\n\nAs in ([theory](../theory.md))."
+    )
+
+
+def test_every_part_of_the_schema_has_its_section():
+    schema = json_schema()
+    assert set(case_pages.TABLES) == set(schema["$defs"])
+    page = "\n".join(case_pages.page(schema))
+    for part in schema["$defs"].values():
+        for key in part.get("properties", ()):
+            assert f"| `{key}` |" in page, key
+
+
+def test_every_option_of_every_command_is_on_the_page(tmp_path):
+    command_pages.write(tmp_path)
+    page = (tmp_path / "reference" / "command-line.md").read_text(encoding="utf-8")
+    for name, command in command_pages.commands().items():
+        section = page.partition(f"## `stiction {name}`\n")[2].partition("\n## ")[0]
+        assert section, name
+        for one in command.params:
+            assert one.hidden or all(f"`{opt}`" in section for opt in one.opts if opt.startswith("-")), (name, one.name)
+
+
+@pytest.mark.parametrize(
+    ("row", "record"), list(zip(st.models(), records(), strict=True)), ids=lambda one: getattr(one, "key", "row")
+)
+def test_page_of_a_model(row, record):
+    """Its equations, its record, and the BibTeX of all its sources."""
+    page = model_pages.page(row, record)
+    assert page.startswith("# `")
+    assert f"- Grade {record.grade}: " in page
+    assert page.count("```{image}") == 1
+    for source in record.sources:
+        assert re.search(rf"^@\w+\{{{source.key},$", page, flags=re.MULTILINE), source.key
+
+
+def test_every_model_has_a_page_of_its_own():
+    files = [model_pages.file_of(record) for record in records()]
+    assert len({name.lower() for name in files}) == len(files)
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.kind)
+def test_picture_of_a_model_of_each_kind(kind, tmp_path):
+    key = next(iter(sorted(of_kind(kind).keys() - {"boundary_elements"})))
+    picture(of_kind(kind)[key]).savefig(tmp_path / "x.png")
+    assert drawn(tmp_path / "x.png")
+
+
+def drawn(path: Path) -> bool:
+    """Whether a picture shows more than an empty sheet."""
+    return len({tuple(one) for one in (imread(path)[..., :3] * 255).astype(int).reshape(-1, 3)}) > 20
+
+
+def test_gallery_has_twelve_pictures():
+    assert len(gallery.scripts()) == 12
+    for script in gallery.scripts():
+        title, text = gallery.told(script)
+        assert title and text, script.name
+
+
+@pytest.mark.parametrize("script", gallery.scripts(), ids=gallery.name_of)
+def test_gallery_script_draws_its_picture(script, tmp_path):
+    gallery.run(script, tmp_path / "x.png")
+    assert drawn(tmp_path / "x.png")
+
+
+TUTORIAL = """# One
+
+Words.
+
+```toml
+# file: two.toml
+two = 2
+```
+
+```python
+import tomllib
+from pathlib import Path
+import matplotlib.pyplot as plt
+
+print(tomllib.loads(Path("two.toml").read_text())["two"] + 3)
+plt.plot([1, 2]);
+```
+
+```text
+an old output
+```
+
+More.
+
+```python
+6 * 7
+```
+"""
+
+
+def test_tutorial_is_executed():
+    page, notebook, pictures = notebooks.executed(TUTORIAL, "one")
+    assert "an old output" not in page
+    assert "\n5\n```" in page and "\n42\n```" in page
+    assert "{download}`Download this page as a notebook <one.ipynb>`" in page
+    ((name, content),) = pictures.items()
+    assert f"{{image}} {name}" in page and content.startswith(b"\x89PNG")
+    kinds = [cell["cell_type"] for cell in notebook["cells"]]
+    assert kinds == ["markdown", "code", "code", "markdown", "code"]
+    assert notebook["cells"][1]["source"][0] == "%%writefile two.toml\n"
+    stream, shown = notebook["cells"][2]["outputs"]
+    assert stream["text"] == ["5\n"] and "image/png" in shown["data"]
+    json.dumps(notebook)
+
+
+def test_dead_links_are_found(tmp_path):
+    (tmp_path / "a.html").write_text(
+        '<h1 id="x">A</h1><a href="b.html#y"></a><a href="#x"></a><img src="no.png">', encoding="utf-8"
+    )
+    (tmp_path / "b.html").write_text(
+        '<a href="a.html#x"></a><a href="a.html#z"></a><a href="https://example.org">', encoding="utf-8"
+    )
+    assert list(dead_links(tmp_path)) == [
+        "a.html: b.html#y: no such place in the page",
+        "a.html: no.png: no such file",
+        "b.html: a.html#z: no such place in the page",
+    ]
