@@ -104,3 +104,16 @@ def test_where_a_sweep_goes_and_who_does_it(tmp_path):
         assert refused(sweep, CASE, given).startswith("--out: ")
     pytest.importorskip("distributed")
     assert refused(sweep, CASE, tmp_path / "store", scheduler=1.0).startswith("--scheduler: ")
+
+
+@pytest.mark.parametrize("text", ["a\0b", "\x1b[31m", "\x07"])
+def test_text_with_control_characters(text):
+    assert refused(make_plan, {**CASE, "title": text}).startswith("title: ")
+    assert refused(st.design, {**CASE, "title": text}).startswith("title: ")
+    assert refused(st.sensitivity, {**CASE, "title": text}).startswith("title: ")
+    named = {"name": text, "youngs_modulus": "200 GPa", "poissons_ratio": 0.3, "hardness": "7 GPa"}
+    assert "contact.first.name" in refused(st.sensitivity, {**CASE, "contact": {**CONTACT, "first": named}})
+
+
+def test_a_title_that_is_no_text():
+    assert refused(st.sensitivity, {**CASE, "title": 3}) == "title: 3; allowed: text"

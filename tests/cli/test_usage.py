@@ -7,6 +7,8 @@ import pytest
 from typer.testing import CliRunner
 
 from stiction import cli
+from stiction.quantities import paths
+from stiction.quantities.errors import InputError
 
 CASES = {
     "surface scan.npy --form 5": ("--form: '5'", "less than or equal to 4"),
@@ -78,3 +80,44 @@ def test_the_command_itself_says_it_in_one_line():
     done = subprocess.run([sys.executable, "-c", code, "surface", "x.npy", "--form", "5"], capture_output=True, text=True)
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
     assert done.stderr.startswith("stiction: --form: '5'; allowed: ")
+
+
+@pytest.mark.parametrize(("command", "tables"), [
+    ("sweep", ["[sweep]"]), ("fit", ["[fit.free]", "[fit]"]), ("design", ["[design]", "[design.choose]", "[design.limits]"]),
+])  # fmt: skip
+def test_tables_are_named_in_the_help(command, tables):
+    shown = CliRunner().invoke(cli.app, [command, "--help"]).stdout
+    assert all(table in shown for table in tables) and "\\" not in shown
+    assert "\\" not in said("fit")
+
+
+@pytest.mark.parametrize("words", (["run", "case.toml"], ["fit", "case.toml", "--data", "d.csv"], ["report", "case.toml"]))
+def test_a_place_where_nothing_can_be_is_refused_at_once(words, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "file").write_text("kept")
+    end = ".html" if words[0] == "report" else ""
+    for name, why in (("a" * 300 + end, "this cannot be one"), (f"file/x{end}", "one of the folders in this path is a file")):
+        text = said(*words, "--out", name)  # there is no case: the place is looked at first
+        assert text.startswith("stiction: --out: ") and why in text
+    assert [one.name for one in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_name_that_no_system_takes(tmp_path):
+    from stiction.report.files import check_folder
+    from stiction.report.html_report import check_place
+
+    for check in (check_folder, check_place):
+        with pytest.raises(InputError, match="this cannot be one"):
+            check(tmp_path / "a\0b.html")
+
+
+def test_a_folder_that_cannot_be_made_is_refused_at_once(tmp_path, monkeypatch):
+    monkeypatch.setattr(paths.os, "access", lambda place, mode: False)
+    with pytest.raises(InputError, match="nothing can be written in"):
+        paths.require_place(tmp_path / "new" / "x", "a folder")
+
+
+def test_models_of_a_sensitivity_have_names(tmp_path):
+    (tmp_path / "case.toml").write_text("[indices]\ntheta = 40\nlam = 10\n[solve]\nload = [0.01]\n")
+    for given in ("", ",", "none,none"):
+        assert said("sensitivity", str(tmp_path / "case.toml"), "--models", given).startswith("stiction: model: '")

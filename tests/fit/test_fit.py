@@ -369,6 +369,8 @@ def test_files_of_values_are_named_from_where_the_case_goes(tmp_path):
             {"free": BOTH, "predict": {"nominal_area": {"start": "1 mm^2", "stop": "2 mm^2", "count": 10001}}},
             r"fit.predict: '20002 points with those of \[solve\]'; allowed: 20000 at most",
         ),
+        ({"free": BOTH, "models": ["fuller_tabor_1957"]}, r"fit.models: 'fuller_tabor_1957'; allowed: "),
+        ({"free": BOTH, "predict": {"nominal_area": {"values": ["1 mm^2", "2 mm^2"], "along": "row"}}}, "along: 'row'"),
         ({}, "fit.free: not given"),
     ],
 )

@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -34,6 +35,11 @@ DRAWN = {
     "solve": {"load": [0.001, 0.01, 0.1]},
     "sweep": {"sample": {"method": "sobol", "count": 64, "seed": 3}, "block": 24},
 }
+# 5000 blocks: a minute of work, which is to be stopped.
+MANY_BLOCKS = (
+    "[indices]\ntheta = {start = 10, stop = 100, count = 100}\nlam = {start = 1, stop = 100, count = 100}\n"
+    "[solve]\nload = [0.001, 0.01]\n[sweep]\nblock = 4\n"
+)
 
 
 def changed(case, **tables):
@@ -286,36 +292,6 @@ def test_a_kill_loses_nothing(tmp_path, workers):
     assert same(tmp_path / "whole", out)
 
 
-ORPHANS = """
-import multiprocessing, os, pathlib, signal, sys, json
-from stiction.studies import sweep_store
-from stiction.studies.sweep import sweep
-do, out = sweep_store.Store.do, sys.argv[2]
-def kills(store, block):
-    points = do(store, block)
-    pathlib.Path(f"{out}.{os.getpid()}").touch()
-    if block == 2:
-        os.kill(multiprocessing.parent_process().pid, signal.SIGKILL)
-    return points
-sweep_store.Store.do = kills
-if __name__ == "__main__":
-    sweep(json.loads(sys.argv[1]), out, workers=2)
-"""
-
-
-@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no such signal")
-def test_workers_end_with_the_sweep_that_is_killed(tmp_path):
-    psutil = pytest.importorskip("psutil")
-    script, out = tmp_path / "script.py", tmp_path / "store"
-    script.write_text(ORPHANS, encoding="utf-8")
-    killed = subprocess.run([sys.executable, str(script), json.dumps(DRAWN), str(out)], stderr=subprocess.DEVNULL)
-    assert killed.returncode == -signal.SIGKILL
-    workers = [int(one.suffix[1:]) for one in tmp_path.glob("store.*") if one.suffix[1:].isdigit()]
-    assert workers
-    _, alive = psutil.wait_procs([psutil.Process(one) for one in workers if psutil.pid_exists(one)], timeout=30)
-    assert [one for one in alive if one.is_running() and one.status() != psutil.STATUS_ZOMBIE] == []
-
-
 def test_a_full_disk_is_one_line_and_nothing_is_lost(tmp_path, monkeypatch):
     do = sweep_store.Store.do
 
@@ -427,3 +403,123 @@ def test_every_contact_is_in_one_block():
         assert plan.contacts(block) * plan.points <= 14
         seen[tuple(region.values())] += 1
     assert (seen == 1).all() and plan.size == 5 * 4 * 3 * 2
+
+
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="processes are told by /proc")
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM])
+def test_workers_end_with_the_process_that_shares_out_the_work(tmp_path, how):
+    """A batch system ends a job so: workers that wait for more would wait for ever, and hold its memory."""
+    case, out = tmp_path / "case.toml", tmp_path / "store"
+    case.write_text(MANY_BLOCKS, encoding="utf-8")
+    words = [sys.executable, "-m", "stiction", "sweep", str(case), "--out", str(out), "--workers", "2"]
+    process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+    try:
+        within(60.0, lambda: len(list(out.glob("doubts_by_block/c/*"))) > 4)
+        process.send_signal(how)
+        process.wait(10.0)
+        within(10.0, lambda: not alive_of(process.pid))
+    finally:
+        for one in alive_of(process.pid):
+            os.kill(one, signal.SIGKILL)
+    assert len(list(out.glob("doubts_by_block/c/*"))) > 4
+
+
+def within(seconds, so):
+    end = time.monotonic() + seconds
+    while not so():
+        assert time.monotonic() < end
+        time.sleep(0.1)
+
+
+def alive_of(session):
+    """The processes of a session that are no corpses."""
+    found = []
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            _, _, rest = status.read_text().rpartition(") ")
+        except OSError:
+            continue
+        state, *numbers = rest.split()
+        if state != "Z" and int(numbers[2]) == session:
+            found.append(int(status.parent.name))
+    return found
+
+
+def test_far_too_many_blocks_are_refused():
+    many = {"start": 1, "stop": 2, "count": 100_000}
+    with pytest.raises(InputError, match=r"sweep: '1000000000000000 points in \d+ blocks'; allowed: 10000000 blocks at most"):
+        make_plan(
+            {"indices": {"theta": many, "lam": many, "nu": {**many, "start": 0.1, "stop": 0.4}}, "solve": {"load": [0.1]}}
+        )
+    usual = {"indices": {"theta": many, "lam": many}, "solve": {"load": {"start": 0.1, "stop": 1, "count": 100}}}
+    assert make_plan(usual).size == 10**12
+
+
+@pytest.mark.parametrize("workers", [0, 1025, True, 1.5])
+def test_workers_are_as_many_as_a_machine_may_have(tmp_path, workers):
+    with pytest.raises(InputError, match=r"--workers: .*; allowed: a whole number, 1 to 1024"):
+        sweep(DRAWN, tmp_path / "store", workers=workers)
+
+
+def test_names_of_the_tables_of_a_store_are_no_dimensions(tmp_path):
+    for name in ("doubts", "doubts_by_block", "statistics_by_block", "counts_by_block"):
+        with pytest.raises(InputError, match=rf"indices\.theta\.along: '{name}'; allowed: a name"):
+            make_plan(changed(GRID, indices={"theta": {"values": [20, 30], "along": name}}))
+
+
+def test_another_spacing_is_another_case():
+    log, linear = ({"theta": {"start": 10, "stop": 100, "spacing": one}, "lam": 10} for one in ("log", "linear"))
+    one, other = (make_plan({**DRAWN, "indices": given}).identity() for given in (log, linear))
+    assert one != other
+
+
+@pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
+@pytest.mark.parametrize("more", [[], ["--workers", "2"]])
+def test_an_interruption_of_the_command_keeps_what_is_done(tmp_path, more):
+    """Ctrl-C reaches all processes of a terminal at once."""
+    case, out = tmp_path / "case.toml", tmp_path / "store"
+    case.write_text(MANY_BLOCKS, encoding="utf-8")
+    words = [sys.executable, "-m", "stiction", "sweep", str(case), "--out", str(out), *more]
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    try:
+        within(60.0, lambda: len(list(out.glob("doubts_by_block/c/*"))) > 4)
+        os.killpg(process.pid, signal.SIGINT)
+        printed, said = process.communicate(timeout=30.0)
+    finally:
+        for one in alive_of(process.pid):
+            os.kill(one, signal.SIGKILL)
+    lines = said.splitlines()
+    assert (process.returncode, printed) == (130, "") and "Traceback" not in said
+    assert lines[-2].startswith("stopped: ") and lines[-2].endswith("call again to go on")
+    assert lines[-1] == "stiction: interrupted"
+    assert 4 < len(list(out.glob("doubts_by_block/c/*"))) < 5000
+
+
+def test_workers_may_die_as_often_as_they_do_something_between(monkeypatch):
+    from concurrent.futures.process import BrokenProcessPool
+
+    def dying(store, blocks, workers):
+        yield blocks[0], 1
+        raise BrokenProcessPool
+
+    monkeypatch.setattr(sweep_workers, "_in_pool", dying)
+    left = list(range(sweep_workers._DEATHS + 2))
+    done = sweep_workers.done_in_processes(None, left, 2)
+    assert [next(done) for _ in left] == [1] * len(left)
+
+
+def test_a_store_of_another_version_is_left_alone(tmp_path, monkeypatch):
+    interrupted(DRAWN, tmp_path / "store", after=2)
+    monkeypatch.setattr(sweep_store, "__version__", "0.0.other")
+    with pytest.raises(InputError, match=r"--out: .*; allowed: a new store: this one was begun by stiction "):
+        sweep(DRAWN, tmp_path / "store")
+
+
+def test_the_first_contact_may_be_refused(tmp_path):
+    """The model knows no surfaces of few asperities; which laws answer is asked of the first contact that is one."""
+    rough = {"asperity_height_deviation": "50 nm", "asperity_radius": "50 um", "asperity_density": ["5e9 1/m^2", "2e10 1/m^2"]}
+    contact = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2",
+               "interfacial_shear_strength": "20 MPa", "roughness": rough}  # fmt: skip
+    data = sweep({"contact": contact, "solve": {"load": "1 N", "model": "hariri_zu_ben_mrad_2006"}}, tmp_path / "store")
+    mu = data["friction_coefficient"].values.ravel()
+    assert np.isnan(mu[0]) and mu[1] > 0.0

@@ -14,7 +14,8 @@ from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.uncertainty_pictures import COLOURS, spread_figure, uncertainty_figure
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import solve_pointwise
+from stiction.solving.pointwise import WHY_NOT, solve_pointwise
+from stiction.studies import bands
 from stiction.studies.bands import levels, quantiles
 from stiction.studies.case import parse_case
 from stiction.studies.case_results import compare_case, solve_case
@@ -302,3 +303,30 @@ def test_compare_tells_the_spreads(tmp_path):
     assert found["spreads"].keys() == {"inputs", "methods", "models"} and found["spreads"]["methods"]["factor"] is None
     row = next(one for one in found["models"] if one["model"] == "greenwood_williamson_1966")
     assert [one["share"] for one in row["friction_coefficient_quantile"]] == pytest.approx([0.05, 0.25, 0.5, 0.75, 0.95])
+
+
+def test_quantiles_are_of_those_that_are_known_while_these_are_half():
+    values = np.arange(800.0).reshape(8, 100)
+    values[:, 60:] = np.nan
+    known = np.sort(values[np.isfinite(values)])
+    whole, error = quantiles(values, np.array([0.5]))
+    assert whole[0] == pytest.approx(np.quantile(known, 0.5)) and np.isfinite(error[0])
+    values[:, 40:] = np.nan
+    assert np.isnan(quantiles(values, np.array([0.5]))[0]).all()
+
+
+def test_the_spread_of_the_models_holds_the_share_that_is_asked_for():
+    content = {"contact": ADHESIVE, "solve": {"load": ["1 N"], "model": "greenwood_williamson_1966"}}
+    for coverage in (0.2, 0.9):
+        data = st.uncertainty({**content, "uncertainty": {"count": 64, "coverage": coverage}})
+        found = parse_case({**content, "uncertainty": {"count": 64, "coverage": coverage}})
+        ends = ends_of_models(compare_case(found, 1.0), coverage)
+        one = data.sel(spread="models")
+        assert [float(one["spread_low"]), float(one["spread_high"])] == pytest.approx(ends, rel=1e-12)
+    assert ends != ends_of_models(compare_case(found, 1.0), 0.5)  # coverage does decide it here
+
+
+@pytest.mark.parametrize("why", WHY_NOT[:2])
+def test_points_of_which_nothing_is_known_are_told_whatever_the_reason(why, monkeypatch):
+    monkeypatch.setattr(bands, "shares_of_points", lambda found: {why: 0.25})
+    assert "in 0.25 of the points" in solve_case(case(uncertainty={"count": 64})).attrs["outside_validity"]

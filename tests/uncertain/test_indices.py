@@ -132,3 +132,14 @@ def test_one_input_alone_has_all_of_the_variance():
     found = sobol_indices(np.exp(u[..., 0]))
     assert found.first.shape == found.total.shape == (1,)
     np.testing.assert_allclose([found.first[0], found.total[0]], 1.0, atol=0.02)
+
+
+def test_effects_of_few_are_not_told():
+    """Of less than half of the trajectories nothing is said."""
+    points = trajectories(2, 40, 0)
+    values = points @ np.array([2.0, 1.0])
+    values[:19, 1] = np.nan
+    np.testing.assert_allclose(effects(points, values).size, [2.0, 1.0])
+    values[:21, 1] = np.nan
+    found = effects(points, values)
+    assert all(np.isnan(one).all() for one in (found.size, found.size_error, found.mean, found.deviation))

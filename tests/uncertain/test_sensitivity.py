@@ -206,3 +206,32 @@ def test_the_command_writes_its_files_and_json(tmp_path):
     assert found["variables"]["friction_coefficient_total_order"]["dims"] == ["input", "load"]
     refused = CliRunner().invoke(cli.app, ["sensitivity", str(path), "--models", "nothing"])
     assert refused.exit_code == 2 and refused.stderr.startswith("stiction: model: 'nothing'; allowed: ")
+
+
+def test_the_error_of_an_elasticity_is_what_the_extrapolation_changes():
+    """ln y = 2 s + 7 s^3, s = ln x: the narrower difference is off by 7 (width/2)^2, the extrapolated one by nothing."""
+    from stiction.studies.drawing import Draws
+    from stiction.studies.elasticities import _STENCIL, _WIDTH, _slopes
+
+    y = np.exp(2.0 * _STENCIL + 7.0 * _STENCIL**3)
+    slope, error = _slopes(Draws(4, {"y": y}, {"y": ()}), "y", 1)
+    np.testing.assert_allclose([slope[0], error[0]], [2.0, 7.0 * (0.5 * _WIDTH) ** 2], rtol=1e-9)
+
+
+def test_numbers_are_those_that_were_given():
+    from stiction.studies.case import parse_case
+    from stiction.studies.elasticities import numbers_of
+
+    assert set(numbers_of(parse_case({"indices": {"theta": 40, "lam": 10}, "solve": {"load": [0.01]}}))) == {"theta", "lam"}
+    of_presets = numbers_of(parse_case({"contact": {**ADHESIVE, "first": "silver", "second": "gold"}, "solve": SOLVE}))
+    assert not [name for name in of_presets if "surface_energy" in name]  # a contact has its work of adhesion
+
+
+def test_more_points_are_more_trajectories(monkeypatch):
+    from stiction.studies import sensitivity
+
+    asked, drawn = [], sensitivity.trajectories
+    monkeypatch.setattr(sensitivity, "trajectories", lambda *given: asked.append(given) or drawn(*given))
+    for count in (64, 256):
+        st.sensitivity({"contact": POWER_LAW, "solve": SOLVE, "uncertainty": {"count": count}}, models=[])
+    assert [given[1] for given in asked] == [8, 16]

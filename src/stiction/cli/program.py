@@ -1,5 +1,6 @@
 """The program that the commands belong to, and what they share: options, exit codes, waiting lines and bars."""
 
+import re
 import sys
 import warnings
 from collections.abc import Callable, Iterable, Iterator
@@ -16,12 +17,19 @@ from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.notices import Notice
 
 _BAD_INPUT, _INTERRUPTED = 2, 130
+_TABLE = re.compile(r"\[(?=[a-z])")
 # What typer raises for wrong usage; it has no name for the parent of BadParameter.
 _UsageError: type[Any] = typer.BadParameter.__mro__[1]
 
 
 class _Commands(TyperGroup):
     """Bad input and wrong usage are one line and exit code 2, an interruption exit code 130; none is a traceback."""
+
+    def __init__(self, *given, **named):
+        super().__init__(*given, **named)
+        for one in (part for command in self.commands.values() for part in (command, *command.params)):
+            if getattr(one, "help", None):  # "[fit]" is a table of a case, where the help would take it for a style
+                one.help = _TABLE.sub(r"\\[", one.help)
 
     def make_context(self, info_name, args, parent=None, **extra):
         if not args:  # which prints the help

@@ -46,7 +46,7 @@ def sensitivity(
         from stiction.studies.sensitivity import sensitivity as studied
 
         chosen = read_case(case, ranges=ranges)
-    names = None if models is None else [one.strip() for one in models.split(",") if one.strip() not in ("", "none")]
+    names = None if models is None else [] if models.strip() == "none" else [one.strip() for one in models.split(",")]
     data = studied(chosen, load=load, models=names, progress=bar)
     files = _write(out, data) if out is not None else []
     if json:

@@ -42,7 +42,8 @@ def sweep(
     try:
         store = run_sweep(case, out, workers, scheduler, shown)
     except KeyboardInterrupt:
-        _stderr().print(f"stopped: {shown.done} of {shown.size} points are in {out}; call again to go on", style="bold")
+        stopped = f"stopped: {shown.done} of {shown.size} points are in {out}; call again to go on"
+        _stderr().print(stopped, style="bold", highlight=False, markup=False, soft_wrap=True)
         raise
     seconds = perf_counter() - begun
     doubts = store.doubts()

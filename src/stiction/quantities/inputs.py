@@ -1,5 +1,6 @@
 """What all typed input has in common: frozen records whose numbers obey the table of quantities."""
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Annotated, Any, Self
@@ -60,6 +61,9 @@ Number = Annotated[Any, BeforeValidator(_number)]
 OptionalNumber = Annotated[Any, BeforeValidator(_optional_number)]
 
 
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
+
+
 # Fields that tell of the numbers, and change no result.
 _SAID_BY_NOTES = ("source", "range")
 
@@ -71,12 +75,16 @@ def require_callable(given: Any, field: str) -> None:
 
 
 def require_names(table: Mapping, where: str = "") -> None:
-    """InputError where a key of a table, or of a table within it, is no text: as a name of a field it would be a TypeError."""
+    """InputError where a key of a table, or of a table within it, is no text, which as a name of a field would be a TypeError,
+    or a text has control characters, at which libraries that write it fail, and terminals obey them."""
     for key, value in table.items():
         if not isinstance(key, str):
             raise InputError(where or "case", key, "names that are text")
+        place = f"{where}.{key}" if where else key
         if isinstance(value, Mapping):
-            require_names(value, f"{where}.{key}" if where else key)
+            require_names(value, place)
+        elif isinstance(value, str) and _CONTROL.search(value):
+            raise InputError(place, value, "text without control characters, which files of results do not take")
 
 
 class Input(BaseModel):

@@ -17,6 +17,7 @@ import numpy as np
 from stiction.laws.registry import GRADES
 from stiction.laws.validity import doubts_of
 from stiction.quantities.errors import InputError
+from stiction.quantities.paths import require_place
 
 if TYPE_CHECKING:
     import xarray
@@ -141,6 +142,7 @@ def write_picture(figure: "Figure", path: Path) -> None:
 
 def check_folder(folder: Path) -> None:
     """Raise InputError for a place where no folder can be, before anything is computed for it."""
+    require_place(folder, "a folder, new or existing")
     if folder.exists() and not folder.is_dir():
         raise InputError("--out", str(folder), "a folder, new or existing; this is a file")
 

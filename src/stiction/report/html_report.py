@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.paths import require_place
 from stiction.report import report_sections as say
 from stiction.report.honest_digits import rounded
 from stiction.report.html_tables import FORMULAS
@@ -155,6 +156,7 @@ def check_place(path: Path, case: Any = None) -> None:
     allowed = "a file that ends in .html, new or existing"
     if path.suffix.lower() not in _SUFFIXES:
         raise InputError("--out", str(path), allowed)
+    require_place(path, allowed)
     if path.is_dir():
         raise InputError("--out", str(path), f"{allowed}; this is a folder")
     if isinstance(case, str | os.PathLike) and path.exists() and Path(case).exists() and path.samefile(case):

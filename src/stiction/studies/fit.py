@@ -16,7 +16,7 @@ from stiction.studies.case_text import case_text, with_written
 from stiction.studies.fit_answer import Fitted, fitted, verdicts
 from stiction.studies.fit_bands import Bands, check_predicted, predicted
 from stiction.studies.fit_evidence import Rival, rank, rival
-from stiction.studies.fit_model import forward_of
+from stiction.studies.fit_model import check_models, forward_of
 from stiction.studies.fit_plan import RESISTANCE, FitPlan, make_fit_plan, without_studies
 from stiction.studies.fit_search import CONFIDENCE
 
@@ -76,6 +76,7 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
     plan = (
         make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)
     )
+    check_models(plan)
     check_predicted(plan)
     return plan
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,7 +15,10 @@ from stiction.studies.free import Free
 from stiction.studies.measurements import Measurements
 from stiction.studies.places import with_numbers
 
-__all__ = ["Forward", "Parameter", "derived", "forward_of", "solved_sets"]
+if TYPE_CHECKING:
+    from stiction.studies.case import Case
+
+__all__ = ["Forward", "Parameter", "check_models", "derived", "forward_of", "solved_sets"]
 
 _SET, _ROW = "set", "row"
 
@@ -137,17 +140,33 @@ def _as_table(variable: tuple, shape: tuple[int, int]) -> np.ndarray:
 def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> Forward:
     """The model of a plan, or another by its name, asked for the data, or for some of them. Raises InputError where it knows
     nothing of what was measured."""
-    from stiction.studies.case import case_of
-
     data = plan.data if data is None else data
     parameters = _parameters(plan)
-    middle = {one.free.path: float(one.free.at(np.array(0.5))) for one in parameters if one.free.path != RESISTANCE}
-    case = case_of(with_numbers(plan.content, {**data.known[0], **middle}), {})
+    case = _case_between_the_ends(plan, data)
     given = {name: value for name, value in case.choice.arguments().items() if name != "model"} if model is None else {}
     choice = choice_of(model or case.choice.model, given, case.subject)
     forward = Forward(plan, choice, parameters, data, _groups(data, parameters))
     _check_answers(forward, case.subject)
     return forward
+
+
+def _case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
+    from stiction.studies.case import case_of
+
+    middle = {one.path: float(one.at(np.array(0.5))) for one in plan.free if one.path != RESISTANCE}
+    return case_of(with_numbers(plan.content, {**data.known[0], **middle}), {})
+
+
+def check_models(plan: FitPlan) -> None:
+    """InputError for a name among those that are compared that no model has: what a model cannot answer is said in the end."""
+    if not plan.models:
+        return
+    subject = _case_between_the_ends(plan, plan.data).subject
+    for name in plan.models:
+        try:
+            choice_of(name, {}, subject)
+        except InputError as error:
+            raise InputError("fit.models", name, error.allowed) from None
 
 
 def _parameters(plan: FitPlan) -> tuple[Parameter, ...]:

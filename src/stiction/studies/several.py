@@ -25,8 +25,12 @@ __all__ = [
 ]  # fmt: skip
 
 _MOST_POINTS = 100_000
-# Dimensions and coordinates of results that are no quantities.
-_TAKEN = ("asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread")
+# Dimensions and coordinates of results that are no quantities, and other names of their tables.
+_TAKEN = (
+    "asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread",
+    "set", "row", "parameter", "other_parameter", "profile", "model", "number", "design", "front", "asked",
+    "doubts", "doubts_by_block", "statistics_by_block", "counts_by_block",
+)  # fmt: skip
 
 
 def as_point(value):

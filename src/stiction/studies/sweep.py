@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Progress", "sweep"]
 
+_MOST_WORKERS = 1024  # processes of one machine
+
 # From how many points are done, how many there are, and what is done as it is done, the same with a display of that.
 Progress = Callable[[int, int, Iterable[int]], Iterable[int]]
 
@@ -46,8 +48,8 @@ def sweep(
 def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress: Progress | None) -> "Store":
     """As `sweep`; returns the store, which is complete."""
     _check_packages("zarr", *(("distributed",) if scheduler else ()))
-    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
-        raise InputError("--workers", workers, "a whole number, 1 or more")
+    if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST_WORKERS:
+        raise InputError("--workers", workers, f"a whole number, 1 to {_MOST_WORKERS}; more are for a cluster, --scheduler")
     if not isinstance(out, str | PathLike):
         raise InputError("--out", out, "the path of a store, new, or of this case")
     if not (scheduler is None or isinstance(scheduler, str)):

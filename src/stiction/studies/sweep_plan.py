@@ -22,6 +22,7 @@ __all__ = ["AT_ONCE", "MOMENTS", "STATISTICS", "Plan", "Sweep", "make_plan"]
 _METHODS = ("grid", "list", "sobol", "latin_hypercube")
 _MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
 AT_ONCE = 131_072  # points of a block: half a second of work; and of what is solved together, of larger ones
+_LARGEST_BLOCK, _MOST_BLOCKS = 2**24, 10_000_000  # 10^12 points in blocks of the usual size are 7.6 million
 _BITS = 32  # of the coordinates of Sobol points: as many as can be skipped quickly
 MOMENTS = ("count", "mean", "standard_deviation", "least", "most")
 STATISTICS = (*MOMENTS, *PERCENTILES)
@@ -61,7 +62,7 @@ class Sweep(Input):
         default_factory=list, description=", ".join(STATISTICS)
     )
     precision: Literal["float64", "float32"] = Field("float64", description="float64, float32")
-    block: int | None = Field(None, ge=1, le=2**24, strict=True, description=f"a whole number, 1 to {2**24}")
+    block: int | None = Field(None, ge=1, le=_LARGEST_BLOCK, strict=True, description=f"a whole number, 1 to {_LARGEST_BLOCK}")
 
 
 @dataclass(frozen=True)
@@ -236,7 +237,11 @@ def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
     for dim in reversed(list(lengths)):
         tile[dim] = max(1, min(lengths[dim], room))
         room //= tile[dim]
-    return replace(plan, dims=dict(lengths), tile={dim: tile[dim] for dim in lengths})
+    cut = replace(plan, dims=dict(lengths), tile={dim: tile[dim] for dim in lengths})
+    if cut.blocks > _MOST_BLOCKS:
+        allowed = f"{_MOST_BLOCKS} blocks at most: fewer points, or a larger sweep.block, up to {_LARGEST_BLOCK}"
+        raise InputError("sweep", f"{cut.size} points in {cut.blocks} blocks", allowed)
+    return cut
 
 
 def check_kept(kept: list[str], known: list[str]) -> None:

@@ -21,6 +21,7 @@ import numpy as np
 
 from stiction import __version__
 from stiction.quantities.errors import InputError
+from stiction.quantities.paths import require_place
 from stiction.solving.choice import LAWS, Choice
 from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
 from stiction.studies.quantile_counts import PERCENTILES, counted, quantiles_of
@@ -142,6 +143,7 @@ def _each_row(array: Any) -> Iterator[np.ndarray]:
 
 def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
     """The store at this place, made if there is none. Raises InputError where there is something else, or another case's."""
+    require_place(path, "a folder for the store, new, or of this case")
     if path.is_file():
         raise InputError("--out", str(path), "a folder for the store, new, or of this case; this is a file")
     if not path.exists() or (path.is_dir() and not any(path.iterdir())):

@@ -5,7 +5,6 @@ import pickle
 from collections.abc import Iterator
 from functools import lru_cache, partial
 from itertools import islice
-from threading import Thread
 from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
@@ -87,21 +86,23 @@ _store: "Store | None" = None  # of a process that works for another
 
 def _begin(store: "Store") -> None:
     import signal
+    from threading import Thread
 
     global _store
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the first of them ends the work
-    _store = store
     Thread(target=_end_with_parent, daemon=True).start()
+    _store = store
 
 
 def _end_with_parent() -> None:
-    """A worker whose parent was killed would wait for blocks for ever: its siblings hold the pipe open."""
-    from multiprocessing import connection, parent_process
+    """End this process when the one that shares out the work has been killed: it would wait for work for ever. What it was
+    writing is not half there: files are moved into place."""
+    from multiprocessing import parent_process
 
     parent = parent_process()
-    if parent is not None:
-        connection.wait([parent.sentinel])
-        os._exit(1)
+    assert parent is not None
+    parent.join()
+    os._exit(1)
 
 
 def _do(block: int) -> int:
