@@ -27,7 +27,8 @@ class _Commands(TyperGroup):
 
     def __init__(self, *given, **named):
         super().__init__(*given, **named)
-        for one in (part for command in self.commands.values() for part in (command, *command.params)):
+        parts: list[Any] = [part for command in self.commands.values() for part in (command, *command.params)]
+        for one in parts:
             if getattr(one, "help", None):  # "[fit]" is a table of a case, where the help would take it for a style
                 one.help = _TABLE.sub(r"\\[", one.help)
 
