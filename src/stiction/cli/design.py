@@ -17,14 +17,14 @@ if TYPE_CHECKING:
 @app.command()
 def design(
     case: Annotated[
-        Path, typer.Argument(metavar="CASE.toml", help="Case file with a table \\[design]: choices, wishes, limits.")
+        Path, typer.Argument(metavar="CASE.toml", help="Case file with a table [design]: choices, wishes, limits.")
     ],
     out: Out = None,
     json: Json = False,
 ) -> None:
     """Choose materials, thickness, roughness or load so that a wish comes true and limits are kept.
 
-    The case says in \\[design] what is wished, in \\[design.choose] what may be chosen, in \\[design.limits] what must hold.
+    The case says in [design] what is wished, in [design.choose] what may be chosen, in [design.limits] what must hold.
     With two wishes, also the designs of which none is better in both. With --out: designed.toml, a case that `stiction run`
     takes, design.csv, front.csv, design.png, design.nc. Interrupted, it keeps the best so far.
     """

@@ -27,7 +27,7 @@ def sweep(
 ) -> None:
     """Solve many contacts, into a labelled store on disk (zarr 3).
 
-    Which contacts, the table \\[sweep] of the case says: every combination, points of a list, or points that are drawn. It may
+    Which contacts, the table [sweep] of the case says: every combination, points of a list, or points that are drawn. It may
     be interrupted at any time; calling it again goes on where it was. The store is the same, bit for bit, whoever does
     the work.
     """

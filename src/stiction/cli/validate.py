@@ -20,7 +20,7 @@ def validate(
 ) -> None:
     """Compare every model that applies with measured series: by what factor each is off.
 
-    An entry is a TOML file with the tables \\[contact] of a case file and \\[measured], which says who measured what and where
+    An entry is a TOML file with the tables [contact] of a case file and [measured], which says who measured what and where
     that is printed, beside a CSV file of the values. Of a folder, every entry in it. With --out: a CSV file for each entry,
     with what each model says of every value. The mean ratio is of predicted over measured.
     """
