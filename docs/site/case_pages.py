@@ -16,6 +16,7 @@ TABLES = {
     "Scan": "a scan",
     "Coating": "[contact.coating]",
     "Material": "a material",
+    "Liquid": "[contact.liquid]",
     "Indices": "[indices]",
     "_Solve": "[solve]",
     "Uncertainty": "[uncertainty]",

@@ -16,11 +16,14 @@ from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.joining import states
 from stiction.laws.registry import (
+    Ageing,
     AsperityLaw,
     AsperityMethod,
     Composite,
+    Contamination,
     Criterion,
     FilmLaw,
+    Meniscus,
     Presliding,
     Record,
     RoughSurface,
@@ -257,6 +260,54 @@ def presliding(record: Presliding) -> Figure:
     return figure
 
 
+def meniscus(record: Meniscus) -> Figure:
+    """What menisci pull with against the separation, for three humidities."""
+    separations = np.linspace(-0.5, 4.0, 80) * 10e-9
+    figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
+    for humidity in (0.5, 0.8, 0.95):
+        water = st.Liquid(relative_humidity=humidity, contact_angle_first="10 deg", contact_angle_second="10 deg")
+        data = st.solve(_small().replace(liquid=water), separation=separations, model=SUM, meniscus=record.key)
+        axes.semilogy(separations * 1e9, -data["load_meniscus"] * 1e6, linewidth=2.5, label=f"{humidity:.0%}")
+    axes.set(xlabel="mean separation [nm]", ylabel="pull of the menisci [uN]", title="Silicon, water at 20 degC, sigma = 10 nm")
+    axes.grid(alpha=0.3)
+    axes.legend(title="relative humidity")
+    return figure
+
+
+def ageing(record: Ageing) -> Figure:
+    """Friction against the time at rest."""
+    times = np.geomspace(1e-2, 1e6, 60)
+    rested = _small().replace(waiting_time=st.axis("waiting_time", times), strengthening=0.02, cut_off_time=1.0)
+    data = st.solve(rested, load=1e-3, model=SUM, ageing=record.key)
+    figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
+    axes.semilogx(times, np.ravel(data["friction_coefficient"]), linewidth=2.5)
+    axes.set(xlabel="time at rest [s]", ylabel="static friction coefficient", title="2 % for every factor e beyond 1 s")
+    axes.grid(alpha=0.3)
+    return figure
+
+
+def contamination(record: Contamination) -> Figure:
+    """Friction and its spread from one place to the next against load."""
+    loads = np.geomspace(1e-5, 1e-1, 60)
+    data = st.solve(_small().replace(strength_variation=1.0), load=loads, model=SUM, contamination=record.key)
+    mu, spread = data["friction_coefficient"], data["friction_coefficient_spread"]
+    figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
+    axes.fill_between(loads, mu - spread, mu + spread, alpha=0.3, label="standard deviation")
+    axes.semilogx(loads, mu, linewidth=2.5, label="mean")
+    axes.set(xlabel="load [N]", ylabel="static friction coefficient", title="Strength of junctions varies by all of its mean")
+    axes.grid(alpha=0.3)
+    axes.legend()
+    return figure
+
+
+def _small() -> st.Contact:
+    """Two surfaces of a small machine of silicon."""
+    surface = st.Roughness(asperity_height_deviation="10 nm", asperity_radius="1 um", asperity_density="1e13 1/m^2")
+    return st.Contact(
+        first="silicon", second="silicon", roughness=surface, nominal_area="0.01 mm^2", interfacial_shear_strength="100 MPa"
+    )  # fmt: skip
+
+
 def criterion(record: Criterion) -> Figure:
     """The number against the work of adhesion, for three radii of asperities."""
     energies = np.geomspace(0.01, 10.0, 80)
@@ -281,5 +332,6 @@ def method(record: AsperityMethod) -> Figure:
 
 _DRAWN: dict[type[Record], Callable[..., Figure]] = {
     AsperityLaw: asperity, TangentialLaw: tangential, FilmLaw: film, RoughSurface: rough_surface, Composite: composite,
-    Presliding: presliding, Criterion: criterion, AsperityMethod: method,
+    Presliding: presliding, Meniscus: meniscus, Ageing: ageing, Contamination: contamination, Criterion: criterion,
+    AsperityMethod: method,
 }  # fmt: skip

@@ -14,7 +14,7 @@ import stiction as st
 
 # What the public names are for; every name stands in exactly one group (held by a test).
 GROUPS = {
-    "A contact": ("Contact", "Roughness", "Coating", "Material", "material", "work_of_adhesion", "Indices", "axis",
+    "A contact": ("Contact", "Roughness", "Coating", "Material", "Liquid", "material", "work_of_adhesion", "Indices", "axis",
                   "height_distribution"),
     "Friction": ("solve", "unload", "slide", "evaluate", "Evaluation", "summary"),
     "Case files": ("read_case", "solve_case", "compare_case", "slide_case", "write_report"),
