@@ -14,7 +14,7 @@ from stiction.engine.heights import gaussian
 from stiction.engine.regime import Regime, columns
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import largest_root, unit_roots
-from stiction.laws.joining import _with_kinks
+from stiction.laws.joining import with_kinks
 
 
 @formula
@@ -50,7 +50,7 @@ def test_kinks_at_an_end_but_for_rounding_make_no_piece():
     edges = np.array([[1.0, 3.0], [1.0, math.inf], [0.0, 2.0]])
     kinks = np.array([[1.0 + 4e-16, 3.0 - 9e-16, 2.0], [1.0 - 3e-16, 1e300, 5.0], [1e-30, 0.0, 2.0]])
     expected = [[1.0, 1.0, 2.0, 3.0, 3.0], [1.0, 1.0, 5.0, 1e300, math.inf], [0.0, 0.0, 1e-30, 2.0, 2.0]]
-    assert _with_kinks(edges, kinks).tolist() == expected
+    assert with_kinks(edges, kinks).tolist() == expected
 
 
 def test_columns_of_arrays_and_numbers():

@@ -88,7 +88,8 @@ class Number:
         places = [math.log10(one) for one in (example, value) if one > 0.0]
         low, high = min(places) - _DECADES, max(places) + _DECADES
         low = max(low, math.log10(lower)) if lower > 0.0 else low
-        high = min(high, math.log10(upper)) if math.isfinite(upper) else high
+        if math.isfinite(upper):
+            high = min(high, math.log10(upper) - (0.0 if self.quantity.upper_included else 0.01))
         return Knob(low, high, 0.01, True)
 
 

@@ -19,8 +19,8 @@ $$
 
 with $A$, $B$ and $D$ functions of $a/t$ and the elastic constants (`contact/layered/edge`), to 0.5 % in $T$ up to $a/t=300$.
 That a film may yield inside or at its interface before is not asked:
-[`layered_peeling_or_yield`](#layered_peeling_or_yield) does. *Limit*: the law itself without a film, for a film like its body,
-and in the film's groups for $t\to\infty$.
+[`layered_first_yield`](#layered_first_yield) does, without adhesion. *Limit*: the law itself without a film, for a film like
+its body, and in the film's groups for $t\to\infty$.
 
 $\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. With `plastic_junctions` asperities
 that have yielded resist as another law says; the paper's is `none`, and results then say by how much mu differs from it.

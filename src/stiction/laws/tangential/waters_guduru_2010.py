@@ -138,6 +138,8 @@ RECORD = TangentialLaw(
         Source("savkoor_briggs_1977", "", "energy release of a sheared JKR contact"),
     ),
     tangential_resistance=tangential_resistance,
+    of_half_space="the stiffness in its energy balance is a half-space's",
+    like="layered_peeling",
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
     verified="energy balance over all radii of contact, solved anew at 30 digits; Savkoor and Briggs",
     needs=("theta", "K_beta"),
