@@ -17,7 +17,8 @@ $$
 D\left(AP^2+2BPT+T^2\right)=(Y_f\,\pi a^2)^2
 $$
 
-with $A$, $B$ and $D$ functions of $a/t$ and the elastic constants (`contact/layered/edge`), to 0.5 % in $T$ up to $a/t=300$.
+with $A$, $B$ and $D$ functions of $a/t$ and the elastic constants (`contact/layered/edge`), to 0.5 % in $T$ up to $a/t=300$,
+but next to where $T$ vanishes, there to some per cent of it.
 That a film may yield inside or at its interface before is not asked:
 [`layered_first_yield`](#layered_first_yield) does, without adhesion. *Limit*: the law itself without a film, for a film like
 its body, and in the film's groups for $t\to\infty$.
