@@ -282,7 +282,8 @@ def test_numbers_that_are_not_asked_for_take_no_value(series):
 
 def test_models_are_ranked_by_evidence(series):
     values = exact() * (1.0 + 0.01 * np.random.default_rng(9).standard_normal(LOADS.size))
-    found = fit(case(free=BOTH, models=["persson_2001", "fuller_tabor_1975", "boundary_elements"]), series(values, 0.01 * values))
+    models = ["persson_2001", "fuller_tabor_1975", "boundary_elements"]
+    found = fit(case(free=BOTH, models=models), series(values, 0.01 * values))
     assert found["model"].values.tolist() == ["fuller_tabor_1975", "persson_2001", "boundary_elements"]
     assert float(found["weight"][0]) > 0.99 and "map" in found["why_not"].values[2]
     assert float(found["left_out"][0]) < 2.0 < float(found["left_out"][1])

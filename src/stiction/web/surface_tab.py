@@ -115,7 +115,9 @@ class SurfaceTab:
         try:
             surface = replace(await run(read_bounded, Path(path), told), name=name)
         except InputError as error:
-            self._said.set_text(str(error).replace(path, name))
+            # Before the line is made, which shortens long paths.
+            value, allowed = (str(one).replace(path, name) for one in (error.value, error.allowed))
+            self._said.set_text(str(InputError(error.field, value, allowed)))
             return
         whole = await run(spectrum_of, surface, Band(int(self._form.value)))
         if isinstance(whole, InputError):
