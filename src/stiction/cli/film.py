@@ -7,9 +7,13 @@ import typer
 
 from stiction.cli.output import print_json
 from stiction.cli.program import (
+    AllRows,
+    Asperity,
     Json,
+    Load,
     Out,
     TakesOptionsOfRecords,
+    Tangential,
     app,
     busy,
     console,
@@ -29,20 +33,13 @@ if TYPE_CHECKING:
 def film(
     context: typer.Context,
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file of a contact with a film.")],
-    load: Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')] = None,
+    load: Load = None,
     model: Annotated[
         str | None, typer.Option(help="Model in place of the case's, a sum over asperities.", autocompletion=keys_of("model"))
     ] = None,
-    asperity: Annotated[
-        str | None, typer.Option(help="Asperity law in place of its own.", autocompletion=keys_of("asperity"))
-    ] = None,
-    tangential: Annotated[
-        str | None,
-        typer.Option(help="Tangential law in place of its own; none: contact only.", autocompletion=keys_of("tangential")),
-    ] = None,
-    all_rows: Annotated[
-        bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")
-    ] = False,
+    asperity: Asperity = None,
+    tangential: Tangential = None,
+    all_rows: AllRows = False,
     out: Out = None,
     json: Json = False,
 ) -> None:

@@ -196,6 +196,13 @@ Ranges = Annotated[
     bool | None,
     typer.Option("--ranges/--no-ranges", help="Numbers of materials vary within their ranges, whatever the case says of that."),
 ]
+Load = Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')]
+Asperity = Annotated[str | None, typer.Option(help="Asperity law in place of its own.", autocompletion=keys_of("asperity"))]
+Tangential = Annotated[
+    str | None,
+    typer.Option(help="Tangential law in place of its own; none: contact only.", autocompletion=keys_of("tangential")),
+]
+AllRows = Annotated[bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")]
 Reading = Annotated[str | None, typer.Option(help="corrected (default), or published: the 2015 paper to the letter.")]
 
 

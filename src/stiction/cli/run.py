@@ -8,10 +8,14 @@ import typer
 
 from stiction.cli.output import print_json
 from stiction.cli.program import (
+    AllRows,
+    Asperity,
     Json,
+    Load,
     Out,
     Ranges,
     TakesOptionsOfRecords,
+    Tangential,
     app,
     busy,
     console,
@@ -49,13 +53,8 @@ def run(
         str | None,
         typer.Option(help="Any model that stiction compare shows, or: recommended.", autocompletion=keys_of("model")),
     ] = None,
-    asperity: Annotated[
-        str | None, typer.Option(help="Asperity law in place of its own.", autocompletion=keys_of("asperity"))
-    ] = None,
-    tangential: Annotated[
-        str | None,
-        typer.Option(help="Tangential law in place of its own; none: contact only.", autocompletion=keys_of("tangential")),
-    ] = None,
+    asperity: Asperity = None,
+    tangential: Tangential = None,
     film: Annotated[str | None, typer.Option(help="Film law in place of its own.", autocompletion=keys_of("film"))] = None,
     coating_law: Annotated[str | None, typer.Option(hidden=True)] = None,
     presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
@@ -75,10 +74,8 @@ def run(
     kept: Annotated[
         float, typer.Option(help="With --sliding: share of its strength that an asperity keeps once it slides, 0 to 1.")
     ] = 1.0,
-    load: Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')] = None,
-    all_rows: Annotated[
-        bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")
-    ] = False,
+    load: Load = None,
+    all_rows: AllRows = False,
     ranges: Ranges = None,
     json: Json = False,
 ) -> None:

@@ -133,22 +133,26 @@ def with_menisci(choice: Choice, groups: Groups) -> Choice:
 def with_ageing(choice: Choice, groups: Groups) -> Choice:
     """The choice with the law of strengthening at rest, where the contact states how long that was, none was named, and the
     strength of the interface is what is sheared."""
-    model = find(choice.model, RoughSurface)
-    key = choice.tangential or model.tangential
-    if choice.ageing is not None or groups.waiting is None or key == "none" or model.of_map is not None:
+    of_map = find(choice.model, RoughSurface).of_map is not None
+    if choice.ageing is not None or groups.waiting is None or of_map or not _shears_an_area(choice):
         return choice
-    return replace(choice, ageing=_AGEING) if find(key, TangentialLaw).of_area else choice
+    return replace(choice, ageing=_AGEING)
 
 
 def with_contamination(choice: Choice, groups: Groups) -> Choice:
     """The choice with the spread by single junctions, where the contact states how they vary, none was named, the strength of
     the interface is what is sheared, and a sum without a film knows them."""
-    model = find(choice.model, RoughSurface)
-    key = choice.tangential or model.tangential
+    asperity = find(choice.model, RoughSurface).asperity
     known = all(groups.knows(name) for name in find(_JUNCTIONS, Contamination).needs) and not groups.has_film
-    if choice.contamination is not None or not known or key == "none" or not model.asperity:
+    if choice.contamination is not None or not known or not asperity or not _shears_an_area(choice):
         return choice
-    return replace(choice, contamination=_JUNCTIONS) if find(key, TangentialLaw).of_area else choice
+    return replace(choice, contamination=_JUNCTIONS)
+
+
+def _shears_an_area(choice: Choice) -> bool:
+    """Whether the tangential law, of the choice or of its model, has a strength of the interface on the contact area."""
+    key = choice.tangential or find(choice.model, RoughSurface).tangential
+    return key != "none" and find(key, TangentialLaw).of_area
 
 
 def law_of_the_interface(groups: Groups) -> str:

@@ -13,17 +13,15 @@ import numpy as np
 
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
-from stiction.engine.summation import FARTHEST
 from stiction.laws.presliding.shared.partial_slip import slipping_law, sticking_law
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import without_old_names
-from stiction.solving.inversion import separations_at
-from stiction.solving.problem import Problem, Sum, as_asked, make_problem
+from stiction.solving.problem import Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
-from stiction.solving.solve import all_dims, in_words, point_coordinates, points_asked, summed
+from stiction.solving.solve import all_dims, check_reach, inverted, point_coordinates, points_asked, summed
 
 if TYPE_CHECKING:
     import xarray
@@ -58,10 +56,10 @@ def slide(
 
     Returns an xarray.Dataset with friction_force and friction_coefficient, all asperities at their strength together, which the
     force cannot pass; tangential_stiffness, the slope of the force at rest, of all asperities that have a strength;
-    largest_tangential_force,
-    largest_friction_coefficient and sliding_displacement, where that is; and along `displacement` the tangential_force, which
-    keeps its largest value only if kept is 1, and, then, the energy_loss of a cycle between that displacement and its opposite.
-    Asperities are moved together, whatever holds the bodies; plastic ones stick as if they were elastic. Raises InputError.
+    largest_tangential_force, largest_friction_coefficient and sliding_displacement, where that is; and along `displacement` the
+    tangential_force, which keeps its largest value only if kept is 1, and, then, the energy_loss of a cycle between that
+    displacement and its opposite. Asperities are moved together, whatever holds the bodies; plastic ones stick as if they were
+    elastic. Raises InputError.
     """
     subject = as_subject(contact)
     choice = choice_of(model, {**without_old_names(laws), "presliding": _PRESLIDING}, subject)
@@ -116,14 +114,9 @@ def _static(problem: Sum, name: str, point: Any, factors: Any, dims: dict[str, i
     shape = tuple(dims.values())
     wanted = np.broadcast_to(aligned(point, dims) / aligned(factors["N" if name == "load" else "m"], dims), shape)
     if name == "load":
-        with in_words(problem, wanted, aligned(factors["N"], dims)):
-            h = separations_at(problem, wanted.reshape(len(problem.groups), -1)).h.reshape(shape)
-    elif np.abs(wanted).max(initial=0.0) <= FARTHEST:
-        h = wanted
-    else:
-        raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
-    results = summed(problem, h, shape)
-    return {"mean_separation": h} | (as_asked(results, wanted) if name == "load" else results)
+        return inverted(problem, wanted, aligned(factors["N"], dims))[1]
+    check_reach(wanted)
+    return {"mean_separation": wanted} | summed(problem, wanted, shape)
 
 
 def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:

@@ -108,13 +108,9 @@ def _solved(problem: Problem, given: str, point: Any) -> "xarray.Dataset":
     if problem.needs_load:
         tables = _at_load(problem, wanted, aligned(factors["N"], dims))
     elif given == "load":
-        with in_words(problem, wanted, aligned(factors["N"], dims)):
-            found, at_loads = solved_at(problem, wanted.reshape(len(problem.groups), -1))
-        results = {name: table.reshape(wanted.shape) for name, table in at_loads.items()}
-        tables, carried = {"mean_separation": found.h.reshape(wanted.shape)} | as_asked(results, wanted), results["load"]
+        found, tables, carried = inverted(problem, wanted, aligned(factors["N"], dims))
     else:
-        if not np.abs(wanted).max(initial=0.0) <= FARTHEST:
-            raise InputError("separation", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
+        check_reach(wanted)
         h = aligned(point, dims) / aligned(factors["m"], dims)  # not broadcast: separations that all share are a grid
         tables = {"mean_separation": h} | summed(problem, h, wanted.shape)
     tables = with_shares(problem, tables)
@@ -209,6 +205,22 @@ def point_coordinates(*points: Any) -> dict[str, Any]:
 def all_dims(problem: Problem, others: Any) -> dict[str, int]:
     """Dimensions of the contacts first, then those that only points and scales have."""
     return dimensions(others, problem.dims)
+
+
+def check_reach(separation: np.ndarray) -> None:
+    """InputError for separations over sigma beyond what is summed."""
+    farthest = float(np.abs(separation).max(initial=0.0))
+    if not farthest <= FARTHEST:
+        raise InputError("separation", farthest, f"{FARTHEST:g} times sigma at most")
+
+
+def inverted(problem: Problem, wanted: np.ndarray, unit: np.ndarray) -> tuple[Inversion, dict[str, np.ndarray], np.ndarray]:
+    """Where the normalised loads `wanted` (full shape) are carried: how that was found, the results there with their
+    mean_separation, and the loads that are carried."""
+    with in_words(problem, wanted, unit):
+        found, at_loads = solved_at(problem, wanted.reshape(len(problem.groups), -1))
+    results = {name: table.reshape(wanted.shape) for name, table in at_loads.items()}
+    return found, {"mean_separation": found.h.reshape(wanted.shape)} | as_asked(results, wanted), results["load"]
 
 
 @contextmanager

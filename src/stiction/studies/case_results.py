@@ -18,7 +18,6 @@ from stiction.solving.solve import solve
 from stiction.studies.bands import with_bands, with_bands_of_models
 from stiction.studies.case import Case
 from stiction.studies.comparison import compare, working_load
-from stiction.studies.film_stress import film_stresses
 from stiction.studies.spreads import spreads_of_comparison
 
 if TYPE_CHECKING:
@@ -53,6 +52,8 @@ def solve_case(
 
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     """The stresses in the film of a case at its points, as `film_stresses` gives them. Raises InputError."""
+    from stiction.studies.film_stress import film_stresses  # slow to import, and no other study needs it
+
     subject = case.with_surface_moments(choice.model).subject
     return _said(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
 

@@ -11,12 +11,12 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.contact.indices import Groups
-from stiction.contact.layered.bodies import Bodies, bodies_of, per_root
+from stiction.contact.layered.bodies import Bodies, bodies_of
 from stiction.contact.layered.first_yield import Yield, first_yield
 from stiction.contact.layered.stresses import Stresses, cartesian
 from stiction.contact.subject import Subject, as_subject
 from stiction.quantities.errors import InputError
-from stiction.studies.film_stress import LEAST, MOST
+from stiction.studies.film_stress import LEAST, MOST, contact_over_thickness, pressure_over_yield
 from stiction.studies.one_asperity import section
 
 if TYPE_CHECKING:
@@ -66,10 +66,10 @@ def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tupl
         raise InputError("load", load, "a load or separation at which asperities press: nothing is stressed here")
     factors = subject.scales().factors()
     one, force = area / count / factors["m^2"] * factors["count"], load / count / factors["N"] * factors["count"]
-    radius = float(math.sqrt(one) * per_root(groups)[0] ** 2)
+    radius = contact_over_thickness(groups, one)
     if not LEAST <= radius <= MOST:
         raise InputError("thickness", f"a/t = {radius:.3g}", f"{LEAST:g} to {MOST:g} times as wide a contact")
-    pressure = force * float(groups.hardness_to_yield[0]) / (float(groups.eta[0]) * one)
+    pressure = pressure_over_yield(groups, one, force)
     traction = float(point["friction_force"]) / load if "friction_force" in point else 0.0
     if not isinstance(subject, Contact):
         return radius, pressure, traction, {}

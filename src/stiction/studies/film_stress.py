@@ -73,13 +73,22 @@ def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
 
 def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[float, float, float, float, str]:
     """Radius over thickness, and the rest of the results, of one asperity, normalised; not numbers where it does not press."""
-    radius = float(area**0.5 * per_root(groups)[0] ** 2)
     if not (area > 1e-100 and load > 0.0):
-        return radius, np.nan, np.nan, np.nan, ""
-    pressure = load * float(groups.hardness_to_yield[0]) / (float(groups.eta[0]) * area)  # over the body's yield stress
+        return contact_over_thickness(groups, area), np.nan, np.nan, np.nan, ""
+    radius, pressure = contact_over_thickness(groups, area), pressure_over_yield(groups, area, load)
     (bodies,), _ = bodies_of(groups.resolved())
     strength = float(groups.n_H[0])
     return radius, *_worst(bodies, min(max(radius, LEAST), MOST), pressure, friction / load, strength)
+
+
+def contact_over_thickness(groups: Groups, area: float) -> float:
+    """Radius over the thickness of one film, of an asperity with this area, normalised."""
+    return float(area**0.5 * per_root(groups)[0] ** 2)
+
+
+def pressure_over_yield(groups: Groups, area: float, load: float) -> float:
+    """Mean pressure over the body's yield stress, of an asperity with this area and load, normalised."""
+    return load * float(groups.hardness_to_yield[0]) / (float(groups.eta[0]) * area)
 
 
 def _worst(bodies: Bodies, radius: float, pressure: float, traction: float, strength: float) -> tuple[float, float, float, str]:

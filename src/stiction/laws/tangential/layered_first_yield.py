@@ -50,7 +50,7 @@ def resistance(u, w, load, area, *row):
     """T = q A. row: eta/k, where the load alone yields, and what the spline takes."""
     if u >= row[1]:
         return 0.0, 0.0
-    return 0.0, row[0] * area * strength_at(u, row[2:]) ** 0.5
+    return 0.0, row[0] * area * strength_at(u, row[2], row[3], row[4:]) ** 0.5
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:

@@ -25,16 +25,14 @@ $t\to\infty$; the bodies' own for $t\to0$. *Check*, $\nu=0.3$, rigid sphere: $K\
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """
 
-import numpy as np
-
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import Limit, TangentialLaw
 from stiction.laws.sources import Source
+from stiction.laws.tangential.savkoor_briggs_1977 import share_that_peels
 from stiction.laws.tangential.savkoor_briggs_1977 import tangential_resistance as of_a_half_space
 from stiction.laws.tangential.shared.coated_peeling import peeling_columns, peeling_force
-from stiction.quantities.errors import InputError
 
 
 @formula
@@ -49,8 +47,7 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
     if piece.state != "elastic":
         return None
     whole = groups.resolved()
-    if whole.peeling is not None and np.any(whole.peeling == 0.0):
-        raise InputError("peeling", 0.0, "more than 0: what never peels has no peeling force; take another tangential law")
+    share_that_peels(whole)  # or is refused
     own, vanishes = peeling_columns(piece, whole)
     return TangentialResistance(resistance, own, vanishes)
 

@@ -63,11 +63,17 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
     """On the elastic pieces of a JKR asperity; a plastic one does not peel by this energy balance, and resists nothing."""
     if piece.state != "elastic":
         return None
+    share = share_that_peels(groups)
+    # G_N + zeta G_T = gamma, and G_T is as T^2 beta: the tangential compliance counts zeta times.
+    return TangentialResistance(resistance, (groups.theta, groups.K_beta * share), no_resistance(piece, groups))
+
+
+def share_that_peels(groups: Groups) -> np.ndarray:
+    """zeta (n,), the group `peeling`, 1 if that is left out; InputError where nothing would peel."""
     share = np.ones_like(groups.theta) if groups.peeling is None else groups.peeling
     if np.any(share == 0.0):
         raise InputError("peeling", 0.0, "more than 0: what never peels has no peeling force; take another tangential law")
-    # G_N + zeta G_T = gamma, and G_T is as T^2 beta: the tangential compliance counts zeta times.
-    return TangentialResistance(resistance, (groups.theta, groups.K_beta * share), no_resistance(piece, groups))
+    return share
 
 
 def no_resistance(piece: NormalPiece, groups: Groups) -> np.ndarray | None:

@@ -46,8 +46,7 @@ from stiction.laws.joining import coordinates
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import Limit, TangentialLaw
 from stiction.laws.sources import Source
-from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance
-from stiction.quantities.errors import InputError
+from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance, share_that_peels
 
 # An angle that is off by this changes its largest force by the square of it.
 _NEAR = 1e-9
@@ -110,9 +109,7 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
     """On the elastic pieces of a JKR asperity; a plastic one resists nothing."""
     if piece.state != "elastic":
         return None
-    share = np.ones_like(groups.theta) if groups.peeling is None else groups.peeling
-    if np.any(share == 0.0):
-        raise InputError("peeling", 0.0, "more than 0: what never peels has no peeling force; take another tangential law")
+    share = share_that_peels(groups)
     kinks = [_to_hertz(piece, groups, 1.0 - share)[:, None], no_resistance(piece, groups)]
     parameters = (groups.theta, groups.K_beta, 1.0 - share)
     return TangentialResistance(resistance, parameters, np.concatenate([one for one in kinks if one is not None], axis=1))

@@ -34,7 +34,7 @@ def edge_root(u, load, area, row):
     strength = row[0] * area
     part = strength * strength * math.exp(-_curve(z, row[_D:_A]))
     discriminant = part + (B * B - A) * load * load
-    return discriminant, math.sqrt(max(discriminant, 0.0)) - B * load, 1.0
+    return discriminant, math.sqrt(max(discriminant, 0.0)) - B * load
 
 
 def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:

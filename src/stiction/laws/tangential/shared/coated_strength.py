@@ -66,9 +66,9 @@ def _filling(normal: Callable, parameters: int) -> Any:
         return load / (scale * area) * _norms_at(root * area**0.25, table, 0, film_strength, film) - 1.0
 
     @kernel
-    def fill(rows, first, scale, root, film_strength, film, which, tables, place, out):
-        """place[i]: the coordinate where the load alone yields, what ln(1 + p) counts p in, ln(1 + p) where the piece begins,
-        and 1 over what it is more where the load alone yields; out[i]: the square of the traction at the knots."""
+    def fill(rows, scale, root, film_strength, film, which, tables, place, out):
+        """place[i]: the coordinate where the load alone yields, what ln(1 + p) counts p in, and 1 over ln(1 + p) there;
+        out[i]: the square of the traction at the knots."""
         for i in range(scale.size):
             row, table = unpack(rows[i], parameters), tables[which[i]]
             low = high = _LEAST
@@ -82,12 +82,10 @@ def _filling(normal: Callable, parameters: int) -> Any:
                 else:
                     high = middle
             unit = min(root[i], _FARTHEST / high)
-            start = np.log1p(unit * first[i])
-            rise = max(np.log1p(unit * high) - start, 1e-9 * (1.0 + start))
-            place[i, 0], place[i, 1], place[i, 2], place[i, 3] = high, unit, start, 1.0 / rise
+            place[i, 0], place[i, 1], place[i, 2] = high, unit, 1.0 / np.log1p(unit * high)
             for at in range(PIECES + 1):
                 left = 1.0 - at / PIECES
-                u = max(np.expm1(start + (1.0 - left * left) * rise) / unit, 1e-12 * high)
+                u = max(np.expm1((1.0 - left * left) / place[i, 2]) / unit, 1e-12 * high)
                 _, _, load, area = normal(u, *row)
                 s = load / (scale[i] * area)
                 out[i, at] = _traction(root[i] * area**0.25, s, table, film_strength[i], film[i])
@@ -101,23 +99,22 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
     bent = np.abs(np.diff(values, n=2, axis=1))
     at = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)
     left = 1.0 - at / PIECES
-    return np.expm1(place[:, 2:3] + (1.0 - left * left) / place[:, 3:]) / place[:, 1:2]
+    return np.expm1((1.0 - left * left) / place[:, 2:]) / place[:, 1:2]
 
 
 def strengths(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
     """For the elastic piece of a film law that solves film and body as one: where the load alone yields, what `strength_at`
-    counts the coordinate in, its ln(1 + p) where the piece begins and 1 over what that is more there, and the
-    coefficients, columns (n,); and the coordinates (n, k) of its bends. groups: complete, of contacts with a film."""
+    counts the coordinate in, 1 over its ln(1 + p) there, and the coefficients, columns (n,); and the
+    coordinates (n, k) of its bends. groups: complete, of contacts with a film."""
     laws = len(groups)
     different, which = bodies_of(groups)
     tables = np.exp(np.stack([_table(one) for one in different]))
-    place, values = np.empty((laws, 4)), np.empty((laws, PIECES + 1))
+    place, values = np.empty((laws, 3)), np.empty((laws, PIECES + 1))
     there = np.broadcast_to((groups.film_aspect > 0.0) & (groups.tau > 0.0), laws).astype(float)
     scale = np.ascontiguousarray(np.broadcast_to(groups.eta / groups.hardness_to_yield, laws))
     strength = np.ascontiguousarray(np.broadcast_to(groups.n_H, laws))
     fill = _filling(piece.normal, len(piece.parameters))
-    first = np.ascontiguousarray(piece.edges[:, 0])
-    fill(columns(piece.parameters, laws), first, scale, per_root(groups), strength, there, which, tables, place, values)
+    fill(columns(piece.parameters, laws), scale, per_root(groups), strength, there, which, tables, place, values)
     return (*place.T, *(values @ to_coefficients().T).T), _bends(place, values)
 
 
@@ -126,8 +123,7 @@ def _table(bodies: Bodies) -> np.ndarray:
 
 
 @formula
-def strength_at(u, row):
-    """The square of the traction; nothing where the spline, next to its end, is below it. row: of `strengths`, from what the
-    coordinate is counted in."""
-    y = 1.0 - max(1.0 - (np.log1p(row[0] * u) - row[1]) * row[2], 0.0) ** 0.5
-    return max(spline(max(y, 0.0), row[3:]), 0.0)
+def strength_at(u, unit, scale, coefficients):
+    """The square of the traction; nothing where the spline, next to its end, is below it."""
+    y = 1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5
+    return max(spline(y, coefficients), 0.0)

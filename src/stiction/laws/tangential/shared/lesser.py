@@ -20,8 +20,8 @@ _MOST = 5
 class Force(NamedTuple):
     """A formula of (u, load, area, row), and the columns (n,) of its row.
 
-    Peeling gives the force. Yield gives a number that is 0 or more as far as its force is real, the force, which counts where
-    it is above 0, and a number that changes its sign where the force has a kink of its own.
+    Peeling gives the force. Yield gives a number that is 0 or more as far as its force is real, and the force, which counts
+    where it is above 0.
     """
 
     formula: Callable
@@ -32,7 +32,7 @@ class Force(NamedTuple):
 def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
     @formula
     def resistance(u, w, load, area, *row):
-        real, force, _ = yields(u, load, area, row[width:])
+        real, force = yields(u, load, area, row[width:])
         return lesser(peels(u, load, area, row), max(force, 0.0) if real >= 0.0 else 0.0)
 
     return resistance
@@ -40,17 +40,17 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
 
 @cache
 def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> Any:
-    """A formula of numbers that change their sign where the forces cross or yield leaves nothing, where its force is real no
-    more, and where that has a kink of its own."""
+    """A formula of numbers that change their sign where the forces cross or yield leaves nothing, and where its force is real
+    no more."""
     of_yield = parameters + width
 
     @formula
     def signed(u, row):
         _, _, load, area = normal(u, *row[:parameters])
-        real, force, own = yields(u, load, area, row[of_yield:])
+        real, force = yields(u, load, area, row[of_yield:])
         held = force if real >= 0.0 and force > 0.0 else 0.0
         crosses = (held - peels(u, load, area, row[parameters:])) * (1.0 if force > 0.0 else -1.0)
-        return crosses, real, own
+        return crosses, real
 
     return signed
 
@@ -59,7 +59,7 @@ def lesser_of(piece: NormalPiece, peeling: Force, yielding: Force, kinks: np.nda
     """Of the elastic piece of an adhesive asperity. kinks (n, k): of either force, known beforehand."""
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
     signed = _signed(peeling.formula, width, yielding.formula, piece.normal, len(piece.parameters))
-    found = turns(signed, piece, own, 3, _MOST)
+    found = turns(signed, piece, own, 2, _MOST)
     branch = np.where(found[:, 1] > piece.edges[:, :1], found[:, 1], -np.inf)
     whole = np.concatenate([found.reshape(len(found), -1), *([] if kinks is None else [kinks])], axis=1)
     return TangentialResistance(_resistance(peeling.formula, width, yielding.formula), own, whole, branch)
