@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
-from stiction.studies import sweep_blocks, sweep_plan, sweep_store, sweep_workers
+from stiction.studies import sweep_blocks, sweep_guards, sweep_plan, sweep_store, sweep_workers
 from stiction.studies.sweep import sweep
 from stiction.studies.sweep_blocks import merged, statistics_of
 from stiction.studies.sweep_plan import make_plan
@@ -337,7 +337,7 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path):
 
 def test_two_sweeps_do_not_share_a_store(tmp_path):
     sweep(DRAWN, tmp_path / "store")
-    with sweep_store.locked(tmp_path / "store"), pytest.raises(InputError, match="no other sweep is writing to"):
+    with sweep_guards.locked(tmp_path / "store"), pytest.raises(InputError, match="no other sweep is writing to"):
         sweep(DRAWN, tmp_path / "store")
 
 
@@ -471,6 +471,22 @@ def test_another_spacing_is_another_case():
     log, linear = ({"theta": {"start": 10, "stop": 100, "spacing": one}, "lam": 10} for one in ("log", "linear"))
     one, other = (make_plan({**DRAWN, "indices": given}).identity() for given in (log, linear))
     assert one != other
+
+
+def test_an_interruption_waits_until_a_block_is_written(tmp_path, monkeypatch):
+    """Or zarr is cut off as it writes, and complains of its coroutines after the last line that the user should see."""
+    write, written = sweep_store.Store._write, []
+
+    def interrupted(store, block, found):
+        signal.raise_signal(signal.SIGINT)
+        write(store, block, found)
+        written.append(block)
+
+    monkeypatch.setattr(sweep_store.Store, "_write", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        sweep(DRAWN, tmp_path / "store")
+    assert len(written) == 1
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")

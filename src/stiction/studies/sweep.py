@@ -57,7 +57,8 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
     if workers > 1 and scheduler is None:
         make_ready()
     plan, title, text = _planned(case)
-    from stiction.studies.sweep_store import locked, opened_store
+    from stiction.studies.sweep_guards import locked
+    from stiction.studies.sweep_store import opened_store
 
     store = opened_store(Path(out), plan, title, text)
     with locked(Path(out)):

@@ -7,10 +7,8 @@ case: what was interrupted is written again as it would have been.
 
 import json
 import math
-import os
 import shutil
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import version
@@ -26,6 +24,7 @@ from stiction.solving.choice import LAWS, Choice
 from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
 from stiction.studies.quantile_counts import PERCENTILES, counted, quantiles_of
 from stiction.studies.sweep_blocks import merged, rules_as_data, solve_block, solve_region, statistics_of
+from stiction.studies.sweep_guards import uninterrupted
 from stiction.studies.sweep_plan import SAMPLE, Plan, check_kept
 
 if TYPE_CHECKING:
@@ -74,6 +73,11 @@ class Store:
     def do(self, block: int) -> int:
         """Solve and store a block; returns how many points it has. Raises OSError where it cannot be written."""
         found = solve_block(self.plan, self._choice, block, self._results, self._points)
+        with uninterrupted():
+            self._write(block, found)
+        return found.doubts.size
+
+    def _write(self, block: int, found: Any) -> None:
         region = self.plan.region(block)
         contacts = len(region)
         if self.plan.sweep.statistics:
@@ -90,7 +94,6 @@ class Store:
         bits = np.arange(self.group[_DONE].shape[1], dtype=np.uint32)
         counts = [int(((found.doubts >> bit) & 1).sum()) for bit in bits]
         self.group[_DONE][block : block + 1] = np.array([counts])
-        return found.doubts.size
 
     def _write_statistics(self, block: int, results: Mapping[str, np.ndarray], contacts: int) -> None:
         for name, values in results.items():
@@ -353,29 +356,3 @@ def open_store(path: str | Path) -> "xarray.Dataset":
     import xarray
 
     return xarray.open_zarr(path, consolidated=False, chunks=None)
-
-
-@contextmanager
-def locked(path: Path):
-    """Alone with the store: InputError where another sweep writes to it. The lock goes with the process that has it; where the
-    system has none, two sweeps of one store write the same bits."""
-    try:
-        import fcntl
-    except ImportError:
-        yield
-        return
-    handle = os.open(path, os.O_RDONLY)
-    try:
-        _lock(fcntl, handle, path)
-        yield
-    finally:
-        os.close(handle)
-
-
-def _lock(fcntl: Any, handle: int, path: Path) -> None:
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise InputError("--out", str(path), "a store that no other sweep is writing to") from None
-    except OSError:  # a file system without locks
-        return
