@@ -1,4 +1,4 @@
-"""What the scripts of this folder share: the project's own file, empty environments, what is installed there, the page it is told on."""
+"""What the scripts of this folder share: the project's own file, what is installed in an environment, the page of tables."""
 
 import os
 import re

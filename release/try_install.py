@@ -25,8 +25,8 @@ from shared import ROOT, installed, must, outside, run, weight
 
 MB = 1e6
 CASE = ROOT / "examples" / "silver_on_steel.toml"
-SWEEP = '\n[sweep]\nlisted = { "contact.work_of_adhesion" = ["0.5 J/m^2", "1 J/m^2"] }\n'
-FIT = '\n[fit]\nfree = { contact = { work_of_adhesion = { low = "0.1 J/m^2", high = "10 J/m^2" } } }\n'
+SWEEP = '\n[sweep]\nsample = { method = "grid" }\n'
+FIT = '\n[fit.free]\nwork_of_adhesion = { low = "0.1 J/m^2", high = "10 J/m^2" }\n'
 MEASURED = "load [N],friction_coefficient\n0.1,0.09\n1,0.06\n10,0.03\n"
 TO_LIBRARY = "import stiction as st; s = st.SelfAffine(hurst=0.8, rolloff=1e-5, shortest=4e-6, deviation=8e-9); "
 TO_LIBRARY += "st.gaussian_surface((32, 32), (4e-5, 4e-5), s, seed=1).to_topography()"
@@ -56,7 +56,8 @@ class Tried:
 
 def _prepare(folder: Path) -> None:
     text = CASE.read_text(encoding="utf-8")
-    files = {"case.toml": text, "sweep.toml": text + SWEEP, "fit.toml": text + FIT, "measured.csv": MEASURED}
+    several = text.replace('"1 J/m^2"', '["0.5 J/m^2", "1 J/m^2"]')
+    files = {"case.toml": text, "sweep.toml": several + SWEEP, "fit.toml": text + FIT, "measured.csv": MEASURED}
     for name, content in files.items():
         (folder / name).write_text(content, encoding="utf-8")
 
@@ -144,18 +145,28 @@ def tried(extra: str) -> Tried:
 
 def _written(found: list[Tried]) -> None:
     base = found[0]
-    when = f"{datetime.datetime.now(datetime.UTC):%Y-%m-%d}, Python {platform.python_version()}, {platform.system()} {platform.machine()}"
+    on = f"{datetime.datetime.now(datetime.UTC):%Y-%m-%d}, Python {platform.python_version()}"
+    when = f"{on}, {platform.system()} {platform.machine()}"
     light = [name for name, size in base.weights.items() if size < 2.5 * MB]
-    rows = [[name, f"{size / MB:.0f}"] for name, size in sorted(base.weights.items(), key=lambda row: -row[1]) if name not in light]
+    rows = [
+        [name, f"{size / MB:.0f}"] for name, size in sorted(base.weights.items(), key=lambda row: -row[1]) if name not in light
+    ]
     rest = sum(base.weights[name] for name in light)
     rows += [[f"{len(light)} others", f"{rest / MB:.0f}"], ["**all**", f"**{base.total / MB:.0f}**"]]
-    shared.write_table("weights", ["package", "MB"], rows, f"Measured on {when}, with what Python compiles when it is installed.")
+    shared.write_table(
+        "weights", ["package", "MB"], rows, f"Measured on {when}, with what Python compiles when it is installed."
+    )
     rows = [
         [f"`{one.extra}`" if one is not base else "no extra", len(one.weights), f"{one.total / MB:.0f}", f"{one.seconds:.0f}"]
         for one in found
     ]
     heads = ["installed with", "packages", "MB", "seconds of processor of pip"]
-    shared.write_table("extras", heads, rows, f"Tried on {when}: in each the demo was solved out of an empty folder, and the work of the extra done.")
+    shared.write_table(
+        "extras",
+        heads,
+        rows,
+        f"Tried on {when}: in each the demo was solved out of an empty folder, and the work of the extra done.",
+    )
 
 
 def main(asked: list[str]) -> None:
