@@ -41,7 +41,7 @@ $(VENV)/.ready: requirements.lock pyproject.toml
 # Wheel and sdist, build/dist, checked: what is said of them, and what is in them.
 packages: $(VENV)/.ready $(TOOLS)/.ready
 	rm -rf build/dist
-	$(BIN)/python -m build --no-isolation --outdir build/dist .
+	$(BIN)/hatchling build -d build/dist
 	$(TOOLS)/bin/twine check --strict build/dist/*
 	$(BIN)/python release/contents.py build/dist
 

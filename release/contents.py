@@ -21,8 +21,9 @@ DATA = (
     "web/first.toml",
 )
 # What tests and documents need besides the package: the tests run from an unpacked sdist.
-OF_SDIST = ("tests", "docs", "examples", "benchmarks", "truth", "validation", "release", "pyproject.toml", "README.md",
-            "LICENSE", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "ARCHITECTURE.md", "Makefile", "requirements.lock")  # fmt: skip
+OF_SDIST = ("tests", "docs", "examples", "benchmarks", "truth", "validation", "release", "pyproject.toml", "Makefile",
+            "README.md", "LICENSE", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "ARCHITECTURE.md",
+            "requirements.lock")  # fmt: skip
 LEFTOVERS = re.compile(
     r"(^|/)(__pycache__|\.venv|\.git|build|dist|demo|\.\w+_cache|\.hypothesis|\.ci)/|\.(pyc|nbi|nbc|so)$|READ_ME_FIRST"
 )

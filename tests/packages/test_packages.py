@@ -1,0 +1,145 @@
+"""What is given away: wheel and sdist hold what they should, and the wheel with what it asks for alone solves a case."""
+
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+import tomllib
+import zipfile
+from importlib.metadata import distribution, packages_distributions
+from pathlib import Path
+
+import pytest
+import yaml
+from packaging.requirements import Requirement
+
+ROOT = Path(__file__).parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def script(name):
+    """A script of release/, as a module; those beside it are found."""
+    sys.path.insert(0, str(ROOT / "release"))
+    try:
+        spec = importlib.util.spec_from_file_location(name, ROOT / "release" / f"{name}.py")
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+    finally:
+        sys.path.remove(str(ROOT / "release"))
+
+
+contents = script("contents")
+shared = sys.modules["shared"]
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """A folder with wheel and sdist, built from this tree without a network."""
+    folder = tmp_path_factory.mktemp("dist")
+    subprocess.run([sys.executable, "-m", "hatchling", "build", "-d", str(folder)], cwd=ROOT, check=True, capture_output=True)
+    return folder
+
+
+def test_packages_hold_what_they_should(built, capsys):
+    assert contents.main(built) == 0, capsys.readouterr().out
+
+
+def test_what_is_wrong_with_a_package_is_seen(built, tmp_path):
+    """A wheel without the sources of its equations, and with a test in it."""
+    (wheel,) = built.glob("*.whl")
+    damaged = tmp_path / wheel.name
+    with zipfile.ZipFile(wheel) as whole, zipfile.ZipFile(damaged, "w", zipfile.ZIP_DEFLATED) as partial:
+        for name in whole.namelist():
+            if not name.endswith("sources.bib"):
+                partial.writestr(name, whole.read(name))
+        partial.writestr("tests/test_one.py", "")
+    assert contents.problems_of_wheel(damaged) == ["missing: stiction/laws/sources.bib", "too much: tests/test_one.py"]
+
+
+def base_packages():
+    """What `pip install stiction` brings: the names of distributions, by what each asks for without extras."""
+    found, waiting = {"stiction"}, list(map(shared.name_of, PROJECT["dependencies"]))
+    while waiting:
+        name = waiting.pop()
+        if name in found:
+            continue
+        found.add(name)
+        asked = map(Requirement, distribution(name).requires or ())
+        waiting += [shared.canonical(one.name) for one in asked if one.marker is None or one.marker.evaluate({"extra": ""})]
+    return found
+
+
+def test_the_wheel_alone_solves_the_demo(built, tmp_path):
+    """Out of the source tree, with what a base installation has: every other package of this environment is hidden."""
+    (wheel,) = built.glob("*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(tmp_path / "site")
+    base = base_packages()
+    other = sorted(top for top, by in packages_distributions().items() if not {shared.canonical(one) for one in by} & base)
+    assert {"matplotlib", "nicegui", "zarr", "lmfit", "pytest"} <= set(other)
+    hide = (
+        f"import sys\nfor name in {[name for name in other if name.isidentifier()]}:\n    sys.modules.setdefault(name, None)\n"
+    )
+    (tmp_path / "site" / "sitecustomize.py").write_text(hide, encoding="utf-8")
+    environment = os.environ | {"PYTHONPATH": str(tmp_path / "site")}
+    where = "import stiction; print(stiction.__file__, stiction.__version__)"
+    case = ROOT / "examples" / "silver_on_steel.toml"
+    for words, wanted in (
+        (["-c", where], f"{tmp_path / 'site' / 'stiction' / '__init__.py'} {PROJECT['version']}"),
+        (["-m", "stiction", "run", str(case), "--out", "demo"], "friction"),
+    ):
+        done = subprocess.run(
+            [sys.executable, *words], cwd=tmp_path, env=environment, text=True, capture_output=True, check=False
+        )
+        assert done.returncode == 0 and wanted in done.stdout, done.stderr
+    assert sorted(path.name for path in (tmp_path / "demo").iterdir()) == ["curve.csv", "curve.nc"]
+
+
+def recipe():
+    """The recipe of conda as data: its lines of Jinja are settings, and what they set is put in."""
+    text = (ROOT / "release" / "conda" / "meta.yaml").read_text(encoding="utf-8")
+    settings = dict(re.findall(r'{% set (\w+) = "([^"]+)" %}\n', text))
+    text = re.sub(r"{% set .*? %}\n", "", text)
+    return settings, yaml.safe_load(re.sub(r"{{ (\w+) }}", lambda found: settings[found[1]], text))
+
+
+OF_CONDA = {"matplotlib": "matplotlib-base", "lazy-loader": "lazy_loader"}  # packages that have another name there
+
+
+def test_the_recipe_asks_for_what_the_project_asks_for():
+    settings, told = recipe()
+    wanted = [f"python >={PROJECT['requires-python'].removeprefix('>=')}"]
+    for one in PROJECT["dependencies"]:
+        name = shared.name_of(one)
+        wanted.append(f"{OF_CONDA.get(name, name)} {one[len(name) :].strip()}")
+    assert told["requirements"]["run"] == wanted
+    assert settings["version"] == PROJECT["version"]
+    assert (told["build"]["noarch"], told["build"]["entry_points"]) == ("python", ["stiction = stiction.cli:main"])
+    limits = {shared.name_of(part): part for parts in PROJECT["optional-dependencies"].values() for part in parts}
+    for one in told["requirements"]["run_constrained"]:
+        name, bound = one.split()
+        own = {given: name for name, given in OF_CONDA.items()}.get(name, name)
+        assert limits[own] == f"{own}{bound}" or limits[own] == f"SurfaceTopography{bound}"
+
+
+def test_the_citation_has_this_version():
+    told = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    assert told["cff-version"] == "1.2.0" and told["title"] and told["authors"] and told["message"]
+    assert (told["version"], told["license"]) == (PROJECT["version"], PROJECT["license"])
+    assert told["keywords"] == PROJECT["keywords"]
+    assert re.search(
+        rf"^## \[(Unreleased\]: )?{re.escape(PROJECT['version'])}", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.M
+    )
+
+
+def test_the_image_is_of_a_python_that_is_supported():
+    """And holds no address of a registry, and nothing that is secret."""
+    lines = (ROOT / "release" / "Dockerfile").read_text(encoding="utf-8").splitlines()
+    images = [line.split()[1] for line in lines if line.startswith("FROM ")]
+    least = tuple(map(int, PROJECT["requires-python"].removeprefix(">=").split(".")))
+    for image in images:
+        version = re.fullmatch(r"python:(\d+)\.(\d+)-slim", image)
+        assert version and tuple(map(int, version.groups())) >= least, image
+    assert not [line for line in lines if re.search(r"https?://|index-url|token|password|^ARG|^ENV .*=.*secret", line, re.I)]
