@@ -417,7 +417,7 @@ def test_workers_end_with_the_process_that_shares_out_the_work(tmp_path, how):
         within(60.0, lambda: len(list(out.glob("doubts_by_block/c/*"))) > 4)
         process.send_signal(how)
         process.wait(10.0)
-        within(10.0, lambda: not alive_of(process.pid))
+        within(60.0, lambda: not alive_of(process.pid))  # as long as a busy machine takes: they would wait for ever
     finally:
         for one in alive_of(process.pid):
             os.kill(one, signal.SIGKILL)
