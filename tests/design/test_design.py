@@ -14,7 +14,7 @@ from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
 from stiction.studies.case import parse_case, read_case
 from stiction.studies.case_results import solve_case
-from stiction.studies.design import _front, design, plan_of_design, run_design
+from stiction.studies.design import _beyond, _front, _searched, design, plan_of_design, run_design
 from stiction.studies.design_plan import Limit
 
 STRENGTH, AREA, LOAD = 200e6, 1e-6, 1.0
@@ -182,6 +182,26 @@ def test_a_front_is_of_designs_that_none_beats():
 def test_a_front_of_points():
     wishes = np.array([[1.0, 5.0], [2.0, 2.0], [2.0, 3.0], [3.0, 2.0], [4.0, 1.0], [0.5, 0.5]])
     assert _front(wishes, np.array([0.0, 0.0, 0.0, 0.0, 1e-7, 1.0])).tolist() == [0, 1, 4]
+
+
+def test_a_ceiling_is_of_the_other_wish():
+    wishes, worst = np.array([[1.0, 5.0], [2.0, 2.0], [9.0, 1.0]]), np.array([0.0, 0.0, 0.25])
+    np.testing.assert_allclose(_beyond(wishes, worst, 0, 2.5), [1.0, 0.0, 0.25], rtol=1e-15)
+    np.testing.assert_allclose(_beyond(wishes, worst, 1, 2.5), [0.0, 0.0, 2.6], rtol=1e-15)
+    np.testing.assert_allclose(_beyond(-wishes, worst, 0, -2.5), [0.0, 0.2, 0.6], rtol=1e-15)
+    np.testing.assert_allclose(_beyond(wishes, worst, 0, None), worst, rtol=0)
+
+
+def test_what_is_searched_under_a_ceiling_is_best_at_it():
+    """Friction is strength times area over load: the most friction under a ceiling of the area has that area."""
+    table = case([MOST, {"minimise": "contact_area"}], RADIUS)
+    found = run_design(plan_of_design(table | {"design": table["design"] | {"effort": 1}}), lambda count, text: None)
+    before = found.archive.count
+    found.plan.__dict__["effort"] = 60
+    _searched(found, 0, 2e-10, lambda count, text: None)
+    _, wishes, _, _ = found.archive.table()
+    new = wishes[before:]
+    assert new[new[:, 1] <= 2e-10 * (1 + 1e-6), 0].min() == pytest.approx(-STRENGTH * 2e-10 / LOAD, rel=1e-3)
 
 
 @pytest.mark.parametrize("name", ["load_share_yielded", "load_share_substrate_yielded"])

@@ -394,6 +394,21 @@ def test_a_cluster_does_the_same(tmp_path):
     assert same(tmp_path / "one", tmp_path / "two")
 
 
+def test_as_many_blocks_wait_as_a_cluster_that_grows_has_use_for(monkeypatch):
+    """Workers that come later, out of the queue of a batch system, find blocks that wait for them."""
+    clock, workers = [100.0], [0]
+
+    class Client:
+        def nthreads(self):
+            return dict.fromkeys(range(workers[0]), 2)
+
+    monkeypatch.setattr(sweep_workers, "monotonic", lambda: clock[0])
+    room, found = sweep_workers._Room(Client()), []
+    for clock[0], workers[0] in ((100.0, 0), (101.0, 500), (106.0, 500), (112.0, 2)):
+        found.append(room.now())
+    assert found == [256, 256, 3000, 256]
+
+
 def test_every_contact_is_in_one_block():
     case = changed(GRID, indices={"nu": [0.2, 0.3, 0.4]}, sweep={"block": 14})
     plan = make_plan(case)
