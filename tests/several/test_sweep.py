@@ -117,15 +117,17 @@ def test_statistics_are_those_of_all_points(tmp_path):
         np.testing.assert_allclose(found(statistic=kind), values, rtol=1e-12)
 
 
-def test_percentiles_are_those_of_all_points(tmp_path):
+@pytest.mark.parametrize("count", [64, 61])  # eight blocks of eight contacts; the last of five
+def test_percentiles_are_those_of_all_points(tmp_path, count):
     kinds = ["percentile_5", "median", "count", "percentile_95"]
-    data = sweep(changed(DRAWN, sweep={"keep": ["friction_coefficient"], "statistics": kinds}), tmp_path / "store")
-    mu = sweep(DRAWN, tmp_path / "whole")["friction_coefficient"].values
+    drawn = changed(DRAWN, sweep={"sample": {**DRAWN["sweep"]["sample"], "count": count}})
+    data = sweep(changed(drawn, sweep={"keep": ["friction_coefficient"], "statistics": kinds}), tmp_path / "store")
+    mu = sweep(drawn, tmp_path / "whole")["friction_coefficient"].values
     assert data["statistic"].values.tolist() == kinds
     for kind, share in (("percentile_5", 0.05), ("median", 0.5), ("percentile_95", 0.95)):
         wanted = np.quantile(mu, share, axis=0, method="inverted_cdf")
         np.testing.assert_allclose(data["friction_coefficient"].sel(statistic=kind), wanted, rtol=1 / 256)
-    np.testing.assert_array_equal(data["friction_coefficient"].sel(statistic="count"), 64)
+    np.testing.assert_array_equal(data["friction_coefficient"].sel(statistic="count"), count)
 
 
 def test_a_block_that_is_larger_than_what_is_solved_at_once_is_solved_in_pieces(tmp_path, monkeypatch):
