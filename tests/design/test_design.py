@@ -12,6 +12,7 @@ from stiction.solving.choice import Choice
 from stiction.solving.problem import make_problem
 from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
+from stiction.studies import design as design_module
 from stiction.studies.case import parse_case, read_case
 from stiction.studies.case_results import solve_case
 from stiction.studies.design import _beyond, _front, _searched, design, plan_of_design, run_design
@@ -202,6 +203,19 @@ def test_what_is_searched_under_a_ceiling_is_best_at_it():
     _, wishes, _, _ = found.archive.table()
     new = wishes[before:]
     assert new[new[:, 1] <= 2e-10 * (1 + 1e-6), 0].min() == pytest.approx(-STRENGTH * 2e-10 / LOAD, rel=1e-3)
+
+
+def test_a_front_is_searched_for_one_wish_under_ceilings_of_the_other(monkeypatch):
+    """A front of friction, tenths, and area, some 1e-10 m^2: ceilings of one are far from all values of the other."""
+    asked, searched = [], design_module._searched
+    monkeypatch.setattr(design_module, "_searched", lambda *given: asked.append(given[1:3]) or searched(*given))
+    found = run_design(plan_of_design(case([LEAST, MOST | {"maximise": "contact_area"}], RADIUS, effort=1)), lambda *told: None)
+    _, wishes, worst, _ = found.archive.table()
+    assert [number for number, ceiling in asked if ceiling is None] == [0, 1]
+    ceilings = [one for one in asked if one[1] is not None]
+    assert len(ceilings) == 12
+    for number, ceiling in ceilings:
+        assert wishes[worst == 0.0, 1 - number].min() < ceiling < wishes[worst == 0.0, 1 - number].max()
 
 
 @pytest.mark.parametrize("name", ["load_share_yielded", "load_share_substrate_yielded"])

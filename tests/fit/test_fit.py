@@ -1,6 +1,7 @@
 """Fits: closed forms, lmfit's own intervals, coverage, what the data cannot tell, and the files that are written."""
 
 import importlib.util
+import signal
 import subprocess
 import sys
 import tomllib
@@ -531,6 +532,23 @@ def test_an_interruption_keeps_the_fit(series, tmp_path, monkeypatch):
     assert (tmp_path / "out" / "fitted.toml").exists()
     with pytest.raises(KeyboardInterrupt):
         fit(tomllib.loads(CASE_FILE), series(exact(), 0.01))
+
+
+def test_an_interruption_while_results_are_written_waits_for_them(series, tmp_path, monkeypatch):
+    """All that took long is done by then."""
+    from stiction.report import files
+
+    def interrupted(*given):
+        signal.raise_signal(signal.SIGINT)
+        write(*given)
+
+    write = files.write_folder
+    monkeypatch.setattr(files, "write_folder", interrupted)
+    (tmp_path / "case.toml").write_text(CASE_FILE, encoding="utf-8")
+    words = ["fit", str(tmp_path / "case.toml"), "--data", str(series(exact(), 0.01)), "--out", str(tmp_path / "out")]
+    result = CliRunner().invoke(cli.app, words)
+    assert (result.exit_code, result.stdout, result.stderr) == (130, "", "stiction: interrupted\n")
+    assert {"fitted.toml", "fit.nc", "fit.png"} <= {one.name for one in (tmp_path / "out").iterdir()}
 
 
 def test_a_run_imports_nothing_of_it():

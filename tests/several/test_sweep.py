@@ -163,8 +163,16 @@ def test_statistics_have_larger_blocks_where_there_are_many_points():
 
     assert block(2**22) == block(2**10 * 43) == 131_070  # whole contacts of three loads
     assert block(2**20, statistics=["mean"]) == 131_070
-    assert block(2**28, statistics=["mean"]) == 8 * 131_072 // 3 * 3
+    assert block(2**28, statistics=["mean"]) == 8 * (131_072 // 3) * 3  # as many as eight times what is solved at once, whole
     assert block(2**28, statistics=["mean"], block=30) == 30
+
+
+@pytest.mark.parametrize("count", [2_900_000, 30_000_000, 2**28])
+def test_blocks_of_statistics_leave_no_small_rest_that_is_solved_by_itself(count):
+    given = {"sample": {"method": "sobol", "count": count}, "statistics": ["mean"]}
+    plan = make_plan({**DRAWN, "sweep": given})
+    sizes = {one["sample"].stop - one["sample"].start for one in plan.pieces(plan.region(0))}
+    assert sizes == {131_072 // 3}
 
 
 def test_statistics_leave_out_what_is_no_number():

@@ -238,6 +238,15 @@ def busy(text: str) -> Iterator[None]:
 
 
 @contextmanager
+def writing(text: str = "Writing the results") -> Iterator[None]:
+    """The same while results are written. Ctrl-C waits until they are: what took long is not lost at its end."""
+    from stiction.studies.sweep_guards import uninterrupted
+
+    with busy(text), uninterrupted():
+        yield
+
+
+@contextmanager
 def telling_how_far(text: str) -> Iterator[Callable[[str], None]]:
     """What tells how far something is: in a line on the terminal, else in a line at once and then now and then."""
     with _line(text) as line:
