@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -70,7 +70,7 @@ def compare(
 
 def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> list[str]:
     """Write tables and the picture; returns their names."""
-    with busy("Drawing"):
+    with writing("Drawing"):
         from stiction.report.comparison_pictures import comparison_figure
         from stiction.report.comparison_rows import at_load_rows, comparison_rows
         from stiction.report.files import write_folder, write_netcdf, write_picture, write_rows

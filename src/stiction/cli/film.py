@@ -20,6 +20,7 @@ from stiction.cli.program import (
     keys_of,
     options_of_records,
     solving,
+    writing,
     written,
 )
 
@@ -93,7 +94,7 @@ def _print(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:
 
 def _write(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and the picture; returns their names."""
-    with busy("Writing the results"):
+    with writing():
         from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
         from stiction.report.film_pictures import film_figure
         from stiction.studies.film_section import film_section

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -66,7 +66,7 @@ def sensitivity(
 
 def _write(out: Path, data: "xarray.Dataset") -> list[str]:
     """Write tables and the picture; returns their names."""
-    with busy("Drawing"):
+    with writing("Drawing"):
         from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture
         from stiction.report.sensitivity_pictures import sensitivity_figure
 
