@@ -156,6 +156,10 @@ def test_growth_ends_where_full_stick_slides():
     assert_allclose(mu[shares >= 1.0], stick, rtol=1e-12)
     assert (np.diff(mu)[shares[1:] < 1.0] > 0.0).all() and np.diff(mu).max() < 0.02 * stick
     assert abs(at("junction_growth", np.array([1.0 - 1e-9]))[0] / stick - 1.0) < 1e-7
+    # d ln T/d ln c = 1/(1 - c^2 + (tau_0 A/T_s)^2) is less than that of c (1 - c^2)^(-1/2), which bounds any step.
+    grows = shares[shares < 0.99]
+    most = np.diff(np.log(grows / np.sqrt(1.0 - grows**2)))
+    assert (np.diff(np.log(mu[shares < 0.99])) <= 1.0001 * most).all()
 
 
 def test_without_an_end_growth_is_tabors():
