@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.families import families_of
 from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, finish, say
 
 if TYPE_CHECKING:
@@ -22,11 +23,11 @@ _WIDE = 1e4  # friction less than this much below the largest is not drawn: the 
 
 def rows_of_models(data: "xarray.Dataset") -> list[int]:
     """Places of the models that have a friction coefficient at the working load, families together, from the least up."""
-    mu, families = data[_MU].values, data["family_of_curve"].values
+    mu, rests, families = data[_MU].values, data["family_of_curve"].values, families_of(data)
     known = mu[np.isfinite(mu)]
     least = known.max(initial=0.0) / _WIDE
     shown = [int(at) for at in np.flatnonzero(np.isfinite(mu) & (np.nan_to_num(mu) > least))]
-    return sorted(shown, key=lambda at: (families[at] != data.attrs.get("family"), str(families[at]), mu[at]))
+    return sorted(shown, key=lambda at: (rests[at] != data.attrs.get("family"), families[at], mu[at]))
 
 
 def models_figure(data: "xarray.Dataset") -> Figure:
@@ -38,9 +39,10 @@ def models_figure(data: "xarray.Dataset") -> Figure:
     if not rows:
         say(axes, "no model says anything of friction here")
         return figure
-    families = list(dict.fromkeys(str(data["family_of_curve"].values[at]) for at in rows))
+    every = families_of(data)
+    families = list(dict.fromkeys(every[at] for at in rows))
     for row, at in enumerate(rows):
-        colour, mark = _LOOKS[families.index(str(data["family_of_curve"].values[at])) % len(_LOOKS)]
+        colour, mark = _LOOKS[families.index(every[at]) % len(_LOOKS)]
         outside = bool(str(data["outside_validity"].values[at]))
         _bar(axes, data, at, row, colour)
         axes.plot(data[_MU].values[at], row, mark, color=colour, markerfacecolor="none" if outside else colour, markersize=6)

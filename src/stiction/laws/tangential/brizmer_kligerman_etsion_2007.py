@@ -72,6 +72,7 @@ RECORD = TangentialLaw(
         Source("brizmer_kligerman_etsion_2006", "critical load in full stick"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="full stick",
     of_half_space="it is fitted to finite elements of one homogeneous sphere, and a film changes how that sticks and yields",
     wants={"no adhesion": "the sphere is pressed by its load alone"},
     verified="seven loads tabulated independently; evaluation at 30 digits; sums over Gaussian heights",
