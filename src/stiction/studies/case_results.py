@@ -112,20 +112,23 @@ def choice_of_case(case: Case, choice: Choice) -> Choice:
 
 
 def compare_case(
-    case: Case, load: Any = None, progress: Callable[[str], Callable[[Iterable], Iterable]] = lambda text: iter
+    case: Case,
+    load: Any = None,
+    progress: Callable[[str], Callable[[Iterable], Iterable]] = lambda text: iter,
+    bands: bool = True,
 ) -> "xarray.Dataset":
     """Every model on the contact of a case, as `compare` gives them, at a working load [N].
 
     Where the case names scans, the result has also friction_coefficient_at_load_by_method (asperity_method, model),
     friction_coefficient_at_load_low and friction_coefficient_at_load_high. Where numbers are uncertain, it has also
     friction_coefficient_at_load_quantile (quantile, model) with its error; and wherever a model is recommended, what its
-    friction differs by, spread_low, spread_high and spread_factor (spread). progress: from a text, what wraps a list of steps.
-    Raises InputError.
+    friction differs by, spread_low, spread_high and spread_factor (spread). progress: from a text, what wraps a list of steps. bands:
+    whether the quantiles are asked. Raises InputError.
     """
     data = compare(case.subject, load=load, progress=progress("Asking the models"))
     if load is not None:
         at = float(data.attrs["working_load"])
-        data = with_bands_of_models(data, case, at, progress("Drawing what is uncertain"))
+        data = with_bands_of_models(data, case, at, progress("Drawing what is uncertain")) if bands else data
         data = spreads_of_comparison(data, case.uncertainty.coverage)
     if case.load is not None:
         data = data.assign_attrs(case_loads=np.asarray(case.load, dtype=float))

@@ -8,7 +8,7 @@ from stiction.laws.overview import models
 from stiction.laws.validity import read_doubts
 from stiction.web.asked import Comparison, compared
 from stiction.web.charts import comparison_chart
-from stiction.web.drawn import Picture, attributes, wide
+from stiction.web.drawn import Picture, attributes
 from stiction.web.explorer import Explorer
 from stiction.web.studying import Study
 
@@ -39,8 +39,8 @@ class CompareTab:
         self._study = Study("Compare all models at this load", self._work, self._show)
         self._advice = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
         self._more = ui.label().classes("text-sm")
-        with wide("friction by model"):
-            self._picture = Picture("friction by model", "560px")
+        self._picture = Picture("friction by model", "", 620)
+        self._picture.element.classes("by-rows")
         self._picture.show(None)
         self._picture.element.on_point_click(lambda event: self._open(str(self._names()[event.value[1]])))
         self._table = (
@@ -85,7 +85,9 @@ class CompareTab:
 
     def _draw(self) -> None:
         self._dark = self._explorer.view.dark
-        self._picture.show(comparison_chart(self._data, self._dark))
+        options = comparison_chart(self._data, self._dark)
+        self._picture.element.style(f"--rows: {len(options['yAxis']['data'])}")
+        self._picture.show(options)
 
     def _names(self) -> list[str]:
         options = self._picture.element.options

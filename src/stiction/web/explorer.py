@@ -18,12 +18,13 @@ __all__ = ["Explorer", "View", "close_all"]
 @dataclass
 class View:
     """How the answer is shown. against: "load" or "mean_separation"; stack: what is drawn as shares; here: the point told in
-    words, None for the middle one; dark: whether the page is dark."""
+    words, None for the middle one; dark, narrow: whether the page is dark, and as narrow as a telephone."""
 
     against: str = "load"
     stack: str = ""
     here: int | None = None
     dark: bool = False
+    narrow: bool = False
 
 
 _open: "WeakSet[Explorer]" = WeakSet()
