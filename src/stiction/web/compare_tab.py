@@ -1,5 +1,6 @@
 """The tab Compare: every model on this contact, families apart, which one to trust and why."""
 
+import re
 from typing import Any
 
 from nicegui import ui
@@ -38,7 +39,7 @@ class CompareTab:
         self._asked: Any = None
         self._study = Study("Compare all models at this load", self._work, self._show)
         self._advice = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
-        self._more = ui.label().classes("text-sm")
+        self._more = ui.label().classes("text-sm").style("white-space: pre-line")
         self._picture = Picture("friction by model", "", 620)
         self._picture.element.classes("by-rows")
         self._picture.show(None)
@@ -75,10 +76,11 @@ class CompareTab:
         said = data.attrs
         best = said.get("recommended", "none")
         told = f"Recommended: {best}." if best != "none" else "No model is recommended."
-        self._advice.set_text(f"{told} {said.get('reason', '')}")
-        ends = [f"{end:.4g}" for end in said.get("spread", [])]
-        parts = [f"All models: mu {' to '.join(ends)}." if ends else "", said.get("advice", ""), said.get("set_aside", "")]
-        self._more.set_text(" ".join(filter(None, parts)))
+        self._advice.set_text(f"{told} {_sentence(said.get('reason', ''))}")
+        ends = [f"{end:.3g}" for end in said.get("spread", [])]
+        parts = [f"All models: mu {' to '.join(ends)}." if ends else "", _sentence(said.get("advice", ""))]
+        parts += [f"Set aside: {line}." for line in said.get("set_aside", "").splitlines()]
+        self._more.set_text("\n".join(filter(None, parts)))
         self._draw()
         self._table.rows = [self._row(at) for at in range(data.sizes["model"])]
         self._table.set_visibility(True)
@@ -98,7 +100,7 @@ class CompareTab:
         mu = float(one["friction_coefficient_at_load"])
         doubts = [doubt.short for doubt in read_doubts(one["doubts"].item())]
         return {
-            "model": str(one["model"].item()), "mu": f"{mu:.4g}" if mu == mu else one["why_not"].item() or "-",
+            "model": str(one["model"].item()), "mu": f"{mu:.3g}" if mu == mu else one["why_not"].item() or "-",
             "family": one["family_of_curve"].item(), "grade": one["grade"].item(), "doubts": "; ".join(doubts) or "none",
         }  # fmt: skip
 
@@ -118,3 +120,9 @@ class CompareTab:
             ui.button("Close", on_click=dialog.close)
         dialog.on("hide", dialog.delete)
         dialog.open()
+
+
+def _sentence(text: str) -> str:
+    """The text as sentences of its own: of what is parted by semicolons each begins with a capital."""
+    parts = [one for one in re.split(r"; (?![^()]*\))", text) if one]
+    return " ".join(f"{one[0].upper()}{one[1:]}{'' if one.endswith('.') else '.'}" for one in parts)

@@ -48,7 +48,7 @@ class ContactTab:
         with ui.row().classes("w-full items-start gap-6 no-wrap-wide"):
             with ui.column().classes("gap-0").props('role="status" aria-live="polite"'):
                 self._number = ui.label().classes("text-3xl font-bold")
-                self._where = ui.label().classes("text-sm")
+                self._where = ui.label().classes("text-sm where")
                 self._old = ui.label("Of the last case that could be solved: see the field in red.").classes("text-negative")
             self._doubts = ui.column().classes("gap-1 grow text-sm").props('aria-label="what is doubtful"')
         with ui.expansion("What was computed").classes("w-full").props("dense"):

@@ -24,9 +24,12 @@ __all__ = ["make_page"]
 
 _STYLE = """
 .w-full { width: 100% } .w-28 { width: 7rem } .w-32 { width: 8rem } .w-48 { width: 12rem } .w-56 { width: 14rem }
-.w-64 { width: 16rem } .w-72 { width: 18rem } .w-80 { width: 20rem } .grow { flex-grow: 1 } .overflow-auto { overflow: auto }
-.gap-0 { gap: 0 } .gap-1 { gap: 0.25rem } .gap-2 { gap: 0.5rem } .gap-3 { gap: 0.75rem } .gap-4 { gap: 1rem } .gap-6 { gap: 1.5rem }
-.p-0 { padding: 0 } .px-2 { padding-left: 0.5rem; padding-right: 0.5rem } .py-1 { padding-top: 0.25rem; padding-bottom: 0.25rem }
+.w-64 { width: 16rem } .w-72 { width: 18rem } .w-80 { width: 20rem } .grow { flex-grow: 1 }
+.overflow-auto { overflow: auto }
+.gap-0 { gap: 0 } .gap-1 { gap: 0.25rem } .gap-2 { gap: 0.5rem } .gap-3 { gap: 0.75rem }
+.gap-4 { gap: 1rem } .gap-6 { gap: 1.5rem }
+.p-0 { padding: 0 } .px-2 { padding-left: 0.5rem; padding-right: 0.5rem }
+.py-1 { padding-top: 0.25rem; padding-bottom: 0.25rem }
 .items-center { align-items: center } .items-start { align-items: flex-start } .items-end { align-items: flex-end }
 .text-xs { font-size: 0.75rem; line-height: 1.35 } .text-sm { font-size: 0.875rem; line-height: 1.45 }
 .text-lg { font-size: 1.125rem; line-height: 1.55 } .text-xl { font-size: 1.25rem; line-height: 1.4 }

@@ -25,7 +25,11 @@ def image_of(figure: Any, narrow: bool = False) -> str:
     if narrow and width > _NARROW:
         figure.set_size_inches(_NARROW, max(0.75 * _NARROW, _NARROW * height / width))
         for axis in (one for axes in figure.axes for one in (axes.xaxis, axes.yaxis)):
-            if axis.get_scale() == "linear" and len(axis.get_majorticklocs()) > _FEW and isinstance(axis.get_major_locator(), AutoLocator):
+            if (
+                axis.get_scale() == "linear"
+                and len(axis.get_majorticklocs()) > _FEW
+                and isinstance(axis.get_major_locator(), AutoLocator)
+            ):
                 axis.set_major_locator(MaxNLocator(_FEW - 1))
     figure.savefig(made, format="png", dpi=160 if narrow else 110)
     return f"data:image/png;base64,{base64.b64encode(made.getvalue()).decode()}"

@@ -27,7 +27,7 @@ class ShareTab:
             for name in KINDS:
                 button = ui.button(name, on_click=lambda event, name=name: self._download(name, event.sender)).props("no-caps")
                 attributes(button, aria_label=f"download {name}")
-        ui.label("The report: answer, inputs with their sources, pictures, all models, validity, on one page to print or to send. "
+        ui.label("The report: answer, inputs with their sources, pictures, all models, validity, on one page to print or send. "
                  "On the command line: stiction report case.toml").classes("text-sm")  # fmt: skip
         self._study = Study(
             "Make the report", lambda progress: report_of(explorer.good, progress), self._give, "report.html is downloaded"

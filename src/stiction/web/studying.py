@@ -15,7 +15,8 @@ _EVERY = 0.3  # seconds between looks at how far it is
 
 
 class Study:
-    """One at a time for each visitor. work(progress), in a thread, gives what show takes, in the loop; done: what is said then."""
+    """One at a time for each visitor. work(progress), in a thread, gives what show takes, in the loop; done: what is said
+    then."""
 
     def __init__(self, label: str, work: Callable[[Progress], Any], show: Callable[[Any], None], done: str = ""):
         self._work, self._show, self._done = work, show, done
