@@ -185,7 +185,7 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
             rows = [row for row, one in enumerate(shown) if str(families[one]) == family and _outside(data, one) == outside]
             colour = COLOURS[at % len(COLOURS)]
             look = (
-                {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.55}
+                {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.8}
                 if outside
                 else {"color": colour}
             )
@@ -201,9 +201,9 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
     series = [one for one in series if one["data"]]
     options = chart("static friction coefficient by each model", {"type": "log", "name": "static friction coefficient mu"},
                     {"type": "category", "data": names,
-                     "axisLabel": {"color": _INK[dark], "width": 260, "overflow": "truncate", "interval": 0}},
+                     "axisLabel": {"color": _INK[dark], "width": 300, "overflow": "truncate", "interval": 0}},
                     series, dark)  # fmt: skip
-    options["grid"] |= {"left": 276}
+    options["grid"] |= {"left": 316}
     options["tooltip"]["trigger"] = "item"
     return options
 

@@ -26,8 +26,12 @@ _COLUMNS = [
     )
 ]
 
-_NAME = """<q-td :props="props"><q-btn flat dense no-caps align="left" color="primary" :label="props.value"
-  @click="() => $parent.$emit('opened', props.value)" /></q-td>"""
+_BUTTON = """<q-btn flat dense no-caps align="left" color="primary" style="text-align: left" :label="NAME"
+  @click="() => $parent.$emit('opened', NAME)" />"""
+_NAME = f"""<q-td :props="props">{_BUTTON.replace("NAME", "props.value")}</q-td>"""
+# A row on a narrow page: its cells below one another.
+_CARD = f"""<q-card flat bordered class="w-full q-pa-sm q-mb-sm">{_BUTTON.replace("NAME", "props.row.model")}
+  <div v-for="one in props.cols.slice(1)" :key="one.name"><b>{{{{ one.label }}}}:</b> {{{{ one.value }}}}</div></q-card>"""
 
 
 class CompareTab:
@@ -44,12 +48,11 @@ class CompareTab:
         self._picture.element.classes("by-rows")
         self._picture.show(None)
         self._picture.element.on_point_click(lambda event: self._open(str(self._names()[event.value[1]])))
-        self._table = (
-            ui.table(columns=_COLUMNS, rows=[], row_key="model").classes("w-full models").props("dense flat wrap-cells")
-        )
+        self._table = ui.table(columns=_COLUMNS, rows=[], row_key="model").classes("w-full").props("dense flat wrap-cells")
         self._table.set_visibility(False)
         # A button in the row, which a keyboard reaches; the name is bound as text.
         self._table.add_slot("body-cell-model", _NAME)
+        self._table.add_slot("item", _CARD)
         self._table.on("opened", lambda event: self._open(event.args))
         self._pages = ui.row().classes("w-full gap-2")
         explorer.listen(self._again)
@@ -82,8 +85,12 @@ class CompareTab:
         parts += [f"Set aside: {line}." for line in said.get("set_aside", "").splitlines()]
         self._more.set_text("\n".join(filter(None, parts)))
         self._draw()
+        if self._explorer.view.narrow:
+            self._table.props("grid")
         self._table.rows = [self._row(at) for at in range(data.sizes["model"])]
         self._table.set_visibility(True)
+        if "spread_low" in data:
+            self._explorer.differ(self._asked, [float(data[f"spread_{end}"].sel(spread="models")) for end in ("low", "high")])
 
     def _draw(self) -> None:
         self._dark = self._explorer.view.dark

@@ -7,7 +7,7 @@ from nicegui import ui
 from stiction.web.charts import curve_chart, share_chart, stacks
 from stiction.web.drawn import Picture, attributes
 from stiction.web.explorer import Explorer
-from stiction.web.words import doubt_in_words, headline, remarks
+from stiction.web.words import doubt_in_words, remarks
 
 __all__ = ["ContactTab"]
 
@@ -69,7 +69,7 @@ class ContactTab:
     def show(self) -> None:
         """The newest answer; where it is an error, what was right before, and that it is old."""
         answer, here = self._explorer.good, self._explorer.here
-        number, where = headline(answer, here)
+        number, where = self._explorer.headline
         self._number.set_text(number)
         self._where.set_text(where)
         self._old.set_visibility(self._explorer.answer.error is not None)

@@ -24,7 +24,7 @@ def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
 
 def _wide(options: Mapping[str, Any], room: int) -> dict[str, Any]:
     found: dict[str, Any] = {"grid": {**options["grid"], "top": _top(options, room)}}
-    letters = {"fontSize": 12, "width": room - _MARK, "overflow": "break"}
+    letters = {"fontSize": 12, "lineHeight": 15, "width": room - _MARK, "overflow": "break"}
     found["legend"] = {"textStyle": {**options["legend"]["textStyle"], **letters}}
     for axis in ("xAxis", "yAxis"):
         given = options[axis]
@@ -40,12 +40,13 @@ def _narrow(options: Mapping[str, Any]) -> dict[str, Any]:
     named = y["type"] == "category"  # a name in each row: above what is drawn there, as beside it there is no room
     names = {"inside": True, "verticalAlign": "bottom", "padding": [0, 0, 9, 0], "width": _LEAST}
     name = x["name"] if len(x["name"]) <= _MOST else x["name"].replace(" [", "\n[")
-    bottom = 58 if "\n" in name else 44
-    letters = {"fontSize": 11, "width": _LEAST - _MARK, "overflow": "break"}
+    bottom = 62 if "\n" in name else 44
+    letters = {"fontSize": 11, "lineHeight": 15, "width": _LEAST - _MARK, "overflow": "break"}
     found: dict[str, Any] = {
         "grid": {"left": 10 if named else 50, "right": 12, "top": _top(options, _LEAST), "bottom": bottom},
         "legend": {"textStyle": {**options["legend"]["textStyle"], **letters}},
-        "xAxis": {**x, "name": name, "splitNumber": 3, "nameGap": 26, "axisLabel": {**x["axisLabel"], "fontSize": 11}},
+        "xAxis": {**x, "name": name, "splitNumber": 3, "nameGap": 34 if "\n" in name else 26,
+                  "nameTextStyle": {**x["nameTextStyle"], "lineHeight": 14}, "axisLabel": {**x["axisLabel"], "fontSize": 11}},
         "yAxis": {**y, "splitNumber": 4, "nameGap": 36, "z": 9 if named else 0,
                   "axisLabel": {**y["axisLabel"], "fontSize": 11, **(names if named else {})}},
     }  # fmt: skip

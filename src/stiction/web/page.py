@@ -17,7 +17,6 @@ from stiction.web.place_tab import PlaceTab
 from stiction.web.share_tab import ShareTab
 from stiction.web.studies_tab import StudiesTab
 from stiction.web.surface_tab import SurfaceTab
-from stiction.web.words import headline
 from stiction.web.working import run
 
 __all__ = ["make_page"]
@@ -106,7 +105,7 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
 
     def told() -> None:
         title.set_text(str(explorer.good.question.tables.get("title", "")))
-        number.set_text(headline(explorer.good, explorer.here)[0])
+        number.set_text(explorer.headline[0])
 
     def moved() -> None:
         told()

@@ -1,5 +1,7 @@
 """What the page says in words: the answer in one sentence, its doubts, what else a user should know."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from stiction.laws.claims import KINDS_OF_DOUBT
@@ -24,8 +26,9 @@ def named(answer: Answer, name: str, at: int) -> str:
     return shown(value, name)
 
 
-def headline(answer: Answer, at: int) -> tuple[str, str]:
-    """The number, with as many digits as its doubt leaves it, and where it holds, with all of them."""
+def headline(answer: Answer, at: int, known: Sequence[float] = ()) -> tuple[str, str]:
+    """The number, with as many digits as its doubt leaves it, and where it holds, with four. known: what it may be by models
+    that were compared, beside what is uncertain of the inputs."""
     load = named(answer, "load", at)
     if "friction_coefficient" not in answer.curve:
         return f"real contact area {named(answer, 'contact_area', at)}", f"at a load of {load}; this model is of contact only"
@@ -35,7 +38,7 @@ def headline(answer: Answer, at: int) -> tuple[str, str]:
         where.append(f"mean separation {separation}")
     if mu == "not defined":
         return "mu is not defined: the surfaces hold themselves together", ", ".join(where)
-    said = rounded(_at(answer, "friction_coefficient", at), _ends(answer, at))
+    said = rounded(_at(answer, "friction_coefficient", at), [*_ends(answer, at), *known])
     return f"mu ≈ {said}", ", ".join([*where, f"mu to four digits {mu}"])
 
 
