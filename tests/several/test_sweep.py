@@ -117,9 +117,11 @@ def test_statistics_are_those_of_all_points(tmp_path):
         np.testing.assert_allclose(found(statistic=kind), values, rtol=1e-12)
 
 
-def test_percentiles_are_those_of_all_points(tmp_path):
+@pytest.mark.parametrize("block", [48, 57])  # 57: the last block has fewer contacts
+def test_percentiles_are_those_of_all_points(tmp_path, block):
     kinds = ["percentile_5", "median", "count", "percentile_95"]
-    data = sweep(changed(DRAWN, sweep={"keep": ["friction_coefficient"], "statistics": kinds}), tmp_path / "store")
+    given = {"keep": ["friction_coefficient"], "statistics": kinds, "block": block}
+    data = sweep(changed(DRAWN, sweep=given), tmp_path / "store")
     mu = sweep(DRAWN, tmp_path / "whole")["friction_coefficient"].values
     assert data["statistic"].values.tolist() == kinds
     for kind, share in (("percentile_5", 0.05), ("median", 0.5), ("percentile_95", 0.95)):
@@ -417,7 +419,7 @@ def test_workers_end_with_the_process_that_shares_out_the_work(tmp_path, how):
         within(60.0, lambda: len(list(out.glob("doubts_by_block/c/*"))) > 4)
         process.send_signal(how)
         process.wait(10.0)
-        within(10.0, lambda: not alive_of(process.pid))
+        within(60.0, lambda: not alive_of(process.pid))  # as long as a busy machine takes: they would wait for ever
     finally:
         for one in alive_of(process.pid):
             os.kill(one, signal.SIGKILL)
