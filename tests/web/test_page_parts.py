@@ -1,5 +1,6 @@
 """Parts of the page without a page: what is ready before it is asked, charts at every width, studies that end, digits."""
 
+import math
 import re
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import stiction.web
+from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
 from stiction.studies.findings import find_out
 from stiction.web.asked import Question, compared, solved
@@ -20,6 +22,7 @@ from stiction.web.downloads import report_of
 from stiction.web.first import first_case
 from stiction.web.fitting import fitted
 from stiction.web.pictures import image_of
+from stiction.web.studies_tab import designed
 from stiction.web.words import headline
 from stiction.web.working import Progress
 
@@ -92,6 +95,17 @@ def test_panels_of_a_picture_stand_below_one_another_on_a_narrow_page():
 def _endless(progress):
     while True:
         time.sleep(0.002)  # a step that asks nobody whether it may go on
+
+
+@pytest.mark.parametrize("wish", [0.0, -1.0, math.nan, math.inf])
+def test_a_wish_that_no_friction_can_be_is_refused(wish):
+    with pytest.raises(InputError, match="wished mu: .*; allowed: a number above 0"):
+        designed(Question(first_case()), "1 N", wish, {}, Progress())
+
+
+def test_a_text_in_place_of_a_table_is_refused_in_plain_words():
+    error = solved(Question({"contact": "x", "solve": {"load": ["1 N"]}})).error
+    assert str(error) == "contact: 'x'; allowed: a table with its numbers"
 
 
 def test_a_study_ends_within_a_step_when_it_is_stopped():

@@ -1,5 +1,6 @@
 """The tab Studies: how sure, what to measure better, design for a wish, calibration; those that take less than a minute."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -83,6 +84,8 @@ def designed(
     from stiction.studies.design_plan import make_design_plan
 
     case_asked(question)
+    if not 0.0 < wish < math.inf:
+        raise InputError("wished mu", wish, "a number above 0")
     solve = {name: one for name, one in question.tables.get("solve", {}).items() if name not in ("load", "separation")}
     table = {
         "wish": {"target": "friction_coefficient", "value": wish},
