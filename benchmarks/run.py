@@ -1,6 +1,7 @@
 """Benchmarks: `make bench`. Peers run in the same process and minute, so ratios hold where absolute figures move.
 
-Writes benchmarks/results.md and benchmarks/results.json, with machine and versions. Nothing here is a test.
+Writes benchmarks/results.md and benchmarks/results.json, with machine and versions, appends a record to
+benchmarks/history.jsonl (history.py), and says what got slower. Nothing here is a test.
 """
 
 import json
@@ -18,6 +19,7 @@ from pathlib import Path
 for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
     os.environ[name] = "1"
 
+import history  # noqa: E402
 import numpy as np  # noqa: E402
 from loads import load_rows  # noqa: E402
 from peers import nodes_a_point, quad_loop, seconds_of_exponential  # noqa: E402
@@ -298,9 +300,12 @@ def write(figures: list[tuple[str, float]]) -> None:
     ]
     lines += [f"- {name}: {value}" for name, value in about.items()]
     lines += ["", "| what | figure |", "|---|---|", *(f"| {name} | {value:.3g} |" for name, value in figures), ""]
+    results, commit = {"machine": about, "figures": dict(figures)}, history.commit_of(HERE)  # before files are written
     (HERE / "results.md").write_text("\n".join(lines))
-    (HERE / "results.json").write_text(json.dumps({"machine": about, "figures": dict(figures)}, indent=2) + "\n")
+    (HERE / "results.json").write_text(json.dumps(results, indent=2) + "\n")
+    history.append(history.record(results, commit))
     print("\n".join(lines))
+    print(history.told(history.read()))
 
 
 def main() -> None:

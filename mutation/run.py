@@ -23,6 +23,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import traceback
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -33,8 +34,8 @@ from targets import LAST, PARTS, Part
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "mutation" / "results.jsonl"
 SLOW = ("numpy", "numba", "scipy.optimize", "scipy.integrate", "scipy.special", "scipy.stats", "scipy.signal")
-SLOW += ("scipy.interpolate", "xarray", "pydantic", "pint", "mpmath", "matplotlib.pyplot", "h5py", "lmfit", "zarr")
-FAILED = 1  # pytest: tests failed; above it: nothing could be run, which is how a module that cannot be imported ends
+SLOW += ("scipy.interpolate", "xarray", "pydantic", "pint", "mpmath", "matplotlib.pyplot", "h5py", "lmfit")
+FAILED, BROKEN = 1, 99  # pytest: tests failed; above 1: they could not be run, as where a module cannot be imported
 PATIENCE = 4.0  # times as long as the tests take where nothing is wrong, and a minute for compiling
 
 
@@ -106,10 +107,14 @@ def _asked(tree: str, tests: tuple[str, ...], told: str) -> None:
     sys.path[:0] = [f"{tree}/src", tree]
     sys.dont_write_bytecode = True  # an edit may keep a file's length and second
     with Path(told).open("w", encoding="utf-8") as file, contextlib.redirect_stdout(file), contextlib.redirect_stderr(file):
-        import pytest
+        code = BROKEN
+        try:
+            import pytest
 
-        code = pytest.main(["-x", "-q", "-p", "no:cacheprovider", "-p", "no:randomly", *tests])
-    os._exit(int(code))
+            code = int(pytest.main(["-x", "-q", "-p", "no:cacheprovider", *tests]))
+        except BaseException:
+            traceback.print_exc()
+    os._exit(code)
 
 
 class Asking:
@@ -131,12 +136,20 @@ class Asking:
         told = self.folder / "told"
         process = self.processes.Process(target=_asked, args=(str(self.tree), tests, str(told)))
         process.start()
-        process.join(seconds)
+        for _ in range(int(seconds)):  # second by second: one in which all stood still, as on a machine that sleeps, is one
+            process.join(1.0)
+            if not process.is_alive():
+                break
         if process.is_alive():
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
             process.join()
             return "time", ""
+        said = told.read_text(encoding="utf-8") if told.exists() else ""
+        if process.exitcode == BROKEN or process.exitcode is None or process.exitcode < 0:
+            raise SystemExit(
+                f"tests could not be asked: {told.read_text(encoding='utf-8') if told.exists() else process.exitcode}"
+            )
         names = {0: "passed", FAILED: "failed"}
         said = told.read_text(encoding="utf-8") if told.exists() else ""
         first = next((line.split(" ", 1)[1] for line in said.splitlines() if line.startswith(("FAILED ", "ERROR "))), "")
@@ -151,6 +164,7 @@ class Asking:
                 print((self.folder / "told").read_text(encoding="utf-8"))
                 raise SystemExit(f"the tests do not pass as the code is: {first or outcome}")
             self.usual[tests] = time.monotonic() - start
+            print(f"{self.usual[tests]:.0f} s as the code is: {' '.join(tests)}", flush=True)
         return 60.0 + PATIENCE * self.usual[tests]
 
     def verdict(self, mutant: Mutant) -> dict[str, str | float]:
