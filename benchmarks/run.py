@@ -113,10 +113,8 @@ def thread_rows() -> list[tuple[str, float]]:
     return rows
 
 
-def speed_of_model(choice: Choice, film: bool) -> float:
-    """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
-    model = find(choice.model, RoughSurface)
-    count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
+def groups_of_models(count: int, film: bool) -> Groups:
+    """Random contacts with every group that some model needs."""
     rng, ones = np.random.default_rng(4), np.ones(count)
     nu, k = 0.3 * ones, 2.8 * ones
     coating = {}
@@ -133,7 +131,14 @@ def speed_of_model(choice: Choice, film: bool) -> float:
     others = {"tabor_parameter": 10 ** rng.uniform(-1, 1, count), "sharpness": 0.03 * ones, "roughness_parameter": 0.05 * ones}
     others |= {"nominal_width": 2e4 * ones, "shear_strength": 0.1 * ones, "pressure_coefficient": 0.05 * ones}
     others |= {"hardening": 0.01 * ones}
-    groups = Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
+    return Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
+
+
+def speed_of_model(choice: Choice, film: bool) -> float:
+    """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
+    model = find(choice.model, RoughSurface)
+    count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
+    groups = groups_of_models(count, film)
     if model.asperity:
         seconds = best(lambda: totals_on_grid(problem_of(groups, choice).regimes, SEPARATIONS, gaussian()), repeats=3)
     elif model.curve is not None:
@@ -180,10 +185,12 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
     plain, taken, rows = "greenwood_williamson_1966", set(), []
     laws, shears, models = of_kind(AsperityLaw), of_kind(TangentialLaw), of_kind(RoughSurface)
     for record in models.values():
+        if record.of_map is not None:  # solves the contact of a map: nothing to evaluate on a grid of separations
+            continue
         taken |= {record.asperity, record.tangential}
         branches = laws[record.asperity].own_options.get("branch", ("",)) if record.asperity else ("",)
         choices = [Choice(record.key, options={"branch": one or None}) for one in branches]
-        rows += [(f"{record.key} {one}".strip(), choice, False) for one, choice in zip(branches, choices, strict=True)]
+        rows += [(f"{record.key} {one}".strip(), choice, record.on_film) for one, choice in zip(branches, choices, strict=True)]
         for value, film in record.film_by_option.items():
             name = next(name for name, values in record.own_options.items() if value in values)
             rows.append((f"{record.key}, {value}, {film} film", Choice(record.key, options={name: value}), True))

@@ -1,10 +1,14 @@
 """The history of speed: what a record keeps of a run, what is said of a fall, and the page that draws it."""
 
+import os
+import subprocess
 import sys
 
 import matplotlib
 import pytest
 from pages import ROOT
+
+from stiction.laws.registry import RoughSurface, of_kind
 
 matplotlib.use("Agg")
 sys.path[:0] = [str(ROOT / "docs" / "site"), str(ROOT / "benchmarks")]
@@ -83,3 +87,25 @@ def test_every_benchmark_of_the_history_is_a_line_of_one_picture():
     assert all(ratio > 0 for one in known for ratios in one["ratios"].values() for ratio in ratios.values())
     drawn = speed_page.picture(known, grouped[:3])
     assert len(drawn.axes[0].lines) == 3
+
+
+ASKED = """
+import loads, run
+from stiction.solving.problem import problem_of
+
+choices = run.model_choices()
+for name, choice, film in choices:
+    problem_of(run.groups_of_models(2, film), choice)
+for key in loads.theories():
+    assert loads.theory_at_loads(key, 2) > 0.0
+print(*(choice.model for _, choice, _ in choices), *loads.theories())
+"""
+
+
+def test_every_model_can_be_timed():
+    """In a process of its own, because benchmarks bind the threads of theirs."""
+    place = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT / "benchmarks"), str(ROOT / "src")])}
+    done = subprocess.run([sys.executable, "-c", ASKED], env=place, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    models = of_kind(RoughSurface).values()
+    assert {one.key for one in models if one.of_map is None} <= set(done.stdout.split())
