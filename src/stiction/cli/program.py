@@ -15,6 +15,7 @@ from typer.core import TyperCommand, TyperGroup
 from stiction.cli.interrupting import INTERRUPTED
 from stiction.cli.output import closed_pipe, give_up_output
 from stiction.quantities.errors import InputDoubt, InputError
+from stiction.quantities.extras import how_to_install
 from stiction.quantities.notices import Notice
 
 _BAD_INPUT = 2
@@ -334,4 +335,10 @@ def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
 
 def written(folder: Path, names) -> None:
     """Say where the results are."""
-    console().print(f"written to {folder}: {', '.join(names)}", highlight=False, markup=False, soft_wrap=True)
+    from stiction.report.files import undrawn_of
+
+    undrawn = undrawn_of(names)
+    there = [name for name in names if name not in undrawn]
+    console().print(f"written to {folder}: {', '.join(there)}", highlight=False, markup=False, soft_wrap=True)
+    if undrawn:
+        print(f"stiction: not drawn without matplotlib: {', '.join(undrawn)}; {how_to_install('matplotlib')}", file=sys.stderr)
