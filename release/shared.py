@@ -60,8 +60,10 @@ def installed(environment: Path) -> list[Distribution]:
 
 
 def weight(one: Distribution) -> int:
-    """Bytes of the files of a distribution, those that were compiled with it counted in."""
+    """Bytes of the files of a distribution, and of what Python compiled of them, which not every installer keeps a record of."""
     paths = {Path(str(one.locate_file(file))) for file in one.files or ()}
+    for path in [path for path in paths if path.suffix == ".py"]:
+        paths.update((path.parent / "__pycache__").glob(f"{path.stem}.*.pyc"))
     return sum(path.stat().st_size for path in paths if path.is_file())
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, app, busy, console, telling_how_far, written
+from stiction.cli.program import Json, Out, app, busy, console, telling_how_far, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -76,7 +76,7 @@ def _figure(data: "xarray.Dataset"):
 
 def _write(out: Path, found: "Designing", data: "xarray.Dataset") -> list[str]:
     """Write the designed case, tables and the picture; returns their names."""
-    with busy("Writing the results"):
+    with writing():
         from stiction.report.design_tables import design_rows
         from stiction.report.files import write_folder, write_netcdf, write_picture, write_rows
 

@@ -20,6 +20,7 @@ from stiction.cli.program import (
     keys_of,
     options_of_records,
     solving,
+    writing,
     written,
 )
 
@@ -99,7 +100,7 @@ def _figure(case: "Case", point: "xarray.Dataset", section: "xarray.Dataset"):
 
 def _write(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and the picture; returns their names."""
-    with busy("Writing the results"):
+    with writing():
         from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
         from stiction.studies.film_section import film_section
         from stiction.studies.film_stress import middle_point

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, app, bar, busy, console, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -79,7 +79,7 @@ def _profiles(data: "xarray.Dataset"):
 
 def _write(out: Path, found: "Fitting", data: "xarray.Dataset") -> list[str]:
     """Write the fitted case, tables and pictures; returns their names."""
-    with busy("Writing the results"):
+    with writing():
         from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture, write_rows
         from stiction.report.fit_tables import parameter_rows, prediction_names, row_rows
 

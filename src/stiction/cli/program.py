@@ -12,12 +12,13 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperCommand, TyperGroup
 
+from stiction.cli.interrupting import INTERRUPTED
 from stiction.cli.output import closed_pipe, give_up_output
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.extras import how_to_install
 from stiction.quantities.notices import Notice
 
-_BAD_INPUT, _INTERRUPTED = 2, 130
+_BAD_INPUT = 2
 _TABLE = re.compile(r"\[(?=[a-z])")
 # What typer raises for wrong usage; it has no name for the parent of BadParameter.
 _UsageError: type[Any] = typer.BadParameter.__mro__[1]
@@ -69,7 +70,7 @@ def _one_line() -> Iterator[None]:
         give_up_output(error)
     except KeyboardInterrupt:
         print("stiction: interrupted", file=sys.stderr)
-        raise typer.Exit(_INTERRUPTED) from None
+        raise typer.Exit(INTERRUPTED) from None
 
 
 # Warnings that a user is to see: of names that are old, of numbers that were hardly meant, of what the program could not do.
@@ -234,6 +235,15 @@ def console():
 def busy(text: str) -> Iterator[None]:
     """A line with a running clock on the terminal while something goes on, gone when it is done."""
     with _line(text):
+        yield
+
+
+@contextmanager
+def writing(text: str = "Writing the results") -> Iterator[None]:
+    """The same while results are written. Ctrl-C waits until they are: what took long is not lost at its end."""
+    from stiction.studies.sweep_guards import uninterrupted
+
+    with busy(text), uninterrupted():
         yield
 
 

@@ -22,6 +22,7 @@ from stiction.cli.program import (
     keys_of,
     options_of_records,
     solving,
+    writing,
     written,
 )
 from stiction.quantities.errors import InputError
@@ -148,7 +149,7 @@ def _report_sliding(case: "Case", data: "xarray.Dataset", out: Path | None, json
         "sliding.png": lambda path: write_picture(_sliding(case, data), path),
     }
     if out is not None:
-        with busy("Writing the results"):
+        with writing():
             write_folder(out, names)
     if json:
         print_json(record(data, case.subject.groups()))
@@ -167,7 +168,7 @@ def _report_sliding(case: "Case", data: "xarray.Dataset", out: Path | None, json
 
 def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and pictures; returns their names."""
-    with busy("Writing the results"):
+    with writing():
         from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
         from stiction.solving.method_spread import as_columns
         from stiction.studies.bands import as_columns as with_quantiles

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -72,7 +72,7 @@ def _figure(data: "xarray.Dataset"):
 
 def _write(out: Path, data: "xarray.Dataset") -> list[str]:
     """Write tables and the picture; returns their names."""
-    with busy("Drawing"):
+    with writing("Drawing"):
         from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture
 
         files: dict[str, Callable[[Path], None]] = {
