@@ -60,7 +60,7 @@ def installed(environment: Path) -> list[Distribution]:
 
 
 def weight(one: Distribution) -> int:
-    """Bytes of the files of a distribution, and of what Python compiled of them, which not every installer keeps a record of."""
+    """Bytes of the files of a distribution, and of what Python compiled of them: not every installer keeps a record of that."""
     paths = {Path(str(one.locate_file(file))) for file in one.files or ()}
     for path in [path for path in paths if path.suffix == ".py"]:
         paths.update((path.parent / "__pycache__").glob(f"{path.stem}.*.pyc"))

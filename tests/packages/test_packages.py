@@ -121,7 +121,7 @@ def test_the_recipe_asks_for_what_the_project_asks_for():
     for one in told["requirements"]["run_constrained"]:
         name, bound = one.split()
         own = {given: name for name, given in OF_CONDA.items()}.get(name, name)
-        assert limits[own] == f"{own}{bound}" or limits[own] == f"SurfaceTopography{bound}"
+        assert limits[own] == f"{own}{bound}"
 
 
 def test_the_citation_has_this_version():
