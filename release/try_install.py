@@ -109,11 +109,13 @@ def _served(python: Path, folder: Path) -> None:
         server.wait()
 
 
-def _extras_of(extra: str) -> set[str]:
-    """The extras that come with one."""
-    tables = shared.project()["optional-dependencies"]
-    nested = [part.partition("[")[2].rstrip("]").split(",") for part in tables.get(extra, []) if part.startswith("stiction[")]
-    return {extra} | {deeper for group in nested for one in group for deeper in _extras_of(one)}
+def _there(environment: Path) -> set[str]:
+    """The extras whose packages are there, also where another asked for them: SurfaceTopography brings matplotlib."""
+    names = {shared.canonical(one.name) for one in installed(environment)}
+    own = {
+        extra: [shared.name_of(part) for part in parts] for extra, parts in shared.project()["optional-dependencies"].items()
+    }
+    return {extra for extra in WORK if {name for name in own[extra] if name != "stiction"} <= names}
 
 
 def _worked(python: Path, folder: Path, there: set[str]) -> None:
@@ -141,7 +143,8 @@ def tried(extra: str) -> Tried:
         work.mkdir()
         _prepare(work)
         python, seconds = _environment(home / "environment", extra)
-        there = _extras_of(extra)
+        there = _there(home / "environment")
+        assert extra in {*there, "none", "all"}, there
         _demo(python, work, drawn="pictures" in there)
         _worked(python, work, there)
         return Tried(extra, {one.name: weight(one) for one in installed(home / "environment")}, seconds)
