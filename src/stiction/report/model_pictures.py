@@ -1,6 +1,6 @@
 """Every model's friction at the working load, a row each: to be read where there is little room."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -42,7 +42,7 @@ def models_figure(data: "xarray.Dataset") -> Figure:
     for row, at in enumerate(rows):
         colour, mark = _LOOKS[families.index(str(data["family_of_curve"].values[at])) % len(_LOOKS)]
         outside = bool(str(data["outside_validity"].values[at]))
-        look = {"color": colour, "markerfacecolor": "none" if outside else colour, "markersize": 6}
+        look: dict[str, Any] = {"color": colour, "markerfacecolor": "none" if outside else colour, "markersize": 6}
         mu = float(data[_MU].values[at])
         if mu < least:
             axes.plot(0.02, row, "<", transform=axes.get_yaxis_transform(), **look)
