@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.families import families_of
 from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, finish, say
 
 if TYPE_CHECKING:
@@ -22,9 +23,9 @@ _WIDE = 1e4  # friction more than this factor below the largest stands at the ed
 
 def rows_of_models(data: "xarray.Dataset") -> list[int]:
     """Places of the models that have a friction coefficient at the working load, families together, from the least up."""
-    mu, families = data[_MU].values, data["family_of_curve"].values
+    mu, rests, families = data[_MU].values, data["family_of_curve"].values, families_of(data)
     shown = np.flatnonzero(np.isfinite(mu)).tolist()
-    return sorted(shown, key=lambda at: (families[at] != data.attrs.get("family"), str(families[at]), mu[at]))
+    return sorted(shown, key=lambda at: (rests[at] != data.attrs.get("family"), families[at], mu[at]))
 
 
 def models_figure(data: "xarray.Dataset") -> Figure:
@@ -37,10 +38,11 @@ def models_figure(data: "xarray.Dataset") -> Figure:
     if not rows:
         say(axes, "no model says anything of friction here")
         return figure
-    families = list(dict.fromkeys(str(data["family_of_curve"].values[at]) for at in rows))
+    every = families_of(data)
+    families = list(dict.fromkeys(every[at] for at in rows))
     least = max(float(data[_MU].values[rows].max()) / _WIDE, 1e-300)
     for row, at in enumerate(rows):
-        colour, mark = _LOOKS[families.index(str(data["family_of_curve"].values[at])) % len(_LOOKS)]
+        colour, mark = _LOOKS[families.index(every[at]) % len(_LOOKS)]
         outside = bool(str(data["outside_validity"].values[at]))
         look: dict[str, Any] = {"color": colour, "markerfacecolor": "none" if outside else colour, "markersize": 6}
         mu = float(data[_MU].values[at])

@@ -16,6 +16,7 @@ from stiction.laws.sources import bibliography
 from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.comparison_doubts import doubts_with_meanings
+from stiction.report.families import said_of_plastic_junctions
 from stiction.report.html_tables import Table, of_printed
 from stiction.report.html_words import letters
 from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
@@ -85,7 +86,7 @@ def compared(findings: Findings) -> Table | None:
     if told is None:
         return None
     table = of_printed(comparison_table(told), "Every model at the working load, from the least friction up")
-    known = {"error": "measured error of the area"}
+    known = {"error": "measured error of the area", "plastic": "plastic junctions resist"}
     return replace(table, heads=[known.get(head, head) for head in table.heads])
 
 
@@ -106,6 +107,7 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
         lines += [f"Its measured error: {words}."] if words and "measured error" not in used["reason"] else []
     elif used.get("reason"):
         lines.append(f"No model is recommended: {used['reason']}.")
+    lines += [f"{said[0].upper()}{said[1:]}."] if (said := said_of_plastic_junctions(told)) else []
     lines += [f"What would have to change: {used['advice']}."] if used.get("advice") else []
     lines += [f"Set aside: {line}." for line in used.get("set_aside", "").splitlines()]
     lines += [f"{line}." for line in used["criteria"].splitlines()]

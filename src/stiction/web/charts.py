@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.families import families_of
 from stiction.report.files import unit_of
 from stiction.report.picture_style import scale
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
@@ -175,14 +176,14 @@ def share_chart(curve: "xarray.Dataset", what: str, against: str, dark: bool) ->
 def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
     """Friction at the working load by each model, a row each, families apart; what is outside its range is hollow, faint."""
     mu = data["friction_coefficient_at_load"].values
-    families = data["family_of_curve"].values
+    families = families_of(data)
     shown = [at for at in np.argsort(mu) if np.isfinite(mu[at]) and mu[at] > 0.0]
-    shown.sort(key=lambda at: (str(families[at]), mu[at]))
+    shown.sort(key=lambda at: (families[at], mu[at]))
     names = [str(data["model"].values[at]) for at in shown]
     series = []
-    for at, family in enumerate(dict.fromkeys(str(families[one]) for one in shown)):
+    for at, family in enumerate(dict.fromkeys(families[one] for one in shown)):
         for outside in (False, True):
-            rows = [row for row, one in enumerate(shown) if str(families[one]) == family and _outside(data, one) == outside]
+            rows = [row for row, one in enumerate(shown) if families[one] == family and _outside(data, one) == outside]
             colour = COLOURS[at % len(COLOURS)]
             look = (
                 {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.8}
@@ -190,7 +191,7 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
                 else {"color": colour}
             )
             series.append({"name": family + (", outside its range" if outside else ""), "type": "scatter", "symbolSize": 12,
-                           "symbol": ("circle", "rect", "triangle")[at % 3], "itemStyle": look,
+                           "symbol": ("circle", "rect", "triangle", "diamond")[at % 4], "itemStyle": look,
                            "data": [[float(mu[shown[row]]), row] for row in rows]})  # fmt: skip
     best = data.attrs.get("recommended")
     if best in names:

@@ -21,6 +21,7 @@ _COLUMNS = [
         ("model", "model"),
         ("mu", "mu"),
         ("family", "its friction rests on"),
+        ("plastic", "plastic junctions resist"),
         ("grade", "grade"),
         ("doubts", "doubts"),
     )
@@ -108,7 +109,8 @@ class CompareTab:
         doubts = [doubt.short for doubt in read_doubts(one["doubts"].item())]
         return {
             "model": str(one["model"].item()), "mu": f"{mu:.3g}" if mu == mu else one["why_not"].item() or "-",
-            "family": one["family_of_curve"].item(), "grade": one["grade"].item(), "doubts": "; ".join(doubts) or "none",
+            "family": one["family_of_curve"].item(), "plastic": one["plastic_junctions_resist"].item() or "-",
+            "grade": one["grade"].item(), "doubts": "; ".join(doubts) or "none",
         }  # fmt: skip
 
     def _open(self, name: str) -> None:

@@ -3,13 +3,13 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from nicegui import ui
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.extras import require
 from stiction.studies.case import case_in
 from stiction.web.asked import Question, case_asked
 from stiction.web.drawn import attributes
@@ -107,8 +107,7 @@ def calibrated(question: Question, data: Path, free: dict[tuple[str, ...], Any],
     from stiction.studies.fit_plan import make_fit_plan
 
     case_asked(question)
-    if find_spec("lmfit") is None:
-        raise InputError("calibration", "without lmfit", "an installation with it: pip install 'stiction[fit]'")
+    require("calibration", "lmfit")
     plan = make_fit_plan({**question.tables, "fit": {"free": _nested(free)}}, data, question.folder)
     found = run_fit(plan, progress).data()
     return Result(text_of([parameter_table(found), *fit_notes(found)]), ((fit_figure(found), "measured and fitted"),))
