@@ -1,6 +1,7 @@
 """Benchmarks: `make bench`. Peers run in the same process and minute, so ratios hold where absolute figures move.
 
-Writes benchmarks/results.md and benchmarks/results.json, with machine and versions. Nothing here is a test.
+Writes benchmarks/results.md and benchmarks/results.json, with machine and versions, appends a record to
+benchmarks/history.jsonl (history.py), and says what got slower. Nothing here is a test.
 """
 
 import json
@@ -18,6 +19,7 @@ from pathlib import Path
 for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
     os.environ[name] = "1"
 
+import history  # noqa: E402
 import numpy as np  # noqa: E402
 from loads import load_rows  # noqa: E402
 from peers import nodes_a_point, quad_loop, seconds_of_exponential  # noqa: E402
@@ -123,10 +125,8 @@ def thread_rows() -> list[tuple[str, float]]:
     return rows
 
 
-def speed_of_model(choice: Choice, film: bool) -> float:
-    """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
-    model = find(choice.model, RoughSurface)
-    count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
+def groups_of_models(count: int, film: bool, choice: Choice) -> Groups:
+    """Random contacts with every group that some model needs, and those that only laws which are chosen may be given."""
     rng, ones = np.random.default_rng(4), np.ones(count)
     nu, k = 0.3 * ones, 2.8 * ones
     coating = {}
@@ -149,7 +149,14 @@ def speed_of_model(choice: Choice, film: bool) -> float:
         others |= {"waiting": 1e3 * ones, "strengthening": 0.02 * ones}
     if choice.contamination:
         others |= {"strength_variation": 0.5 * ones}
-    groups = Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
+    return Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
+
+
+def speed_of_model(choice: Choice, film: bool) -> float:
+    """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
+    model = find(choice.model, RoughSurface)
+    count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
+    groups = groups_of_models(count, film, choice)
     if model.asperity and not choice.contamination:  # whose variance is a sum of its own
         seconds = best(lambda: totals_on_grid(problem_of(groups, choice).regimes, SEPARATIONS, gaussian()), repeats=3)
     elif model.asperity or model.curve is not None:
@@ -196,10 +203,12 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
     plain, taken, rows = "greenwood_williamson_1966", set(), []
     laws, shears, models = of_kind(AsperityLaw), of_kind(TangentialLaw), of_kind(RoughSurface)
     for record in models.values():
+        if record.of_map is not None:  # solves the contact of a map: nothing to evaluate on a grid of separations
+            continue
         taken |= {record.asperity, record.tangential}
         branches = laws[record.asperity].own_options.get("branch", ("",)) if record.asperity else ("",)
         choices = [Choice(record.key, options={"branch": one or None}) for one in branches]
-        rows += [(f"{record.key} {one}".strip(), choice, False) for one, choice in zip(branches, choices, strict=True)]
+        rows += [(f"{record.key} {one}".strip(), choice, record.on_film) for one, choice in zip(branches, choices, strict=True)]
         for value, film in record.film_by_option.items():
             name = next(name for name, values in record.own_options.items() if value in values)
             rows.append((f"{record.key}, {value}, {film} film", Choice(record.key, options={name: value}), True))
@@ -333,9 +342,12 @@ def write(figures: list[tuple[str, float]]) -> None:
     ]
     lines += [f"- {name}: {value}" for name, value in about.items()]
     lines += ["", "| what | figure |", "|---|---|", *(f"| {name} | {value:.3g} |" for name, value in figures), ""]
+    results, commit = {"machine": about, "figures": dict(figures)}, history.commit_of(HERE)  # before files are written
     (HERE / "results.md").write_text("\n".join(lines))
-    (HERE / "results.json").write_text(json.dumps({"machine": about, "figures": dict(figures)}, indent=2) + "\n")
+    (HERE / "results.json").write_text(json.dumps(results, indent=2) + "\n")
+    history.append(history.record(results, commit))
     print("\n".join(lines))
+    print(history.told(history.read()))
 
 
 def main() -> None:

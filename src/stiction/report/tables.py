@@ -12,9 +12,10 @@ from rich.text import Text
 
 from stiction.contact.contact import Contact
 from stiction.laws.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
-from stiction.laws.validity import doubts_of, read_doubts
+from stiction.laws.validity import doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_with_meanings
 from stiction.report.comparison_rows import run_command
 from stiction.report.families import said_of_plastic_junctions
 from stiction.solving.film_errors import in_words, read_film_errors
@@ -245,7 +246,7 @@ def comparison_table(data: "xarray.Dataset") -> Table:
         mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
         unit = one["contact_area"].attrs.get("units", "1")
         size = _short(area) if unit == "1" else shown(area, "contact_area", digits=3)
-        numbers = ", ".join(str(1 + known.index(line)) for line in _doubts_of(one))
+        numbers = ", ".join(str(1 + known.index(line)) for line in doubts_of_model(one))
         name = str(one["model"].item())
         look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
         fourth = over_methods(one) if with_range_over_methods else size
@@ -263,17 +264,6 @@ def over_methods(one: "xarray.Dataset") -> str:
     if low == high:
         return "no spread"
     return f"{low:.3g} to {high:.3g}" if low < high else "-"
-
-
-def _doubts_of(one: "xarray.Dataset") -> list[str]:
-    """Why one model says nothing of friction, and the ranges of validity that it leaves, without by how much."""
-    return [*filter(None, [one["why_not"].item()]), *(doubt.rule for doubt in read_doubts(one["doubts"].item()))]
-
-
-def doubts(data: "xarray.Dataset") -> list[str]:
-    """All doubts of a comparison, each once."""
-    every = (_doubts_of(data.isel(model=at)) for at in range(data.sizes["model"]))
-    return list(dict.fromkeys(line for lines in every for line in lines))
 
 
 def comparison_summary(data: "xarray.Dataset") -> list[Text]:
@@ -302,7 +292,7 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
     else:
         lines.append(Text("without a working load, which is above 0, the models are not judged"))
     lines += [Text(line) for line in used["criteria"].splitlines()]
-    lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts(data), start=1)]
+    lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts_with_meanings(data), start=1)]
     lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]
     return lines
 

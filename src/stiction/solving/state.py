@@ -109,9 +109,7 @@ def _by_asperity(
     return found
 
 
-def _of_menisci(
-    groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None
-) -> dict[str, np.ndarray]:
+def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None) -> dict[str, np.ndarray]:
     """How much of the surface they cover, and how far asperities are pressed in beside their height (n, m).
 
     pull: normalised (n, m). It is Laplace's pressure on what is wetted, so that it counts also those that bridge a gap; around

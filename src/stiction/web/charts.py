@@ -77,7 +77,7 @@ def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[st
         "textStyle": {"color": ink},
         "color": list(COLOURS),
         "grid": {"left": 74, "right": 18, "top": 36, "bottom": 46},
-        "legend": {"textStyle": {"color": ink}, "type": "scroll", "top": 0, "show": len(series) > 1},
+        "legend": {"textStyle": {"color": ink}, "top": 0, "show": len(series) > 1},
         "tooltip": {"trigger": "axis", "renderMode": "richText", "confine": True},
         "xAxis": {"type": "value", "nameGap": 28, **look, **x},
         "yAxis": {"type": "value", "nameGap": 56, **look, **y},
@@ -186,7 +186,7 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
             rows = [row for row, one in enumerate(shown) if families[one] == family and _outside(data, one) == outside]
             colour = COLOURS[at % len(COLOURS)]
             look = (
-                {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.55}
+                {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.8}
                 if outside
                 else {"color": colour}
             )
@@ -196,15 +196,15 @@ def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
     best = data.attrs.get("recommended")
     if best in names:
         row = names.index(best)
-        series.append({"name": "recommended", "type": "scatter", "symbol": "pin", "symbolSize": 26, "itemStyle": {"color": RED},
+        ring = {"color": "transparent", "borderColor": RED, "borderWidth": 3}
+        series.append({"name": "recommended", "type": "scatter", "symbol": "circle", "symbolSize": 22, "itemStyle": ring,
                        "data": [[float(mu[shown[row]]), row]]})  # fmt: skip
     series = [one for one in series if one["data"]]
     options = chart("static friction coefficient by each model", {"type": "log", "name": "static friction coefficient mu"},
                     {"type": "category", "data": names,
-                     "axisLabel": {"color": _INK[dark], "width": 260, "overflow": "break", "lineHeight": 14}},
+                     "axisLabel": {"color": _INK[dark], "width": 300, "overflow": "truncate", "interval": 0}},
                     series, dark)  # fmt: skip
-    options["grid"] |= {"left": 276, "top": 70}
-    options["legend"] |= {"type": "plain", "top": 0}
+    options["grid"] |= {"left": 316}
     options["tooltip"]["trigger"] = "item"
     return options
 
