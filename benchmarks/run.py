@@ -1,6 +1,7 @@
 """Benchmarks: `make bench`. Peers run in the same process and minute, so ratios hold where absolute figures move.
 
-Writes benchmarks/results.md and benchmarks/results.json, with machine and versions. Nothing here is a test.
+Writes benchmarks/results.md and benchmarks/results.json, with machine and versions, appends a record to
+benchmarks/history.jsonl (history.py), and says what got slower. Nothing here is a test.
 """
 
 import json
@@ -18,6 +19,7 @@ from pathlib import Path
 for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
     os.environ[name] = "1"
 
+import history  # noqa: E402
 import numpy as np  # noqa: E402
 from loads import load_rows  # noqa: E402
 from peers import nodes_a_point, quad_loop, seconds_of_exponential  # noqa: E402
@@ -29,7 +31,19 @@ import stiction as st  # noqa: E402
 from stiction.contact.indices import Groups, stiffness_group  # noqa: E402
 from stiction.engine.heights import gaussian  # noqa: E402
 from stiction.engine.summation import totals_on_grid  # noqa: E402
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, incompatibility, of_kind  # noqa: E402
+from stiction.laws.registry import (  # noqa: E402
+    JUNCTIONS,
+    Ageing,
+    AsperityLaw,
+    Contamination,
+    FilmLaw,
+    Meniscus,
+    RoughSurface,
+    TangentialLaw,
+    find,
+    incompatibility,
+    of_kind,
+)
 from stiction.solving.choice import Choice  # noqa: E402
 from stiction.solving.problem import problem_of  # noqa: E402
 
@@ -111,10 +125,8 @@ def thread_rows() -> list[tuple[str, float]]:
     return rows
 
 
-def speed_of_model(choice: Choice, film: bool) -> float:
-    """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
-    model = find(choice.model, RoughSurface)
-    count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
+def groups_of_models(count: int, film: bool, choice: Choice) -> Groups:
+    """Random contacts with every group that some model needs, and those that only laws which are chosen may be given."""
     rng, ones = np.random.default_rng(4), np.ones(count)
     nu, k = 0.3 * ones, 2.8 * ones
     coating = {}
@@ -130,11 +142,24 @@ def speed_of_model(choice: Choice, film: bool) -> float:
         }
     others = {"tabor_parameter": 10 ** rng.uniform(-1, 1, count), "sharpness": 0.03 * ones, "roughness_parameter": 0.05 * ones}
     others |= {"nominal_width": 2e4 * ones, "shear_strength": 0.1 * ones, "pressure_coefficient": 0.05 * ones}
-    others |= {"hardening": 0.01 * ones}
-    groups = Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
-    if model.asperity:
+    others |= {"hardening": 0.01 * ones, "peeling": 0.3 * ones}
+    if choice.meniscus:
+        others |= {"meniscus_index": 10 ** rng.uniform(-2, 0, count), "meniscus_height": 10 ** rng.uniform(-2, 0, count)}
+    if choice.ageing:
+        others |= {"waiting": 1e3 * ones, "strengthening": 0.02 * ones}
+    if choice.contamination:
+        others |= {"strength_variation": 0.5 * ones}
+    return Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
+
+
+def speed_of_model(choice: Choice, film: bool) -> float:
+    """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
+    model = find(choice.model, RoughSurface)
+    count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
+    groups = groups_of_models(count, film, choice)
+    if model.asperity and not choice.contamination:  # whose variance is a sum of its own
         seconds = best(lambda: totals_on_grid(problem_of(groups, choice).regimes, SEPARATIONS, gaussian()), repeats=3)
-    elif model.curve is not None:
+    elif model.asperity or model.curve is not None:
         seconds = best(lambda: problem_of(groups, choice).on_grid(SEPARATIONS), repeats=3)
     else:
         load = np.tile(10 ** np.linspace(-6.0, 0.0, SEPARATIONS.size), (count, 1))
@@ -178,10 +203,12 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
     plain, taken, rows = "greenwood_williamson_1966", set(), []
     laws, shears, models = of_kind(AsperityLaw), of_kind(TangentialLaw), of_kind(RoughSurface)
     for record in models.values():
+        if record.of_map is not None:  # solves the contact of a map: nothing to evaluate on a grid of separations
+            continue
         taken |= {record.asperity, record.tangential}
         branches = laws[record.asperity].own_options.get("branch", ("",)) if record.asperity else ("",)
         choices = [Choice(record.key, options={"branch": one or None}) for one in branches]
-        rows += [(f"{record.key} {one}".strip(), choice, False) for one, choice in zip(branches, choices, strict=True)]
+        rows += [(f"{record.key} {one}".strip(), choice, record.on_film) for one, choice in zip(branches, choices, strict=True)]
         for value, film in record.film_by_option.items():
             name = next(name for name, values in record.own_options.items() if value in values)
             rows.append((f"{record.key}, {value}, {film} film", Choice(record.key, options={name: value}), True))
@@ -200,6 +227,23 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
         else:
             suited = next(law.key for law in laws.values() if not incompatibility(film, law))
             rows.append((f"{key} film, asperity law {suited}, {interface}", Choice(plain, suited, interface, key), True))
+    return rows + added_choices(plain, interface)
+
+
+def added_choices(plain: str, interface: str) -> list[tuple[str, Choice, bool]]:
+    """What is added to a model: other laws for its plastic junctions, and menisci, time at rest and contamination to a plain
+    one that shears its interface."""
+    rows = [
+        (f"{key}, plastic_junctions {junctions}", Choice(key, options={JUNCTIONS: junctions}), False)
+        for key, model in of_kind(RoughSurface).items()
+        if model.tangential != "none"
+        for junctions in find(model.tangential, TangentialLaw).junctions
+    ]
+    rows += [
+        (f"{kind.keyword} {key}", Choice(plain, tangential=interface, **{kind.keyword: key}), False)
+        for kind in (Meniscus, Ageing, Contamination)
+        for key in of_kind(kind)
+    ]
     return rows
 
 
@@ -298,9 +342,12 @@ def write(figures: list[tuple[str, float]]) -> None:
     ]
     lines += [f"- {name}: {value}" for name, value in about.items()]
     lines += ["", "| what | figure |", "|---|---|", *(f"| {name} | {value:.3g} |" for name, value in figures), ""]
+    results, commit = {"machine": about, "figures": dict(figures)}, history.commit_of(HERE)  # before files are written
     (HERE / "results.md").write_text("\n".join(lines))
-    (HERE / "results.json").write_text(json.dumps({"machine": about, "figures": dict(figures)}, indent=2) + "\n")
+    (HERE / "results.json").write_text(json.dumps(results, indent=2) + "\n")
+    history.append(history.record(results, commit))
     print("\n".join(lines))
+    print(history.told(history.read()))
 
 
 def main() -> None:

@@ -26,6 +26,7 @@ import gallery  # noqa: E402
 import model_pages  # noqa: E402
 import name_pages  # noqa: E402
 import notebooks  # noqa: E402
+import speed_page  # noqa: E402
 from dead_links import dead_links  # noqa: E402
 from links import ROOT, place_of, relinked  # noqa: E402
 
@@ -34,6 +35,7 @@ OTHERS = ("CHANGELOG.md", "CONTRIBUTING.md", "ARCHITECTURE.md")
 # Each writes its pages into the folder of sources, and gives the files of the project that they lead to.
 MADE: tuple[Callable[[Path], list[PurePosixPath]], ...] = (
     model_pages.write, name_pages.write, case_pages.write, command_pages.write, gallery.write, notebooks.write,
+    speed_page.write,
 )  # fmt: skip
 
 

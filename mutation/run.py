@@ -1,0 +1,268 @@
+"""Do the tests bite? Makes the code wrong in one place after another, and asks the tests that ought to notice.
+
+    python mutation/run.py                    # 150 edits, spread over the parts; those in results.jsonl are not run again
+    python mutation/run.py --minutes 30       # stop then; the next run goes on
+    python mutation/run.py --again survivors  # only what survived before, after tests were added
+    python mutation/run.py --only units       # only one part of targets.py
+    python mutation/run.py --report           # what results.jsonl says, without running anything
+
+Works in a copy of the tracked files, with kernels of its own; nothing here is a test, and nothing fails by it. Edits are chosen
+with a seed: the same ones, as long as their module is the same.
+"""
+
+import argparse
+import contextlib
+import io
+import json
+import multiprocessing
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import traceback
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from edits import Edit, edits
+from targets import LAST, PARTS, Part
+
+ROOT = Path(__file__).resolve().parents[1]
+RESULTS = ROOT / "mutation" / "results.jsonl"
+SLOW = ("numpy", "numba", "scipy.optimize", "scipy.integrate", "scipy.special", "scipy.stats", "scipy.signal")
+SLOW += ("scipy.interpolate", "xarray", "pydantic", "pint", "mpmath", "matplotlib.pyplot", "h5py", "lmfit")
+FAILED, BROKEN = 1, 99  # pytest: tests failed; above 1: they could not be run, as where a module cannot be imported
+PATIENCE = 4.0  # times as long as the tests take where nothing is wrong, and a minute for compiling
+
+
+class Mutant(NamedTuple):
+    part: Part
+    module: str
+    edit: Edit
+
+    @property
+    def key(self) -> dict[str, str | int]:
+        text = (ROOT / self.module).read_text(encoding="utf-8")
+        line = text.splitlines()[self.edit.line - 1].strip()
+        column = self.edit.start - (text.rfind("\n", 0, self.edit.start) + 1)
+        return {
+            "part": self.part.name, "module": self.module, "line": self.edit.line, "column": column, "kind": self.edit.kind,
+            "old": self.edit.old, "new": self.edit.new, "code": line,
+        }  # fmt: skip
+
+
+def chosen(count: int, seed: int) -> list[Mutant]:
+    """Edits drawn with a seed: the parts in turn, in each its modules in turn, so that any beginning of the list is spread."""
+    drawn = [_of_part(part, seed) for part in PARTS]
+    turns = [one for turn in zip(*(_endless(some) for some in drawn), strict=False) for one in turn if one]
+    return turns[:count]
+
+
+def _endless(mutants: Iterator[Mutant]) -> Iterator[Mutant | None]:
+    yield from mutants
+    for _ in range(10_000):
+        yield None
+
+
+def _of_part(part: Part, seed: int) -> Iterator[Mutant]:
+    rng = random.Random(f"{seed} {part.name}")
+    folder = ROOT / "src" / "stiction"
+    files = sorted({file for pattern in part.modules for file in folder.glob(pattern) if file.name != "__init__.py"})
+    rng.shuffle(files)
+    left = {}
+    for file in files:
+        left[file] = edits(file.read_text(encoding="utf-8"))
+        rng.shuffle(left[file])
+    while any(left.values()):
+        for file in files:
+            if left[file]:
+                yield Mutant(part, file.relative_to(ROOT).as_posix(), left[file].pop())
+
+
+def copy(folder: Path) -> Path:
+    """The tracked files, and the kernels that are compiled already, in a folder of their own."""
+    tree = folder / "tree"
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    for name in filter(None, listed.split("\0")):
+        if (ROOT / name).is_file():
+            (tree / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, tree / name)
+    sys.path.insert(0, str(ROOT / "src"))
+    from stiction.quantities.cache import cache_folder
+
+    kept = cache_folder("kernels")
+    if kept.is_dir():
+        shutil.copytree(kept, folder / "cache" / "kernels")
+    return tree
+
+
+def _asked(tree: str, tests: tuple[str, ...], told: str) -> None:
+    """In a process of its own: pytest on these tests, its words to a file."""
+    os.setsid()
+    os.chdir(tree)
+    sys.path[:0] = [f"{tree}/src", tree]
+    sys.dont_write_bytecode = True  # an edit may keep a file's length and second
+    with Path(told).open("w", encoding="utf-8") as file, contextlib.redirect_stdout(file), contextlib.redirect_stderr(file):
+        code = BROKEN
+        try:
+            import pytest
+
+            code = int(pytest.main(["-x", "-q", "-p", "no:cacheprovider", *tests]))
+        except BaseException:
+            traceback.print_exc()
+    os._exit(code)
+
+
+class Asking:
+    """Runs tests of the copy; processes are forked from one that has the slow libraries already."""
+
+    def __init__(self, folder: Path):
+        self.folder, self.tree = folder, copy(folder)
+        os.environ |= {
+            "STICTION_CACHE_DIR": str(folder / "cache"), "PYTHONPATH": str(self.tree / "src"), "PYTHONDONTWRITEBYTECODE": "1",
+            "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MPLBACKEND": "Agg",
+        }  # fmt: skip
+        self.processes = multiprocessing.get_context("forkserver")
+        self.processes.set_forkserver_preload(list(SLOW))
+        self.usual: dict[tuple[str, ...], float] = {}
+
+    def run(self, tests: tuple[str, ...], seconds: float) -> tuple[str, str]:
+        """('passed', 'failed', 'error' or 'time', the first failing test)."""
+        shutil.rmtree(self.folder / "cache" / "contacts", ignore_errors=True)  # solved contacts know nothing of the edit
+        told = self.folder / "told"
+        process = self.processes.Process(target=_asked, args=(str(self.tree), tests, str(told)))
+        process.start()
+        for _ in range(int(seconds)):  # second by second: one in which all stood still, as on a machine that sleeps, is one
+            process.join(1.0)
+            if not process.is_alive():
+                break
+        if process.is_alive():
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.join()
+            return "time", ""
+        said = told.read_text(encoding="utf-8") if told.exists() else ""
+        if process.exitcode == BROKEN or process.exitcode is None or process.exitcode < 0:
+            raise SystemExit(
+                f"tests could not be asked: {told.read_text(encoding='utf-8') if told.exists() else process.exitcode}"
+            )
+        names = {0: "passed", FAILED: "failed"}
+        said = told.read_text(encoding="utf-8") if told.exists() else ""
+        first = next((line.split(" ", 1)[1] for line in said.splitlines() if line.startswith(("FAILED ", "ERROR "))), "")
+        return names.get(process.exitcode or 0, "error"), first.split(" - ")[0]
+
+    def patience(self, tests: tuple[str, ...]) -> float:
+        """Seconds to wait for tests; they must pass where nothing is edited."""
+        if tests not in self.usual:
+            start = time.monotonic()
+            outcome, first = self.run(tests, 1800.0)
+            if outcome != "passed":
+                print((self.folder / "told").read_text(encoding="utf-8"))
+                raise SystemExit(f"the tests do not pass as the code is: {first or outcome}")
+            self.usual[tests] = time.monotonic() - start
+            print(f"{self.usual[tests]:.0f} s as the code is: {' '.join(tests)}", flush=True)
+        return 60.0 + PATIENCE * self.usual[tests]
+
+    def verdict(self, mutant: Mutant) -> dict[str, str | float]:
+        """Whether it was killed, by what, and how long that took."""
+        patience = self.patience(mutant.part.tests)
+        late = self.patience(LAST) if mutant.part.pinned else 0.0
+        start, file = time.monotonic(), self.tree / mutant.module
+        whole = file.read_text(encoding="utf-8")
+        file.write_text(mutant.edit.of(whole), encoding="utf-8")
+        try:
+            outcome, first = self.run(mutant.part.tests, patience)
+            by = "tests"
+            if outcome == "passed" and mutant.part.pinned:
+                (outcome, first), by = self.run(LAST, late), "pinned results alone"
+        finally:
+            file.write_text(whole, encoding="utf-8")
+        found = {"outcome": "survived" if outcome == "passed" else "killed", "by": by, "how": outcome, "first": first}
+        if outcome == "passed":
+            del found["by"], found["how"], found["first"]
+        return found | {"seconds": round(time.monotonic() - start, 1), "date": time.strftime("%Y-%m-%d")}
+
+
+def known() -> dict[str, dict]:
+    """Verdicts so far, the latest of each edit, by edit."""
+    lines = RESULTS.read_text(encoding="utf-8").splitlines() if RESULTS.exists() else []
+    rows = [json.loads(line) for line in lines]
+    return {_identity(row): row for row in rows}
+
+
+def _identity(row: dict) -> str:
+    """Of an edit: lines may move, what stands in them not."""
+    return json.dumps([row["module"], row["code"], row["column"], row["old"], row["new"]])
+
+
+def _keep(rows: dict[str, dict]) -> None:
+    text = "".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows.values())
+    part = RESULTS.with_suffix(".part")
+    part.write_text(text, encoding="utf-8")
+    part.replace(RESULTS)
+
+
+def report(rows: dict[str, dict]) -> str:
+    """Kill rate, in all and by part, and what survived."""
+    every = list(rows.values())
+    out = io.StringIO()
+    for part in [None, *PARTS]:
+        some = [row for row in every if part is None or row["part"] == part.name]
+        killed = [row for row in some if row["outcome"] == "killed"]
+        alone = sum(row["by"] != "tests" for row in killed)
+        same = sum(row["outcome"] == "equivalent" for row in some)
+        name = "all" if part is None else part.name
+        if some:
+            note = f", {alone} of them by pinned results alone" if alone else ""
+            note += f"; {same} change nothing that can be seen" if same else ""
+            print(f"{name}: {len(killed)} of {len(some)} killed ({len(killed) / len(some):.0%}){note}", file=out)
+    for row in every:
+        if row["outcome"] != "killed":
+            why = f" - {row['why']}" if "why" in row else ""
+            edit = f"{row['old']!r} -> {row['new']!r}"
+            print(f"{row['outcome']}: {row['module']}:{row['line']}: {edit} in `{row['code']}`{why}", file=out)
+    return out.getvalue().rstrip()
+
+
+def main() -> None:
+    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("--count", type=int, default=150)
+    words.add_argument("--seed", type=int, default=17)
+    words.add_argument("--minutes", type=float, default=1e9)
+    words.add_argument("--again", choices=("survivors",))
+    words.add_argument("--only", help="a part of targets.py")
+    words.add_argument("--report", action="store_true")
+    given = words.parse_args()
+    rows = known()
+    if not given.report:
+        run(given, rows)
+    print(report(rows))
+
+
+def run(given: argparse.Namespace, rows: dict[str, dict]) -> None:
+    """Ask for what is not known, and keep each verdict as it comes."""
+    end = time.monotonic() + 60.0 * given.minutes
+    wanted = [one for one in chosen(given.count, given.seed) if given.only in (None, one.part.name)]
+    if given.again:
+        wanted = [one for one in wanted if rows.get(_identity(one.key), {}).get("outcome") == "survived"]
+    else:
+        wanted = [one for one in wanted if _identity(one.key) not in rows]
+    with tempfile.TemporaryDirectory() as folder:
+        asking = Asking(Path(folder))
+        for at, mutant in enumerate(wanted, 1):
+            if time.monotonic() > end:
+                break
+            key = mutant.key
+            row = key | asking.verdict(mutant)
+            rows[_identity(key)] = row
+            _keep(rows)
+            print(f"{at}/{len(wanted)} {row['outcome']:8} {row['seconds']:6.1f} s  {row['module']}:{row['line']} "
+                  f"{row['old']!r} -> {row['new']!r}  {row.get('first', '')}", flush=True)  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()

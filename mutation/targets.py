@@ -1,0 +1,76 @@
+"""Which modules are made wrong, and which tests ought to notice: folders of laws by their kind, the rest by name.
+
+Tests stand in the order in which they are asked, those that take seconds first. `LAST` is asked where all of these pass.
+"""
+
+from typing import NamedTuple
+
+TABLES = "tests/contract/test_reference_tables.py"
+# Results held to what they were, which say nothing of whether they are right: a kill by them alone is counted apart.
+LAST = ("tests/pinned",)
+
+
+class Part(NamedTuple):
+    """name; modules: patterns below src/stiction; tests: paths from the root; pinned: whether LAST is asked too."""
+
+    name: str
+    modules: tuple[str, ...]
+    tests: tuple[str, ...]
+    pinned: bool = True
+
+
+def _tests(folder: str, *names: str) -> tuple[str, ...]:
+    return tuple(f"tests/{folder}/test_{name}.py" for name in names)
+
+
+PARTS = (
+    Part("asperity laws", ("laws/asperity/*.py", "laws/asperity/shared/*.py"),
+         (TABLES, *_tests("asperity", "asperities", "adhesive", "elastic_plastic", "hardening", "unloading"),
+          "tests/contract/test_asperity_records.py")),
+    Part("tangential laws", ("laws/tangential/*.py", "laws/tangential/shared/*.py"),
+         (TABLES, *_tests("friction", "tangential_laws", "hamilton", "junctions", "layered_friction", "layered_lesser"))),
+    Part("film laws", ("laws/film/*.py", "laws/film/shared/*.py"),
+         (TABLES, *_tests("coating", "films_published", "plastic_films", "graded", "graded_by_hand", "layered", "in_series",
+                          "two_bodies"), "tests/contract/test_film_limits.py")),
+    Part("rough surfaces", ("laws/rough_surface/*.py", "laws/rough_surface/shared/*.py"),
+         (TABLES, *_tests("models", "rough_surfaces", "spectral", "corrected_diffusion", "persson_widened", "n_point",
+                          "rough_on_film"))),
+    Part("other laws", ("laws/composite/*.py", "laws/meniscus/*.py", "laws/ageing/*.py", "laws/contamination/*.py",
+                        "laws/criterion/*.py", "laws/presliding/*.py", "laws/presliding/shared/*.py"),
+         ("tests/coating/test_two_bodies.py", "tests/menisci", *_tests("friction", "ageing", "contamination",
+                                                                       "sliding_inception", "sliding"),
+          "tests/models/test_spectral.py")),
+    Part("joining", ("laws/joining.py", "laws/piece.py"), (TABLES, "tests/friction/test_tangential_laws.py")),
+    Part("units", ("quantities/units.py", "quantities/dimensions.py", "quantities/inputs.py", "quantities/hardness.py",
+                   "quantities/quantity.py"),
+         ("tests/units", "tests/evaluate/test_refusals.py", "tests/case/test_hostile.py", "tests/contact/test_contact.py",
+          "tests/materials")),
+    Part("groups", ("contact/indices.py", "contact/pair.py", "contact/contact.py", "contact/roughness.py",
+                    "contact/size_effect.py"),
+         (*_tests("contact", "size_effect", "contact", "bounds_of_groups", "wrong_use"),
+          "tests/contract/test_swapped_bodies.py", "tests/evaluate/test_evaluate.py")),
+    Part("layers", ("contact/layered/*.py",), _tests("contact", "layered_sphere", "layered_stresses", "layered_yield")),
+    Part("engine", ("engine/heights.py", "engine/bisection.py", "engine/crossings.py", "engine/skeleton.py",
+                    "engine/summation.py", "engine/sum_kernels.py", "engine/at_loads.py"),
+         (*_tests("engine", "crossings", "heights", "skeleton", "summation", "threads"), TABLES,
+          *_tests("evaluate", "inversion", "loads_asked", "tiny_loads"))),
+    Part("inversion", ("solving/inversion.py", "solving/unloading.py", "solving/pointwise.py", "solving/measured_error.py",
+                       "solving/sliding.py"),
+         (*_tests("evaluate", "inversion", "loads_asked", "tiny_loads"), "tests/models/test_unloading_sums.py",
+          "tests/compare/test_measured_error.py", "tests/friction/test_sliding.py")),
+    Part("statistics", ("surfaces/statistics.py", "surfaces/spectrum.py", "surfaces/prepare.py", "surfaces/johnson.py",
+                        "surfaces/theory/*.py", "laws/asperity_method/*.py", "laws/asperity_method/shared/*.py"),
+         (*_tests("surfaces", "statistics", "spectrum", "prepare", "asperity_methods", "generate", "edges"),
+          "tests/models/test_spectral.py"), False),
+    Part("map contact", ("surfaces/boundary_elements/*.py",),
+         _tests("surfaces/boundary_elements", "compliance", "known_contacts", "area_estimates", "sizes_and_pixels"), False),
+    Part("sweeps", ("studies/sweep_plan.py", "studies/sweep_blocks.py", "studies/sweep_store.py", "studies/quantile_counts.py",
+                    "studies/several.py"),
+         (*_tests("several", "quantile_counts", "several", "sweep"),), False),
+    Part("uncertainty", ("studies/distribution.py", "studies/indices_of_variance.py", "studies/elasticities.py",
+                         "studies/bands.py"),
+         _tests("uncertain", "indices", "uncertain_numbers", "bands", "sensitivity"), False),
+    Part("fits", ("studies/fit_model.py", "studies/fit_answer.py", "studies/fit_bands.py", "studies/fit_evidence.py",
+                  "studies/fit_search.py", "studies/measurements.py"),
+         _tests("fit", "measurements", "fit"), False),
+)  # fmt: skip
