@@ -60,6 +60,7 @@ def test_draws_are_called_what_they_are():
 
 def test_no_model_is_left_out_of_the_dots_however_little_it_says():
     said = {"friction_coefficient_at_load": [0.3, 2e-9, 0.1], "family_of_curve": ["a"] * 3, "outside_validity": [""] * 3}
+    said["plastic_junctions_resist"] = [False] * 3
     data = xarray.Dataset({name: ("model", values) for name, values in said.items()}, {"model": ["most", "least", "some"]})
     assert sorted(rows_of_models(data)) == [0, 1, 2]
     figure = models_figure(data)

@@ -74,19 +74,26 @@ def browser():
 
 
 @pytest.fixture(scope="module")
-def page(browser, address):
+def context(browser):
+    """One for all pages, so that what the server gives away is loaded once."""
+    one = browser.new_context(viewport={"width": 1280, "height": 900}, color_scheme="light", accept_downloads=True)
+    yield one
+    one.close()
+
+
+@pytest.fixture(scope="module")
+def page(context, address):
     """One page for all tests that leave its case as it is."""
-    yield from _pages(browser, address, width=1280)
+    yield from _pages(context, address)
 
 
 @pytest.fixture
-def fresh(browser, address):
+def fresh(context, address):
     """A page of its own."""
-    yield from _pages(browser, address, width=1280)
+    yield from _pages(context, address)
 
 
-def _pages(browser, address, width, scheme="light"):
-    context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme, accept_downloads=True)
+def _pages(context, address):
     page = context.new_page()
     page.set_default_timeout(30 * SECOND)
     asked = []
@@ -94,7 +101,7 @@ def _pages(browser, address, width, scheme="light"):
     page.on("pageerror", lambda error: asked.append(f"error: {error}"))
     _open(page, address)
     yield page
-    context.close()
+    page.close()
     assert not [url for url in asked if not url.startswith((address, address.replace("http", "ws"), "data:", "blob:"))]
 
 

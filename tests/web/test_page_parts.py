@@ -16,7 +16,7 @@ import stiction.web
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
 from stiction.studies.findings import find_out
-from stiction.web.asked import Question, compared, solved
+from stiction.web.asked import Question, solved
 from stiction.web.charts import chart, line
 from stiction.web.downloads import report_of
 from stiction.web.first import first_case
@@ -35,8 +35,8 @@ def answer():
 def test_laws_are_imported_before_the_server_answers():
     code = (
         "import sys; from stiction.web import asked, server; asked_of = server.question_of(None)\n"
-        "before = set(sys.modules); answer = asked.solved(asked_of)\n"
-        "asked.model_names(answer.case), asked.option_values(answer.data)\n"
+        "before = set(sys.modules); case = asked.case_asked(asked_of)\n"
+        "asked.model_names(case), asked.option_values(None)\n"
         "[asked.law_keys(one) for one in asked.CHOSEN_BY_KEY]\n"
         "print(sorted(one for one in set(sys.modules) - before if one.startswith('stiction')))"
     )
@@ -99,7 +99,7 @@ def _endless(progress):
 
 @pytest.mark.parametrize("wish", [0.0, -1.0, math.nan, math.inf])
 def test_a_wish_that_no_friction_can_be_is_refused(wish):
-    with pytest.raises(InputError, match="wished mu: .*; allowed: a number above 0"):
+    with pytest.raises(InputError, match=r"wished mu: .*; allowed: a number above 0"):
         designed(Question(first_case()), "1 N", wish, {}, Progress())
 
 
@@ -133,11 +133,7 @@ def test_a_study_that_is_stopped_before_its_turn_does_not_begin():
         progress.watched(lambda progress: pytest.fail("it began"))
 
 
-def test_the_report_tells_how_far_it_is_and_is_stopped(answer):
-    progress, seen = Progress(), []
-    progress.check = lambda: seen.append(progress.text)
-    assert report_of(answer, progress).startswith(b"<!DOCTYPE html>")
-    assert {"Asking the models", "Drawing"} <= set(seen)
+def test_the_report_is_stopped(answer):
     stopped = Progress()
     stopped.stop()
     with pytest.raises(KeyboardInterrupt):
@@ -147,8 +143,8 @@ def test_the_report_tells_how_far_it_is_and_is_stopped(answer):
 def test_mu_has_the_same_digits_on_the_page_and_in_the_report(answer):
     at = answer.middle()
     load = float(answer.curve["load"].values[at])
-    said = report_record(find_out(answer.case, load=load))
-    models = compared(answer.question, load, lambda text: iter).data
+    found = find_out(answer.case, load=load)
+    said, models = report_record(found), found.answer.told
     ends = [float(models[f"spread_{end}"].sel(spread="models")) for end in ("low", "high")]
     number, where = headline(answer, at, ends)
     assert number == f"mu ≈ {said['friction_coefficient_rounded']}"
