@@ -24,9 +24,7 @@ DATA = (
 OF_SDIST = ("tests", "docs", "examples", "benchmarks", "truth", "validation", "release", "pyproject.toml", "Makefile",
             "README.md", "LICENSE", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "ARCHITECTURE.md",
             "requirements.lock")  # fmt: skip
-LEFTOVERS = re.compile(
-    r"(^|/)(__pycache__|\.venv|\.git|build|dist|demo|\.\w+_cache|\.hypothesis|\.ci)/|\.(pyc|nbi|nbc|so)$|READ_ME_FIRST"
-)
+LEFTOVERS = re.compile(r"(^|/)(__pycache__|\.venv|\.git|build|dist|demo|\.\w+_cache|\.hypothesis|\.ci)/|\.(pyc|nbi|nbc|so)$")
 MOST = {".whl": 2.0e6, ".gz": 5.0e6}  # bytes
 
 
