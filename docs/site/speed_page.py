@@ -99,5 +99,7 @@ def last(known: list[dict[str, Any]]) -> str:
         for name, ratios in now["ratios"].items()
     ]
     head = ["| benchmark | ratio to scipy.quad | ratio to NumPy's exponentials |", "| --- | --- | --- |"]
-    said = [f"- {line}" for line in history.falls(known)] or ["No ratio fell by a quarter or more from the record before it."]
+    said = [f"- {line}" for line in (*history.moved_peers(known), *history.falls(known))] or [
+        "No ratio fell by a quarter or more from the record before it."
+    ]
     return "\n".join([f"{now['date']}, {now['commit']}; {about}; {now['versions']}.", "", *said, "", *head, *rows, ""])
