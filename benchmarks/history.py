@@ -45,11 +45,14 @@ def record(results: dict[str, Any], commit: str) -> dict[str, Any]:
     return {"commit": commit, "date": about["date"], "machine": machine, "versions": about["versions"], "ratios": ratios}
 
 
-def commit_of(folder: Path) -> str:
-    """Of the code that is run; `-dirty` where files differ from it, empty where nothing is known of it."""
-    asked = ("git", "describe", "--always", "--dirty", "--exclude=*")
+def commit_of(root: Path) -> str:
+    """Of the code that is run; `-dirty` where src or benchmarks differ from it, empty where nothing is known of it."""
+
+    def said(*words: str) -> str:
+        return subprocess.run(["git", *words], cwd=root, check=True, capture_output=True, text=True).stdout.strip()
+
     try:
-        return subprocess.run(asked, cwd=folder, check=True, capture_output=True, text=True).stdout.strip()
+        return said("rev-parse", "--short", "HEAD") + "-dirty" * bool(said("status", "--porcelain", "src", "benchmarks"))
     except (OSError, subprocess.CalledProcessError):
         return ""
 

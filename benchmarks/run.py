@@ -306,7 +306,7 @@ def write(figures: list[tuple[str, float]]) -> None:
     ]
     lines += [f"- {name}: {value}" for name, value in about.items()]
     lines += ["", "| what | figure |", "|---|---|", *(f"| {name} | {value:.3g} |" for name, value in figures), ""]
-    results, commit = {"machine": about, "figures": dict(figures)}, history.commit_of(HERE)  # before files are written
+    results, commit = {"machine": about, "figures": dict(figures)}, history.commit_of(HERE.parent)  # before files are written
     (HERE / "results.md").write_text("\n".join(lines))
     (HERE / "results.json").write_text(json.dumps(results, indent=2) + "\n")
     history.append(history.record(results, commit))

@@ -1,10 +1,10 @@
 """Do the tests bite? Makes the code wrong in one place after another, and asks the tests that ought to notice.
 
-    python mutation/run.py                    # 150 edits, spread over the parts; those in results.jsonl are not run again
-    python mutation/run.py --minutes 30       # stop then; the next run goes on
-    python mutation/run.py --again survivors  # only what survived before, after tests were added
-    python mutation/run.py --only units       # only one part of targets.py
-    python mutation/run.py --report           # what results.jsonl says, without running anything
+    python mutation/mutate.py                    # 150 edits, spread over the parts; those in results.jsonl are not run again
+    python mutation/mutate.py --minutes 30       # stop then; the next run goes on
+    python mutation/mutate.py --again survivors  # only what survived before, after tests were added
+    python mutation/mutate.py --only units       # only one part of targets.py
+    python mutation/mutate.py --report           # what results.jsonl says, without running anything
 
 Works in a copy of the tracked files, with kernels of its own; nothing here is a test, and nothing fails by it. Edits are chosen
 with a seed: the same ones, as long as their module is the same.
@@ -197,6 +197,20 @@ def _keep(rows: dict[str, dict]) -> None:
     part.replace(RESULTS)
 
 
+def rate(rows: dict[str, dict]) -> str:
+    """The line of CONTRIBUTING.md: how many were killed of how many that were run, and when."""
+    every = list(rows.values())
+    killed = [row for row in every if row["outcome"] == "killed"]
+    alone, same = sum(row["by"] != "tests" for row in killed), sum(row["outcome"] == "equivalent" for row in every)
+    counted = len(every) - same
+    last = max((row["date"] for row in every), default="never")
+    share = f" ({100.0 * len(killed) / counted:.0f} %)" if counted else ""
+    return (
+        f"Kill rate: {len(killed)} of {counted} edits{share}, {alone} of them by pinned results alone; "
+        f"{same} more change nothing that can be seen; last run {last}."
+    )
+
+
 def report(rows: dict[str, dict]) -> str:
     """Kill rate, in all and by part, and what survived."""
     every = list(rows.values())
@@ -232,6 +246,7 @@ def main() -> None:
     if not given.report:
         run(given, rows)
     print(report(rows))
+    print(rate(rows))
 
 
 def run(given: argparse.Namespace, rows: dict[str, dict]) -> None:
