@@ -4,7 +4,7 @@
     python mutation/mutate.py --minutes 30       # stop then; the next run goes on
     python mutation/mutate.py --again survivors  # only what survived before, after tests were added
     python mutation/mutate.py --only units       # only one part of targets.py
-    python mutation/mutate.py --report           # what results.jsonl says, without running anything
+    python mutation/mutate.py --report           # what results.jsonl says, without running anything; CONTRIBUTING.md has it then, too
 
 Works in a copy of the tracked files, with kernels of its own; nothing here is a test, and nothing fails by it. Edits are chosen
 with a seed: the same ones, as long as their module is the same.
@@ -17,6 +17,7 @@ import json
 import multiprocessing
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -211,6 +212,13 @@ def rate(rows: dict[str, dict]) -> str:
     )
 
 
+def tell(line: str) -> None:
+    """Print the line, and write it where it stands in CONTRIBUTING.md."""
+    print(line)
+    page = ROOT / "CONTRIBUTING.md"
+    page.write_text(re.sub(r"(?m)^Kill rate: .*$", line, page.read_text(encoding="utf-8")), encoding="utf-8")
+
+
 def report(rows: dict[str, dict]) -> str:
     """Kill rate, in all and by part, and what survived."""
     every = list(rows.values())
@@ -246,7 +254,7 @@ def main() -> None:
     if not given.report:
         run(given, rows)
     print(report(rows))
-    print(rate(rows))
+    tell(rate(rows))
 
 
 def run(given: argparse.Namespace, rows: dict[str, dict]) -> None:

@@ -20,7 +20,7 @@ for at, (column, name) in enumerate(MODELS.items()):
     axes.fill_between(known["loads"], *np.nanpercentile(error, [10.0, 90.0], axis=0), color=f"C{at}", alpha=0.15, linewidth=0)
     axes.semilogx(known["loads"], np.nanmean(error, axis=0), "o-", markersize=3, color=f"C{at}", label=name)
 axes.axhline(0.0, color="black", linewidth=0.8)
-axes.set(xlabel="mean pressure over $E^*h'$", ylabel="error of the contact area [%]")
+axes.set(xlabel="mean pressure over $E^*h'$", ylabel="error of the contact area [%]", ylim=(-80.0, 20.0))
 axes.grid(alpha=0.3)
 axes.legend(fontsize="x-small")
 figure.savefig("errors.png", dpi=150)
