@@ -4,7 +4,7 @@
     python mutation/mutate.py --minutes 30       # stop then; the next run goes on
     python mutation/mutate.py --again survivors  # only what survived before, after tests were added
     python mutation/mutate.py --only units       # only one part of targets.py
-    python mutation/mutate.py --report           # what results.jsonl says, without running anything; CONTRIBUTING.md has it then, too
+    python mutation/mutate.py --report           # what results.jsonl says, and CONTRIBUTING.md then too
 
 Works in a copy of the tracked files, with kernels of its own; nothing here is a test, and nothing fails by it. Edits are chosen
 with a seed: the same ones, as long as their module is the same.
