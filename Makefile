@@ -2,8 +2,9 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+TOOLS := build/release-tools
 
-.PHONY: demo test bench docs truth check lock clean
+.PHONY: demo test bench docs truth check packages try-install release-check lock clean
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.ready
@@ -37,9 +38,32 @@ $(VENV)/.ready: requirements.lock pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
 	@touch $@
 
+# Wheel and sdist, build/dist, checked: what is said of them, and what is in them.
+packages: $(VENV)/.ready $(TOOLS)/.ready
+	rm -rf build/dist
+	$(BIN)/python -m build --no-isolation --outdir build/dist .
+	$(TOOLS)/bin/twine check --strict build/dist/*
+	$(BIN)/python release/contents.py build/dist
+
+# The wheel in empty environments, alone and with each extra: takes minutes, and needs what pip reaches.
+try-install: packages
+	$(BIN)/python release/try_install.py
+
+# Everything that has to hold before a version is given away; says what is left to do by hand.
+release-check: $(VENV)/.ready $(TOOLS)/.ready
+	$(BIN)/python release/check.py
+
+# What only a release needs has an environment of its own.
+$(TOOLS)/.ready: release/tools.lock
+	$(PYTHON) -m venv $(TOOLS)
+	$(TOOLS)/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes -r release/tools.lock
+	@touch $@
+
 # Maintainers only: needs the tool uv.
+LOCKED := uv pip compile --quiet --universal --generate-hashes --no-header --python-version 3.11
 lock:
-	uv pip compile --quiet --universal --generate-hashes --no-header --python-version 3.11 --extra dev pyproject.toml -o requirements.lock
+	$(LOCKED) --extra dev pyproject.toml -o requirements.lock
+	$(LOCKED) release/tools.in -o release/tools.lock
 
 clean:
 	rm -rf $(VENV) demo build

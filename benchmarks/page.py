@@ -140,7 +140,7 @@ class Visitor:
         named = {one.get("props", {}).get("aria-label"): name for name, one in elements.items()}
         self._slider = int(named[f"{LABEL}, slider"])
         self._listeners = [one["listener_id"] for one in elements[str(self._slider)]["events"]]
-        self._label = next(name for name, one in elements.items() if "text-3xl" in one.get("class", []))
+        self._label = next(name for name, one in elements.items() if "where" in one.get("class", []))
         self._socket = socketio.AsyncClient()
         self._socket.on("update", self._updated)
         query = f"client_id={self._client}&next_message_id=0&implicit_handshake=true&document_id=d&tab_id=t&old_tab_id=o"
@@ -181,7 +181,7 @@ def expected(place: float) -> str:
 
     given = show(10.0**place, "asperity_radius", 4)
     answer = solved(Question(placed(first_case(), ("contact", "roughness", "asperity_radius"), given)))
-    return headline(answer, answer.middle())[0]
+    return headline(answer, answer.middle())[1]
 
 
 async def _visits(address: str, process: int) -> None:

@@ -31,7 +31,19 @@ import stiction as st  # noqa: E402
 from stiction.contact.indices import Groups, stiffness_group  # noqa: E402
 from stiction.engine.heights import gaussian  # noqa: E402
 from stiction.engine.summation import totals_on_grid  # noqa: E402
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, incompatibility, of_kind  # noqa: E402
+from stiction.laws.registry import (  # noqa: E402
+    JUNCTIONS,
+    Ageing,
+    AsperityLaw,
+    Contamination,
+    FilmLaw,
+    Meniscus,
+    RoughSurface,
+    TangentialLaw,
+    find,
+    incompatibility,
+    of_kind,
+)
 from stiction.solving.choice import Choice  # noqa: E402
 from stiction.solving.problem import problem_of  # noqa: E402
 
@@ -112,8 +124,8 @@ def thread_rows() -> list[tuple[str, float]]:
     return rows
 
 
-def groups_of_models(count: int, film: bool) -> Groups:
-    """Random contacts with every group that some model needs."""
+def groups_of_models(count: int, film: bool, choice: Choice) -> Groups:
+    """Random contacts with every group that some model needs, and those that only laws which are chosen may be given."""
     rng, ones = np.random.default_rng(4), np.ones(count)
     nu, k = 0.3 * ones, 2.8 * ones
     coating = {}
@@ -129,7 +141,13 @@ def groups_of_models(count: int, film: bool) -> Groups:
         }
     others = {"tabor_parameter": 10 ** rng.uniform(-1, 1, count), "sharpness": 0.03 * ones, "roughness_parameter": 0.05 * ones}
     others |= {"nominal_width": 2e4 * ones, "shear_strength": 0.1 * ones, "pressure_coefficient": 0.05 * ones}
-    others |= {"hardening": 0.01 * ones}
+    others |= {"hardening": 0.01 * ones, "peeling": 0.3 * ones}
+    if choice.meniscus:
+        others |= {"meniscus_index": 10 ** rng.uniform(-2, 0, count), "meniscus_height": 10 ** rng.uniform(-2, 0, count)}
+    if choice.ageing:
+        others |= {"waiting": 1e3 * ones, "strengthening": 0.02 * ones}
+    if choice.contamination:
+        others |= {"strength_variation": 0.5 * ones}
     return Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
 
 
@@ -137,10 +155,10 @@ def speed_of_model(choice: Choice, film: bool) -> float:
     """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
     model = find(choice.model, RoughSurface)
     count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
-    groups = groups_of_models(count, film)
-    if model.asperity:
+    groups = groups_of_models(count, film, choice)
+    if model.asperity and not choice.contamination:  # whose variance is a sum of its own
         seconds = best(lambda: totals_on_grid(problem_of(groups, choice).regimes, SEPARATIONS, gaussian()), repeats=3)
-    elif model.curve is not None:
+    elif model.asperity or model.curve is not None:
         seconds = best(lambda: problem_of(groups, choice).on_grid(SEPARATIONS), repeats=3)
     else:
         load = np.tile(10 ** np.linspace(-6.0, 0.0, SEPARATIONS.size), (count, 1))
@@ -208,6 +226,23 @@ def model_choices() -> list[tuple[str, Choice, bool]]:
         else:
             suited = next(law.key for law in laws.values() if not incompatibility(film, law))
             rows.append((f"{key} film, asperity law {suited}, {interface}", Choice(plain, suited, interface, key), True))
+    return rows + added_choices(plain, interface)
+
+
+def added_choices(plain: str, interface: str) -> list[tuple[str, Choice, bool]]:
+    """What is added to a model: other laws for its plastic junctions, and menisci, time at rest and contamination to a plain
+    one that shears its interface."""
+    rows = [
+        (f"{key}, plastic_junctions {junctions}", Choice(key, options={JUNCTIONS: junctions}), False)
+        for key, model in of_kind(RoughSurface).items()
+        if model.tangential != "none"
+        for junctions in find(model.tangential, TangentialLaw).junctions
+    ]
+    rows += [
+        (f"{kind.keyword} {key}", Choice(plain, tangential=interface, **{kind.keyword: key}), False)
+        for kind in (Meniscus, Ageing, Contamination)
+        for key in of_kind(kind)
+    ]
     return rows
 
 

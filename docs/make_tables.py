@@ -6,6 +6,7 @@
 - published-models.md: a section for each, the docstring of its file and what its record says;
 - materials.md: the presets, from their files;
 - truth.md: how far models are from solved surfaces, from the set of these (truth_tables.py);
+- what-mu-rests-on.md: friction of one contact with each assumption switched (what_mu_rests_on.py);
 - tests/reference/README.md: how each table of numbers was made, from the docstrings of the scripts that make them.
 
 Each stands in its page between a line "<!-- NAME: begin, made by docs/make_tables.py -->" and "<!-- NAME: end -->".
@@ -41,6 +42,7 @@ from stiction.surfaces.read import readers
 HERE = Path(__file__).parent
 sys.path.append(str(HERE))
 import truth_tables  # noqa: E402 - beside this file
+import what_mu_rests_on  # noqa: E402
 
 REFERENCE = HERE.parent / "tests" / "reference"
 SECTIONS = "published-models.md"
@@ -356,6 +358,7 @@ TABLES = {
     "which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},
     "trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt, "costs": costs},
     "truth.md": truth_tables.TABLES,
+    "what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},
     "materials.md": {"materials": materials, "sources of materials": material_sources},
     "../tests/reference/README.md": {"scripts": reference_scripts},
 }

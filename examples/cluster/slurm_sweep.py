@@ -19,7 +19,7 @@ def main(case: str, store: str) -> int:
         walltime="04:00:00",
         job_script_prologue=["export OMP_NUM_THREADS=1"],
     ) as cluster:
-        cluster.adapt(minimum_jobs=1, maximum_jobs=64)
+        cluster.adapt(minimum_jobs=64, maximum_jobs=64)  # those whose time is up are submitted again
         return subprocess.call(["stiction", "sweep", case, "--out", store, "--scheduler", cluster.scheduler_address])
 
 

@@ -47,3 +47,28 @@ def test_units_are_read_again_from_the_cache_and_anew_if_it_is_damaged(tmp_path)
 def test_it_starts_as_a_module_too():
     run = subprocess.run([sys.executable, "-m", "stiction", "models", "--json"], capture_output=True, text=True, check=True)
     assert '"greenwood_williamson_1966"' in run.stdout
+
+
+INTERRUPTED_WHILE_IMPORTING = """
+import signal, sys
+
+class Finder:
+    def find_spec(name, path=None, target=None):
+        if name == "typer":
+            signal.raise_signal(signal.SIGINT)
+
+sys.meta_path.insert(0, Finder)
+from stiction.cli import main
+main()
+"""
+
+
+def test_an_interruption_of_imports_is_one_line():
+    done = subprocess.run([sys.executable, "-c", INTERRUPTED_WHILE_IMPORTING], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "stiction: interrupted\n")
+
+
+def test_imported_by_somebody_else_it_leaves_interruptions_to_them():
+    code = "import signal; {before}; one = signal.getsignal(2); import stiction.cli; assert signal.getsignal(2) is one"
+    for before in ("pass", "signal.signal(2, signal.SIG_IGN)"):
+        assert subprocess.run([sys.executable, "-c", code.format(before=before)], check=False).returncode == 0

@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import re
 import warnings
 
 import numpy as np
@@ -13,12 +14,16 @@ from typer.testing import CliRunner
 import stiction as st
 from cases import STEEL_ON_STEEL
 from stiction.cli import app
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, of_kind
+from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
 from stiction.report.comparison_pictures import comparison_figure
 from stiction.report.comparison_rows import at_load_rows, comparison
+from stiction.report.families import families_of, said_of_plastic_junctions
+from stiction.report.model_pictures import models_figure, rows_of_models
+from stiction.report.tables import comparison_summary
 from stiction.studies.case import read_case
 from stiction.studies.case_results import compare_case
 from stiction.studies.comparison import candidates, compare, working_load
+from stiction.web.charts import comparison_chart
 
 SURFACE = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
 STEEL = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2"}
@@ -355,7 +360,7 @@ def test_the_picture_ends_curves_where_they_cannot_be_and_names_them():
         lines = [line for line in axes.lines if not line.get_label().startswith("_")]
         assert names <= {line.get_label() for line in lines} and names
         for line in lines:
-            one = data.sel(model=line.get_label())
+            one = data.sel(model=line.get_label().partition(" (")[0])
             impossible = one["load"].values[one["doubtful"].values == 2]
             assert not impossible.size or not np.isin(impossible, np.asarray(line.get_xdata())).any()
 
@@ -401,3 +406,44 @@ def test_the_picture_of_models_that_say_nothing_of_friction():
         figure = comparison_figure(none)
         figure.draw_without_rendering()
     assert "interfacial_shear_strength" in figure.axes[0].texts[0].get_text()
+
+
+# By what plastic junctions resist -------------------------------------------------------------------------------------------
+
+
+def test_families_by_what_plastic_junctions_resist(data, case, tmp_path):
+    """From the law of each model, wherever a comparison is shown: in JSON, the tables, the words, the pictures."""
+    said = dict(zip(data["model"].values, data["plastic_junctions_resist"].values, strict=True))
+    for key, record in of_kind(RoughSurface).items():
+        if key in said and record.tangential != "none":
+            assert said[key] == find(record.tangential, TangentialLaw).yielded
+    assert set(said.values()) >= {"none", "interface", "full stick"}
+    rows = comparison(data)["models"]
+    assert {row["model"]: row["plastic_junctions_resist"] or "" for row in rows} == said
+    heads, table = at_load_rows(data)
+    assert [row[heads.index("plastic_junctions_resist")] for row in table] == list(said.values())
+    printed = run("compare", str(case)).stdout
+    assert " full stick " in printed and re.search(r"kogut_etsion_2004 .* none", printed)
+
+
+def test_the_ends_of_mu_by_what_plastic_junctions_resist(data):
+    mu, resist = data["friction_coefficient_at_load"].values, data["plastic_junctions_resist"].values
+    words = said_of_plastic_junctions(data)
+    for kind in ("none", "interface", "full stick"):
+        some = mu[np.isfinite(mu) & (resist == kind)]
+        ends = " to ".join(dict.fromkeys(f"{end:.3g}" for end in (some.min(), some.max())))
+        assert f"{kind} {ends} ({some.size} model" in words
+    assert any(words == line.plain for line in comparison_summary(data))
+    silent = data.assign(plastic_junctions_resist=("model", np.full(data.sizes["model"], "", dtype=object)))
+    assert said_of_plastic_junctions(silent) == ""
+
+
+def test_pictures_tell_what_plastic_junctions_resist(data):
+    """Names where a panel has models of either kind; the legend of the models' rows; no more where all are of one kind."""
+    names = {str(line.get_label()) for axes in comparison_figure(data).axes for line in axes.lines}
+    assert {"cohen_kligerman_etsion_2008 (full stick)", "kogut_etsion_2004 (none)", "mccool_1986"} <= names
+    legend = [text.get_text() for text in models_figure(data).legends[0].get_texts()]
+    assert legend == [*dict.fromkeys(families_of(data.isel(model=rows_of_models(data)))), "hollow: outside its range"]
+    assert sum("plastic junctions: full stick" in text for text in legend) == 1
+    series = {one["name"].removesuffix(", outside its range") for one in comparison_chart(data, False)["series"]}
+    assert series >= set(legend[:-1])

@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 from stiction.contact.layered.bodies import bodies_of
 from stiction.contact.layered.compliance import Layer
+from stiction.contact.layered.edge import edge_curves
 from stiction.contact.layered.first_yield import ANGLES, PLACES, at_interface, first_yield, norms, table_of_norms
 from stiction.contact.layered.shear import shear_compliance, shear_curve, shear_ends
 from stiction.contact.layered.stresses import Stresses, cartesian
@@ -127,6 +128,27 @@ def test_curve_of_the_tangential_stiffness():
         )
         wide, narrow = (shear_compliance(bodies, radius * factor)[0] for factor in (1.0 + step, 1.0 - step))
         assert slope == pytest.approx(math.log(wide / narrow) / (2.0 * step), abs=1e-5)
+
+
+@pytest.mark.parametrize(("n_E", "nu", "below", "within"), [(8.0, 0.2, 0.3, 1.2e-3), (0.05, 0.3, 0.2, 3e-4)])
+def test_curves_of_the_trailing_edge(n_E, nu, below, within):
+    """Von Mises of a sphere that is pressed and dragged, against solutions between the radii of the curves; beyond these,
+    where nothing was solved, they stay near."""
+    given = groups(**FILM | {"n_E": n_E, "nu": below, "film_nu": nu, "layer_nu": nu, "coated_share": 0.9},
+                   coated_nu=below, counter_nu=0.1).resolved()  # fmt: skip
+    (bodies,), _ = bodies_of(given)
+    ends, rest = np.split(edge_curves(bodies), [2], axis=1)
+    for radius in (0.0003, 0.0025, 0.013, 0.11, 0.3, 1.7, 33.0, 150.0, 400.0, 2000.0):
+        z = (math.sqrt(radius) - 1.0) / (math.sqrt(radius) + 1.0)
+        between = np.polynomial.polynomial.polyval(z, rest.T)
+        lnD, A, B = ends @ [(1.0 - z) / 2.0, (1.0 + z) / 2.0] + (1.0 - z * z) * between
+        radial = Stresses(bodies.pair, bodies.coated[0], radius, 12.0).in_film(np.array([1.0]), np.array([0.0]))
+        for traction in (0.0, 0.3, 1.0, 10.0):
+            six = cartesian(radial, np.array([math.pi]), traction)
+            solved = float(hamilton_field.von_mises(tuple(one[0, 0] for one in six)))
+            D, share = math.exp(lnD), 0.04 if radius > 200.0 else within
+            found = D * (A + 2.0 * B * traction + traction**2)
+            assert found == pytest.approx(solved**2, abs=share * D * (1.0 + traction) ** 2)
 
 
 @pytest.mark.parametrize(

@@ -12,9 +12,10 @@ from stiction.solving.choice import Choice
 from stiction.solving.problem import make_problem
 from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
+from stiction.studies import design as design_module
 from stiction.studies.case import parse_case, read_case
 from stiction.studies.case_results import solve_case
-from stiction.studies.design import _front, design, plan_of_design, run_design
+from stiction.studies.design import _beyond, _front, _searched, design, plan_of_design, run_design
 from stiction.studies.design_plan import Limit
 
 STRENGTH, AREA, LOAD = 200e6, 1e-6, 1.0
@@ -182,6 +183,39 @@ def test_a_front_is_of_designs_that_none_beats():
 def test_a_front_of_points():
     wishes = np.array([[1.0, 5.0], [2.0, 2.0], [2.0, 3.0], [3.0, 2.0], [4.0, 1.0], [0.5, 0.5]])
     assert _front(wishes, np.array([0.0, 0.0, 0.0, 0.0, 1e-7, 1.0])).tolist() == [0, 1, 4]
+
+
+def test_a_ceiling_is_of_the_other_wish():
+    wishes, worst = np.array([[1.0, 5.0], [2.0, 2.0], [9.0, 1.0]]), np.array([0.0, 0.0, 0.25])
+    np.testing.assert_allclose(_beyond(wishes, worst, 0, 2.5), [1.0, 0.0, 0.25], rtol=1e-15)
+    np.testing.assert_allclose(_beyond(wishes, worst, 1, 2.5), [0.0, 0.0, 2.6], rtol=1e-15)
+    np.testing.assert_allclose(_beyond(-wishes, worst, 0, -2.5), [0.0, 0.2, 0.6], rtol=1e-15)
+    np.testing.assert_allclose(_beyond(wishes, worst, 0, None), worst, rtol=0)
+
+
+def test_what_is_searched_under_a_ceiling_is_best_at_it():
+    """Friction is strength times area over load: the most friction under a ceiling of the area has that area."""
+    table = case([MOST, {"minimise": "contact_area"}], RADIUS)
+    found = run_design(plan_of_design(table | {"design": table["design"] | {"effort": 1}}), lambda count, text: None)
+    before = found.archive.count
+    found.plan.__dict__["effort"] = 60
+    _searched(found, 0, 2e-10, lambda count, text: None)
+    _, wishes, _, _ = found.archive.table()
+    new = wishes[before:]
+    assert new[new[:, 1] <= 2e-10 * (1 + 1e-6), 0].min() == pytest.approx(-STRENGTH * 2e-10 / LOAD, rel=1e-3)
+
+
+def test_a_front_is_searched_for_one_wish_under_ceilings_of_the_other(monkeypatch):
+    """A front of friction, tenths, and area, some 1e-10 m^2: ceilings of one are far from all values of the other."""
+    asked, searched = [], design_module._searched
+    monkeypatch.setattr(design_module, "_searched", lambda *given: asked.append(given[1:3]) or searched(*given))
+    found = run_design(plan_of_design(case([LEAST, MOST | {"maximise": "contact_area"}], RADIUS, effort=1)), lambda *told: None)
+    _, wishes, worst, _ = found.archive.table()
+    assert [number for number, ceiling in asked if ceiling is None] == [0, 1]
+    ceilings = [one for one in asked if one[1] is not None]
+    assert len(ceilings) == 12
+    for number, ceiling in ceilings:
+        assert wishes[worst == 0.0, 1 - number].min() < ceiling < wishes[worst == 0.0, 1 - number].max()
 
 
 @pytest.mark.parametrize("name", ["load_share_yielded", "load_share_substrate_yielded"])

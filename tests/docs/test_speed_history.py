@@ -107,7 +107,7 @@ from stiction.solving.problem import problem_of
 
 choices = run.model_choices()
 for name, choice, film in choices:
-    problem_of(run.groups_of_models(2, film), choice)
+    problem_of(run.groups_of_models(2, film, choice), choice)
 for key in loads.theories():
     assert loads.theory_at_loads(key, 2) > 0.0
 print(*(choice.model for _, choice, _ in choices), *loads.theories())

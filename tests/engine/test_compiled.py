@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from stiction.engine.compiled import digest, kernel
+from stiction.engine.compiled import digest, formula, kernel, loop
 from stiction.quantities.notices import Notice, notice
 
 FORMULAS = '''
@@ -196,6 +196,34 @@ def test_a_file_that_could_not_be_finished_is_not_left(tmp_path, monkeypatch):
     assert list(tmp_path.rglob("*.*")) == []
 
 
+def test_a_formula_is_only_taken_in_and_can_be_called_all_the_same():
+    """No machine code is made of it for a kernel: it has no address by which to come in. Called from Python it has."""
+
+    @formula
+    def half(x):
+        return 0.5 * x
+
+    @loop
+    def total(values):
+        result = 0.0
+        for value in values:
+            result += half(value)
+        return result
+
+    @kernel
+    def fill(values, out):
+        out[0] = total(values)
+
+    values, out = np.array([1.0, 2.0, 4.0]), np.zeros(1)
+    fill(values, out)
+    assert out[0] == 3.5
+    for one in (half, total):
+        (made,) = one.overloads.values()
+        asked = made.library.get_pointer_to_function(made.fndesc.llvm_func_name)
+        assert asked == 0 and made.fndesc.llvm_cpython_wrapper_name not in made.library.get_llvm_str()
+    assert half(3.0) == 1.5 and half(3) == 1.5 and total(values) == 3.5
+
+
 WITHOUT_COMPILER = """
 import numpy as np
 import stiction as st
@@ -242,7 +270,7 @@ def test_what_is_closed_over_decides():
 
 DIGESTS = """
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import plastic, plastic_coordinate
-from stiction.engine.compiled import digest, kernel
+from stiction.engine.compiled import digest, formula, kernel, loop
 from stiction.quantities.notices import Notice, notice
 from stiction.laws.tangential.shared.slip_or_yield import _fill_kinks
 from stiction.laws.tangential.soft_coating_2015 import resistance

@@ -1,6 +1,7 @@
 """Fits: closed forms, lmfit's own intervals, coverage, what the data cannot tell, and the files that are written."""
 
 import importlib.util
+import signal
 import subprocess
 import sys
 import tomllib
@@ -231,6 +232,36 @@ def test_every_sample_may_have_its_own_number(series):
     found = fit(case(free={STRENGTH: {"low": "10 MPa", "high": "2 GPa", "each_sample": True}}), data)
     assert found["parameter"].values.tolist() == [f"{STRENGTH} (dry)", f"{STRENGTH} (wet)"]
     np.testing.assert_allclose(found["value"], [300e6, 200e6], rtol=1e-5)
+
+
+def test_rows_of_several_samples_are_each_asked_for_as_they_are(tmp_path):
+    """Samples, loads, radii and quantities that come and go: every row is its own contact, whatever the others are."""
+    rng = np.random.default_rng(11)
+    n, names = 10, ["friction_coefficient", "contact_area"]
+    rows = {
+        "sample": [("a", "b", "c")[at] for at in rng.integers(0, 3, n)],
+        "load [N]": rng.permuted(np.geomspace(1e-3, 1.0, n)),
+        "roughness.asperity_radius [um]": ["" if blank else f"{at:.17g}" for at, blank in zip(
+            rng.uniform(20, 80, n), rng.random(n) < 0.4, strict=True)],
+        "friction_coefficient": [0.1] * n,
+        "friction_coefficient_error": [0.1] * n,
+        "contact_area [m^2]": [1e-9] * n,
+        "contact_area_error [m^2]": [1e-9] * n,
+    }  # fmt: skip
+    free = {STRENGTH: {"low": "10 MPa", "high": "2 GPa", "each_sample": True}, ADHESION: BOTH[ADHESION]}
+    forward = forward_of(plan_of_fit(case(free=free), written(tmp_path / "measured.csv", rows)))
+    shares = rng.uniform(0.2, 0.8, (2, len(forward.parameters)))
+    found = forward.values(shares)
+    rough = parse_case({key: table for key, table in case().items() if key != "fit"}).subject.roughness
+    for numbers, said in zip(shares, found, strict=True):
+        given = {one.name: float(one.free.at(share)) for one, share in zip(forward.parameters, numbers, strict=True)}
+        for at in range(n):
+            radius = rows["roughness.asperity_radius [um]"][at]
+            changes = {STRENGTH: given[f"{STRENGTH} ({rows['sample'][at]})"], ADHESION: given[ADHESION]}
+            if radius:
+                changes["roughness"] = rough.replace(asperity_radius=1e-6 * float(radius))
+            wanted = [exact(name, loads=rows["load [N]"][at], **changes).item() for name in names]
+            np.testing.assert_allclose(said[2 * at : 2 * at + 2], wanted, rtol=1e-8)
 
 
 def test_numbers_that_the_data_give(series):
@@ -503,9 +534,37 @@ def test_an_interruption_keeps_the_fit(series, tmp_path, monkeypatch):
         fit(tomllib.loads(CASE_FILE), series(exact(), 0.01))
 
 
+def test_an_interruption_while_results_are_written_waits_for_them(series, tmp_path, monkeypatch):
+    """All that took long is done by then."""
+    from stiction.report import files
+
+    def interrupted(*given):
+        signal.raise_signal(signal.SIGINT)
+        write(*given)
+
+    write = files.write_folder
+    monkeypatch.setattr(files, "write_folder", interrupted)
+    (tmp_path / "case.toml").write_text(CASE_FILE, encoding="utf-8")
+    words = ["fit", str(tmp_path / "case.toml"), "--data", str(series(exact(), 0.01)), "--out", str(tmp_path / "out")]
+    result = CliRunner().invoke(cli.app, words)
+    assert (result.exit_code, result.stdout, result.stderr) == (130, "", "stiction: interrupted\n")
+    assert {"fitted.toml", "fit.nc", "fit.png"} <= {one.name for one in (tmp_path / "out").iterdir()}
+
+
 def test_a_run_imports_nothing_of_it():
     code = "import sys, stiction.studies.case_results, stiction.studies.case; sys.exit('lmfit' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.parametrize("start", [0.0, 0.15, 0.5, 1.0])
+def test_a_search_goes_on_from_points_between_the_ends_too(start):
+    """(10 (p - 0.2) (p - 0.8), p - 0.8): below p = 0.45 it is downhill to 0.2, where the sum of squares is 0.36."""
+
+    def residuals(sets: np.ndarray) -> np.ndarray:
+        return (sets - 0.8) * np.column_stack([10.0 * (sets[:, 0] - 0.2), np.ones(len(sets))])
+
+    best = search(residuals, np.array([start]))
+    assert best.shares == pytest.approx([0.8], abs=1e-9) and best.chi_square < 1e-15
 
 
 def test_an_interval_ends_where_the_profile_does_also_beyond_a_bend():

@@ -15,10 +15,11 @@ import stiction as st
 from stiction.engine.heights import height_distribution
 from stiction.laws.asperity import hertz, zhao_maietta_chang_2000
 from stiction.laws.joining import coordinates, normal_states
-from stiction.laws.registry import TangentialLaw, find
+from stiction.laws.registry import YIELDED, AsperityLaw, TangentialLaw, find, incompatibility, of_kind, resolve_options
 from stiction.laws.tangential import junction_growth, tabor_1959
 from stiction.laws.tangential.shared.junctions import where_pressure_is
 from stiction.solving.choice import Choice
+from stiction.solving.chosen import look_up
 from stiction.solving.problem import problem_of
 from tables import groups
 
@@ -155,6 +156,10 @@ def test_growth_ends_where_full_stick_slides():
     assert_allclose(mu[shares >= 1.0], stick, rtol=1e-12)
     assert (np.diff(mu)[shares[1:] < 1.0] > 0.0).all() and np.diff(mu).max() < 0.02 * stick
     assert abs(at("junction_growth", np.array([1.0 - 1e-9]))[0] / stick - 1.0) < 1e-7
+    # d ln T/d ln c = 1/(1 - c^2 + (tau_0 A/T_s)^2) is less than that of c (1 - c^2)^(-1/2), which bounds any step.
+    grows = shares[shares < 0.99]
+    most = np.diff(np.log(grows / np.sqrt(1.0 - grows**2)))
+    assert (np.diff(np.log(mu[shares < 0.99])) <= 1.0001 * most).all()
 
 
 def test_without_an_end_growth_is_tabors():
@@ -287,3 +292,59 @@ def test_what_is_needed_is_asked_for():
     with pytest.raises(st.InputError, match=r"interfacial_shear_strength.*tabor_1959"):
         st.solve(bare, load="1 N", plastic_junctions="tabor_1959")
     assert st.solve(bare, load="1 N", plastic_junctions="brizmer_kligerman_etsion_2007")["friction_coefficient"] > 0.2
+
+
+# What a law says of itself --------------------------------------------------------------------------------------------------
+
+
+def plastic_pieces(law, given):
+    """The plastic pieces of asperity laws that the law goes with."""
+    for asperity in of_kind(AsperityLaw).values():
+        if not incompatibility(law, asperity) and all(given.knows(name) for name in asperity.needs):
+            yield from (one for one in asperity.pieces(given, **resolve_options([asperity], {})) if one.state == "plastic")
+
+
+def force_on(law, piece, **more):
+    """Tangential force, load and area of an asperity far beyond yield."""
+    given = groups(theta=1e3, lam=1e4, nu=0.3, sharpness=0.01, pressure_coefficient=0.0, **more)
+    w, _, load, area = normal_states(piece, coordinates(piece, 3.0))[0]
+    held = law.tangential_resistance(piece, given, **resolve_options([law], {}))
+    if held is None:
+        return 0.0, load, area
+    parameters = [float(np.broadcast_to(one, 1)[0]) for one in held.parameters]
+    return sum(held.resistance(float(coordinates(piece, 3.0)[0]), w, load, area, *parameters)), load, area
+
+
+@pytest.mark.parametrize("law", of_kind(TangentialLaw).values(), ids=lambda law: law.key)
+def test_what_plastic_junctions_resist_is_as_the_record_says(law):
+    """By its own formula, whatever the interface: nothing; tau_0 A; more than that, the more the stronger; or all the same."""
+    assert law.yielded in YIELDED
+    given = groups(theta=1e3, lam=1e4, nu=0.3, sharpness=0.01, shear_strength=0.1)
+    pieces = list(plastic_pieces(law, given))
+    if law.yielded == "junction growth":  # of those that are plastic all over: a lower pressure leaves room for shear
+        pieces = [one for one in pieces if np.divide(*force_on(law, one, shear_strength=0.1)[1:]) > 0.999 * given.eta[0]]
+    assert pieces
+    for piece in pieces:
+        weak, strong = (force_on(law, piece, shear_strength=tau) for tau in (0.05, 0.15))
+        sheared = [tau * float(given.eta[0]) * area for tau, (_, _, area) in ((0.05, weak), (0.15, strong))]
+        grown = [weak[0] / sheared[0], strong[0] / sheared[1]]
+        assert {
+            "none": grown == [0.0, 0.0],
+            "interface": grown == pytest.approx([1.0, 1.0], rel=1e-12),
+            "junction growth": 1.0 < grown[0] < grown[1],
+            "full stick": weak[0] == strong[0] > 0.0,
+        }[law.yielded]
+
+
+@pytest.mark.parametrize("law", [one for one in of_kind(TangentialLaw).values() if one.junctions], ids=lambda law: law.key)
+def test_only_a_law_that_gives_yielded_junctions_nothing_takes_another(law):
+    assert law.yielded == "none"
+    assert {find(key, TangentialLaw).yielded for key in law.junctions} == set(YIELDED) - {"none"}
+
+
+@pytest.mark.parametrize("key", TAKEN)
+def test_the_law_that_is_taken_says_what_they_resist(key):
+    chosen = look_up(Choice("kogut_etsion_2004", options={"plastic_junctions": key}), coated=False)
+    assert chosen.yielded == find(key, TangentialLaw).yielded
+    assert look_up(Choice("kogut_etsion_2004"), coated=False).yielded == "none"
+    assert look_up(Choice(PLAIN, tangential="none"), coated=False).yielded == ""

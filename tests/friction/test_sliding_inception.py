@@ -27,6 +27,7 @@ from stiction.laws.tangential import (
     chang_etsion_bogy_1988,
     kogut_etsion_2003,
     savkoor_briggs_1977,
+    soft_coating_2015,
     thornton_1991,
 )
 from stiction.laws.tangential.shared.zero_load import zero_load
@@ -85,6 +86,33 @@ def test_peeling_can_be_weakened_but_not_left_out():
     assert_allclose(
         resist(thornton_1991.tangential_resistance(piece, given.with_changes(peeling=np.zeros(2))), w, P, x), whole, rtol=1e-13
     )
+
+
+@pytest.mark.parametrize("branch", ["loading", "unloading"])
+def test_peeling_can_be_weakened_where_what_yields_first_counts(branch):
+    """Half of the energy or less goes to shearing: the slip resistance is 1/sqrt(zeta) times as large, and the kinks are where
+    that meets the yield resistance, which does not know of it."""
+    rng = np.random.default_rng(14)
+    n, kinked = 60, 0
+    zeta = 10.0 ** rng.uniform(-1.5, -0.3, n)
+    given = groups(theta=10.0 ** rng.uniform(0, 3, n), lam=10.0 ** rng.uniform(0, 3, n), nu=0.3, hardness_to_yield=2.8)
+    piece = jkr_piece(given, branch)
+    found = soft_coating_2015.tangential_resistance(piece, given.with_changes(peeling=zeta))
+    share = np.geomspace(1e-3, 30.0, 2000)
+    for i, (first, kinks) in enumerate(zip(piece.edges[:, 0], found.kinks, strict=True)):
+        u = first + share * np.sqrt(given.eta[i])
+        row = [np.full(len(u), column[i]) for column in piece.parameters]
+        w, _, load, area = np.array([piece.normal(*one) for one in zip(u, *row, strict=True)]).T
+        one = replace(found, parameters=tuple(np.full(len(u), np.broadcast_to(p, n)[i]) for p in found.parameters))
+        slip, torn = resist(one, w, load, area, u).T
+        pull, slips = math.pi / given.theta[i], slip > 0.0
+        force = 4.0 * np.sqrt((2 * pull * load + 3 * pull**2) / (zeta[i] * given.K_beta[i]))
+        assert_allclose(slip[slips], force[slips], rtol=1e-10, atol=1e-12 * force[-1])
+        assert (torn[~slips] <= force[~slips] * (1 + 1e-12)).all()
+        for at in np.flatnonzero(slips[1:] != slips[:-1]):
+            kinked += 1
+            assert ((kinks >= u[at]) & (kinks <= u[at + 1])).any()
+    assert kinked > 10
 
 
 @pytest.mark.parametrize("law", (savkoor_briggs_1977, thornton_1991))

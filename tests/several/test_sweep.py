@@ -117,17 +117,17 @@ def test_statistics_are_those_of_all_points(tmp_path):
         np.testing.assert_allclose(found(statistic=kind), values, rtol=1e-12)
 
 
-@pytest.mark.parametrize("block", [48, 57])  # 57: the last block has fewer contacts
-def test_percentiles_are_those_of_all_points(tmp_path, block):
+@pytest.mark.parametrize("count", [64, 61])  # eight blocks of eight contacts; the last of five
+def test_percentiles_are_those_of_all_points(tmp_path, count):
     kinds = ["percentile_5", "median", "count", "percentile_95"]
-    given = {"keep": ["friction_coefficient"], "statistics": kinds, "block": block}
-    data = sweep(changed(DRAWN, sweep=given), tmp_path / "store")
-    mu = sweep(DRAWN, tmp_path / "whole")["friction_coefficient"].values
+    drawn = changed(DRAWN, sweep={"sample": {**DRAWN["sweep"]["sample"], "count": count}})
+    data = sweep(changed(drawn, sweep={"keep": ["friction_coefficient"], "statistics": kinds}), tmp_path / "store")
+    mu = sweep(drawn, tmp_path / "whole")["friction_coefficient"].values
     assert data["statistic"].values.tolist() == kinds
     for kind, share in (("percentile_5", 0.05), ("median", 0.5), ("percentile_95", 0.95)):
         wanted = np.quantile(mu, share, axis=0, method="inverted_cdf")
         np.testing.assert_allclose(data["friction_coefficient"].sel(statistic=kind), wanted, rtol=1 / 256)
-    np.testing.assert_array_equal(data["friction_coefficient"].sel(statistic="count"), 64)
+    np.testing.assert_array_equal(data["friction_coefficient"].sel(statistic="count"), count)
 
 
 def test_a_block_that_is_larger_than_what_is_solved_at_once_is_solved_in_pieces(tmp_path, monkeypatch):
@@ -163,8 +163,16 @@ def test_statistics_have_larger_blocks_where_there_are_many_points():
 
     assert block(2**22) == block(2**10 * 43) == 131_070  # whole contacts of three loads
     assert block(2**20, statistics=["mean"]) == 131_070
-    assert block(2**28, statistics=["mean"]) == 8 * 131_072 // 3 * 3
+    assert block(2**28, statistics=["mean"]) == 8 * (131_072 // 3) * 3  # as many as eight times what is solved at once, whole
     assert block(2**28, statistics=["mean"], block=30) == 30
+
+
+@pytest.mark.parametrize("count", [2_900_000, 30_000_000, 2**28])
+def test_blocks_of_statistics_leave_no_small_rest_that_is_solved_by_itself(count):
+    given = {"sample": {"method": "sobol", "count": count}, "statistics": ["mean"]}
+    plan = make_plan({**DRAWN, "sweep": given})
+    sizes = {one["sample"].stop - one["sample"].start for one in plan.pieces(plan.region(0))}
+    assert sizes == {131_072 // 3}
 
 
 def test_statistics_leave_out_what_is_no_number():
@@ -394,6 +402,21 @@ def test_a_cluster_does_the_same(tmp_path):
     ) as cluster:
         sweep(many, tmp_path / "two", scheduler=cluster.scheduler_address)
     assert same(tmp_path / "one", tmp_path / "two")
+
+
+def test_as_many_blocks_wait_as_a_cluster_that_grows_has_use_for(monkeypatch):
+    """Workers that come later, out of the queue of a batch system, find blocks that wait for them."""
+    clock, workers = [100.0], [0]
+
+    class Client:
+        def nthreads(self):
+            return dict.fromkeys(range(workers[0]), 2)
+
+    monkeypatch.setattr(sweep_workers, "monotonic", lambda: clock[0])
+    room, found = sweep_workers._Room(Client()), []
+    for clock[0], workers[0] in ((100.0, 0), (101.0, 500), (106.0, 500), (112.0, 2)):
+        found.append(room.now())
+    assert found == [256, 256, 3000, 256]
 
 
 def test_every_contact_is_in_one_block():

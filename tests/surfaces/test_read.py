@@ -142,7 +142,7 @@ def test_without_the_library(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "SurfaceTopography.IO", None)
     monkeypatch.setitem(sys.modules, "SurfaceTopography.Exceptions", None)
     (tmp_path / "scan.sur").write_bytes(b"DIGITAL SURF")
-    with pytest.raises(InputError, match=r"pip install stiction\[scans\]$"):
+    with pytest.raises(InputError, match=r"pip install 'stiction\[scans\]'$"):
         read_scan(tmp_path / "scan.sur")
 
 

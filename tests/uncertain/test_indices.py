@@ -143,3 +143,16 @@ def test_effects_of_few_are_not_told():
     values[:21, 1] = np.nan
     found = effects(points, values)
     assert all(np.isnan(one).all() for one in (found.size, found.size_error, found.mean, found.deviation))
+
+
+def test_the_error_of_an_effect_is_the_scatter_of_its_mean():
+    """Of a function whose effects are exp of the other number: by numpy, over the trajectories."""
+    points = trajectories(2, 40, 3)
+    values = points[..., 0] * np.exp(points[..., 1])
+    found = effects(points, values)
+    moved = np.abs(np.diff(points, axis=1)).argmax(axis=2)
+    slopes = np.array(
+        [np.diff(v)[m == 0][0] / np.diff(p[:, 0])[m == 0][0] for p, v, m in zip(points, values, moved, strict=True)]
+    )
+    assert found.size[0] == pytest.approx(slopes.mean(), rel=1e-12)
+    assert found.size_error[0] == pytest.approx(slopes.std(ddof=1) / np.sqrt(40), rel=1e-12)

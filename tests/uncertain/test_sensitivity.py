@@ -235,3 +235,30 @@ def test_more_points_are_more_trajectories(monkeypatch):
     for count in (64, 256):
         st.sensitivity({"contact": POWER_LAW, "solve": SOLVE, "uncertainty": {"count": count}}, models=[])
     assert [given[1] for given in asked] == [8, 16]
+
+
+def test_every_method_with_every_model_is_drawn_by_its_weight():
+    from stiction.studies.sensitivity import METHOD_INPUT, MODEL_INPUT, _Variation
+
+    models, weights = ["a", "b", "c"], np.array([0.5, 0.3, 0.2])
+    variation = _Variation(["x"], ["first", "second"], models, weights, [])
+    assert variation.inputs == ["x", METHOD_INPUT, MODEL_INPUT]
+    shares = np.array([[0.9, method, model] for method in (0.0, 0.49, 0.51, 0.999) for model in (0.1, 0.49, 0.51, 0.79, 0.81)])
+    wanted = [3 * method + model for method in (0, 0, 1, 1) for model in (0, 0, 1, 1, 2)]
+    assert variation.rows(shares).tolist() == wanted
+
+
+@pytest.mark.parametrize("at", [0, 4, 17, 29, 30])
+def test_the_working_load_is_among_the_nine(at):
+    from dataclasses import dataclass
+
+    from stiction.studies.sensitivity import _at_few_loads
+
+    @dataclass
+    class Loads:
+        load: np.ndarray
+
+    loads = np.geomspace(0.1, 100.0, 31)
+    kept = _at_few_loads(Loads(loads), loads[at]).load
+    assert kept.size == 9 and loads[at] in kept and (np.diff(kept) > 0.0).all()
+    assert len(set(kept) & set(loads[[0, 4, 8, 11, 15, 19, 22, 26, 30]])) >= 8

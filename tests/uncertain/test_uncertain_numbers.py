@@ -108,6 +108,19 @@ def test_rows_of_one_file_stay_together(tmp_path):
     assert pairs == {(50e-6, 40e-9), (20e-6, 80e-9), (30e-6, 60e-9)}
 
 
+def test_files_whose_rows_go_together_have_as_many(tmp_path):
+    for name, text in (("two", "50\n20\n"), ("three", "40\n80\n60\n")):
+        (tmp_path / f"{name}.txt").write_text(text, encoding="utf-8")
+    changes = {
+        "roughness.asperity_radius": {"samples": "two.txt", "along": "spot", "unit": "um"},
+        "roughness.asperity_height_deviation": {"samples": "three.txt", "along": "spot", "unit": "nm"},
+    }
+    with pytest.raises(InputError, match=r"\.samples: '[23] values'; allowed: [23], as many as contact\.roughness\.asperity_"):
+        case(changes, tmp_path)
+    changes["roughness.asperity_radius"]["along"] = "place"
+    assert list(case(changes, tmp_path).unknowns) in (["place", "spot"], ["spot", "place"])
+
+
 def test_the_plain_value_is_the_nominal_one():
     changes = {
         "second.hardness": "7 +/- 0.5 GPa",
@@ -181,6 +194,7 @@ SIGMA = "roughness.asperity_height_deviation"
         ({"low": 4, "high": "8 nm"}, f"contact.{SIGMA}.low: 4; allowed: text with a unit"),
         ({"median": "48 nm"}, f"contact.{SIGMA}.factor: not given; allowed: a factor above 1"),
         ({"median": "48 nm", "factor": 0.5}, f"contact.{SIGMA}.factor: 0.5; allowed: a factor above 1"),
+        ({"median": "48 nm", "factor": "2"}, f"contact.{SIGMA}.factor: '2'; allowed: a factor above 1"),
         ({"factor": 2}, f"contact.{SIGMA}.median: not given; allowed: the value that is"),
         ({"samples": "none.txt", "unit": "nm"}, f"contact.{SIGMA}.samples: 'none.txt'; allowed: a file of numbers"),
         ({"samples": "some.txt"}, f"contact.{SIGMA}.unit: not given; allowed: the unit of the numbers in the file, e.g."),

@@ -74,19 +74,26 @@ def browser():
 
 
 @pytest.fixture(scope="module")
-def page(browser, address):
+def context(browser):
+    """One for all pages, so that what the server gives away is loaded once."""
+    one = browser.new_context(viewport={"width": 1280, "height": 900}, color_scheme="light", accept_downloads=True)
+    yield one
+    one.close()
+
+
+@pytest.fixture(scope="module")
+def page(context, address):
     """One page for all tests that leave its case as it is."""
-    yield from _pages(browser, address, width=1280)
+    yield from _pages(context, address)
 
 
 @pytest.fixture
-def fresh(browser, address):
+def fresh(context, address):
     """A page of its own."""
-    yield from _pages(browser, address, width=1280)
+    yield from _pages(context, address)
 
 
-def _pages(browser, address, width, scheme="light"):
-    context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme, accept_downloads=True)
+def _pages(context, address):
     page = context.new_page()
     page.set_default_timeout(30 * SECOND)
     asked = []
@@ -94,7 +101,7 @@ def _pages(browser, address, width, scheme="light"):
     page.on("pageerror", lambda error: asked.append(f"error: {error}"))
     _open(page, address)
     yield page
-    context.close()
+    page.close()
     assert not [url for url in asked if not url.startswith((address, address.replace("http", "ws"), "data:", "blob:"))]
 
 
@@ -122,14 +129,15 @@ def _give(page, name, content, at=0):
 
 def test_the_first_screen_is_an_answer(page):
     _tab(page, "Contact")
-    assert _status(page).startswith("mu = 0.04562\nat a load of 2.36 N")
+    assert _status(page).startswith("mu ≈ 0.046\nat a load of 2.36 N")
     assert page.get_by_text("Leaves out what matters here").count() == 1
-    assert page.locator("header").inner_text().splitlines()[:2] == ["stiction", "mu = 0.04562"]
+    assert page.locator("header").inner_text().splitlines()[:2] == ["stiction", "mu ≈ 0.046"]
 
 
 def test_every_model_beside_the_others_and_its_page(page):
     _tab(page, "Compare")
     page.get_by_text(re.compile("^(Recommended|No model is recommended)")).wait_for()
+    page.wait_for_function("() => document.querySelector('header').innerText.includes('mu ≈ 0.05')")  # models are far apart
     page.get_by_role("button", name="soft_coating_2015 + sequential").press("Enter")  # by keyboard
     page.get_by_role("dialog").get_by_text(re.compile("Source: ")).first.wait_for()
     page.get_by_role("button", name="Close").click()
@@ -182,6 +190,37 @@ def test_what_is_downloaded_runs_to_the_same_numbers(page, tmp_path):
     assert rows[0] == rows[1] and "<svg" in files["curve.svg"]
 
 
+def test_the_report_is_made_with_progress_and_a_stop_and_prints_on_its_paper(page, browser, tmp_path):
+    _tab(page, "Share")
+    make = page.get_by_role("button", name="Make the report")
+    make.click()
+    page.get_by_text(re.compile(r"(Asking the models|Drawing|waiting for its turn).*, \d+ s")).wait_for()
+    page.get_by_role("button", name="Stop").click()
+    page.get_by_text("stopped", exact=True).last.wait_for()
+    with page.expect_download() as waiting:
+        make.click()
+    page.get_by_text("report.html is downloaded").wait_for()
+    waiting.value.save_as(tmp_path / "report.html")
+    _prints_well(browser, tmp_path / "report.html")
+
+
+PAPER = 680, 1000  # pixels, of the inside of a page of A4 with the margins of the report
+OFF = """([width, height]) => [...document.querySelectorAll('body *')].filter(one => { const box = one.getBoundingClientRect();
+  return box.right > width + 1 || one.matches('figure') && box.height > height || one.matches('figure, tr')
+    && getComputedStyle(one).breakInside !== 'avoid' }).map(one => one.outerHTML.slice(0, 120))"""
+
+
+def _prints_well(browser, report):
+    """Nothing is off the paper, and no picture or row is cut in two: each is less than a page and kept together."""
+    context = browser.new_context(viewport={"width": PAPER[0], "height": PAPER[1]})
+    page = context.new_page()
+    page.goto(report.as_uri())
+    page.emulate_media(media="print")
+    assert page.locator("figure").count() > 5
+    assert page.evaluate(OFF, PAPER) == []
+    context.close()
+
+
 def _bomb():
     """An archive that would unpack to a hundred times its size, and more."""
     made = io.BytesIO()
@@ -209,7 +248,7 @@ def test_a_bad_scan_is_refused_in_a_sentence(page):
         assert "/tmp" not in page.locator("body").inner_text(), name
     assert page.evaluate("window.broken") is None
     _tab(page, "Contact")
-    page.get_by_text("mu = 0.04562", exact=True).first.wait_for()
+    page.get_by_text(re.compile(r"^mu ≈ 0\.0")).first.wait_for()
 
 
 WITH = "with this surface as the first body"
@@ -218,7 +257,7 @@ WITH = "with this surface as the first body"
 def test_a_surface_its_asperities_and_what_its_cutoff_does_to_friction(page):
     _tab(page, "Surface")
     page.get_by_role("button", name="Make an example").click()
-    said = page.get_by_text(re.compile(f"^mu = .*{WITH}"))
+    said = page.get_by_text(re.compile(f"^mu ≈ .*{WITH}"))
     said.wait_for()
     before = said.inner_text()
     page.get_by_role("img", name="marked: eight-neighbour summits").wait_for()
@@ -239,6 +278,13 @@ NAMELESS = """() => [...document.querySelectorAll('input, button, [role=slider],
   .map(one => one.outerHTML.slice(0, 200))"""
 
 
+# Charts and pictures that are wider than their place, or moved sideways in it.
+SIDEWAYS = """() => [...document.querySelectorAll('canvas, img, [role=img]')].filter(one => one.offsetParent !== null)
+  .filter(one => one.getBoundingClientRect().right > window.innerWidth || one.scrollWidth > one.clientWidth + 1
+    || one.closest('.results') && one.getBoundingClientRect().width > one.closest('.results').clientWidth)
+  .map(one => one.outerHTML.slice(0, 120))"""
+
+
 def test_everything_that_is_used_has_a_name_and_the_page_is_as_wide_as_its_window(page):
     for name in TABS:
         _tab(page, name)
@@ -251,6 +297,7 @@ def test_everything_that_is_used_has_a_name_and_the_page_is_as_wide_as_its_windo
         for name in TABS:
             _tab(page, name)
             assert page.evaluate("document.documentElement.scrollWidth") <= 400, name
+            assert page.evaluate(SIDEWAYS) == [], name
     page.set_viewport_size({"width": 1280, "height": 900})
     assert page.evaluate("document.documentElement.lang").startswith("en")
 
@@ -304,7 +351,7 @@ def test_a_knob_moves_by_keyboard_and_its_text_and_number_at_once(fresh):
 def test_the_address_opens_the_same_page_elsewhere_and_what_is_wrong_stands_beside_its_field(fresh, browser, address):
     page = fresh
     page.get_by_label("work of adhesion gamma", exact=True).first.fill("0.3 J/m^2")
-    page.wait_for_function("() => !document.querySelector('[role=status]').innerText.startsWith('mu = 0.04562')")
+    page.wait_for_function("() => !document.querySelector('[role=status]').innerText.startsWith('mu ≈ 0.046')")
     page.wait_for_url(re.compile(r"\?s="))
     said, url = _status(page), page.url
     page.get_by_label("asperity tip radius R", exact=True).fill("50")
@@ -330,7 +377,7 @@ def test_a_scan_is_the_roughness_of_the_case(fresh):
     page.get_by_text(re.compile("256 x 256 points")).wait_for()
     page.get_by_role("switch", name="use it in the case").click()
     page.get_by_text("measured: see the tab Surface").wait_for()
-    page.wait_for_function("() => !document.querySelector('header').innerText.includes('mu = 0.04562')")
+    page.wait_for_function("() => !document.querySelector('header').innerText.includes('mu ≈ 0.046')")
     _tab(page, "Share")
     page.get_by_text(re.compile("Not in the address: .*Who opens it has to have these files")).wait_for()
 

@@ -4,30 +4,33 @@
 import atexit
 import gc
 
-# isort: off
-# In the order of the help.
-from stiction.cli import (  # noqa: F401
-    run,
-    serve,
-    sweep,
-    sensitivity,
-    fit,
-    design,
-    compare,
-    film,
-    report,
-    validate,
-    surface,
-    figures,
-    models,
-    materials,
-    cite,
-    schema,
-)
+from stiction.cli.interrupting import ended_by_interrupts
 
-# isort: on
-from stiction.cli.output import readable, said_if_unwritable
-from stiction.cli.program import app
+with ended_by_interrupts():
+    # isort: off
+    # In the order of the help.
+    from stiction.cli import (  # noqa: F401
+        run,
+        serve,
+        sweep,
+        sensitivity,
+        fit,
+        design,
+        compare,
+        film,
+        report,
+        validate,
+        surface,
+        figures,
+        models,
+        materials,
+        cite,
+        schema,
+    )
+
+    # isort: on
+    from stiction.cli.output import readable, said_if_unwritable
+    from stiction.cli.program import app
 
 __all__ = ["app", "main"]
 

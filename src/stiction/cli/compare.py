@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -68,10 +68,21 @@ def compare(
         written(out, names)
 
 
+def _figure(data: "xarray.Dataset", title: str):
+    from stiction.report.comparison_pictures import comparison_figure
+
+    return comparison_figure(data, title)
+
+
+def _spread(data: "xarray.Dataset", title: str):
+    from stiction.report.uncertainty_pictures import spread_figure
+
+    return spread_figure(data, title)
+
+
 def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> list[str]:
     """Write tables and the picture; returns their names."""
-    with busy("Drawing"):
-        from stiction.report.comparison_pictures import comparison_figure
+    with writing("Drawing"):
         from stiction.report.comparison_rows import at_load_rows, comparison_rows
         from stiction.report.files import write_folder, write_netcdf, write_picture, write_rows
 
@@ -79,13 +90,11 @@ def _write_comparison(out: Path, data: "xarray.Dataset", title: str) -> list[str
             "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),
             "compare_at_load.csv": lambda path: write_rows(path, *at_load_rows(data)),
             "compare.nc": lambda path: write_netcdf(data, path),
-            "compare.png": lambda path: write_picture(comparison_figure(data, title), path),
+            "compare.png": lambda path: write_picture(_figure(data, title), path),
         }
         if "working_load" not in data.attrs:
             del files["compare_at_load.csv"]
         if "spread_factor" in data:
-            from stiction.report.uncertainty_pictures import spread_figure
-
-            files["spread.png"] = lambda path: write_picture(spread_figure(data, title), path)
+            files["spread.png"] = lambda path: write_picture(_spread(data, title), path)
         write_folder(out, files)
     return list(files)

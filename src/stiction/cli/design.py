@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, app, busy, console, telling_how_far, written
+from stiction.cli.program import Json, Out, app, busy, console, telling_how_far, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -68,17 +68,22 @@ def _print(data: "xarray.Dataset") -> None:
         terminal.print(note)
 
 
+def _figure(data: "xarray.Dataset"):
+    from stiction.report.design_pictures import design_figure
+
+    return design_figure(data)
+
+
 def _write(out: Path, found: "Designing", data: "xarray.Dataset") -> list[str]:
     """Write the designed case, tables and the picture; returns their names."""
-    with busy("Writing the results"):
-        from stiction.report.design_pictures import design_figure
+    with writing():
         from stiction.report.design_tables import design_rows
         from stiction.report.files import write_folder, write_netcdf, write_picture, write_rows
 
         files = {
             "designed.toml": lambda path: path.write_text(found.case_text(out), encoding="utf-8"),
             "design.csv": lambda path: write_rows(path, *design_rows(data, "design")),
-            "design.png": lambda path: write_picture(design_figure(data), path),
+            "design.png": lambda path: write_picture(_figure(data), path),
             "design.nc": lambda path: write_netcdf(data, path),
         }
         if data.sizes.get("front"):

@@ -8,6 +8,7 @@ import typer
 
 from stiction.cli.output import print_json
 from stiction.cli.program import Json, app, bar, busy, console, folder, solving
+from stiction.quantities.extras import require
 from stiction.quantities.table import QUANTITIES
 
 if TYPE_CHECKING:
@@ -44,6 +45,7 @@ def figures(
     """
     from stiction.report.files import check_folder
 
+    require("figures", "matplotlib")
     check_folder(out)
     with solving():
         from stiction.studies.paper_figures import PANELS, panel_curves

@@ -20,6 +20,7 @@ from stiction.cli.program import (
     keys_of,
     options_of_records,
     solving,
+    writing,
     written,
 )
 
@@ -91,11 +92,16 @@ def _print(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:
         terminal.print(beyond)
 
 
+def _figure(case: "Case", point: "xarray.Dataset", section: "xarray.Dataset"):
+    from stiction.report.film_pictures import film_figure
+
+    return film_figure(point, section, case.title)
+
+
 def _write(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and the picture; returns their names."""
-    with busy("Writing the results"):
+    with writing():
         from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
-        from stiction.report.film_pictures import film_figure
         from stiction.studies.film_section import film_section
         from stiction.studies.film_stress import middle_point
 
@@ -105,7 +111,7 @@ def _write(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
             "film.csv": lambda path: write_csv(data, path, comments_of(data)),
             "film.nc": lambda path: write_netcdf(data, path),
             "section.nc": lambda path: write_netcdf(section, path),
-            "film.png": lambda path: write_picture(film_figure(point, section, case.title), path),
+            "film.png": lambda path: write_picture(_figure(case, point, section), path),
         }
         write_folder(out, files)
     return list(files)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, app, bar, busy, console, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -65,17 +65,28 @@ def _print(data: "xarray.Dataset", title: str) -> None:
         terminal.print("", evidence_table(data))
 
 
+def _figure(found: "Fitting", data: "xarray.Dataset"):
+    from stiction.report.fit_pictures import fit_figure
+
+    return fit_figure(data, found.plan.title)
+
+
+def _profiles(data: "xarray.Dataset"):
+    from stiction.report.fit_pictures import profile_figure
+
+    return profile_figure(data)
+
+
 def _write(out: Path, found: "Fitting", data: "xarray.Dataset") -> list[str]:
     """Write the fitted case, tables and pictures; returns their names."""
-    with busy("Writing the results"):
+    with writing():
         from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture, write_rows
-        from stiction.report.fit_pictures import fit_figure, profile_figure
         from stiction.report.fit_tables import parameter_rows, prediction_names, row_rows
 
         files = {
             "fitted.toml": lambda path: path.write_text(found.case_text(out), encoding="utf-8"),
-            "fit.png": lambda path: write_picture(fit_figure(data, found.plan.title), path),
-            "profiles.png": lambda path: write_picture(profile_figure(data), path),
+            "fit.png": lambda path: write_picture(_figure(found, data), path),
+            "profiles.png": lambda path: write_picture(_profiles(data), path),
             "parameters.csv": lambda path: write_rows(path, *parameter_rows(data)),
             "residuals.csv": lambda path: write_rows(path, *row_rows(data)),
             "fit.nc": lambda path: write_netcdf(data, path),

@@ -12,11 +12,13 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperCommand, TyperGroup
 
+from stiction.cli.interrupting import INTERRUPTED
 from stiction.cli.output import closed_pipe, give_up_output
 from stiction.quantities.errors import InputDoubt, InputError
+from stiction.quantities.extras import how_to_install
 from stiction.quantities.notices import Notice
 
-_BAD_INPUT, _INTERRUPTED = 2, 130
+_BAD_INPUT = 2
 _TABLE = re.compile(r"\[(?=[a-z])")
 # What typer raises for wrong usage; it has no name for the parent of BadParameter.
 _UsageError: type[Any] = typer.BadParameter.__mro__[1]
@@ -68,7 +70,7 @@ def _one_line() -> Iterator[None]:
         give_up_output(error)
     except KeyboardInterrupt:
         print("stiction: interrupted", file=sys.stderr)
-        raise typer.Exit(_INTERRUPTED) from None
+        raise typer.Exit(INTERRUPTED) from None
 
 
 # Warnings that a user is to see: of names that are old, of numbers that were hardly meant, of what the program could not do.
@@ -237,6 +239,15 @@ def busy(text: str) -> Iterator[None]:
 
 
 @contextmanager
+def writing(text: str = "Writing the results") -> Iterator[None]:
+    """The same while results are written. Ctrl-C waits until they are: what took long is not lost at its end."""
+    from stiction.studies.sweep_guards import uninterrupted
+
+    with busy(text), uninterrupted():
+        yield
+
+
+@contextmanager
 def telling_how_far(text: str) -> Iterator[Callable[[str], None]]:
     """What tells how far something is: in a line on the terminal, else in a line at once and then now and then."""
     with _line(text) as line:
@@ -324,4 +335,10 @@ def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
 
 def written(folder: Path, names) -> None:
     """Say where the results are."""
-    console().print(f"written to {folder}: {', '.join(names)}", highlight=False, markup=False, soft_wrap=True)
+    from stiction.report.files import undrawn_of
+
+    undrawn = undrawn_of(names)
+    there = [name for name in names if name not in undrawn]
+    console().print(f"written to {folder}: {', '.join(there)}", highlight=False, markup=False, soft_wrap=True)
+    if undrawn:
+        print(f"stiction: not drawn without matplotlib: {', '.join(undrawn)}; {how_to_install('matplotlib')}", file=sys.stderr)

@@ -22,6 +22,7 @@ from stiction.cli.program import (
     keys_of,
     options_of_records,
     solving,
+    writing,
     written,
 )
 from stiction.quantities.errors import InputError
@@ -140,15 +141,15 @@ def _slide(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, s
 def _report_sliding(case: "Case", data: "xarray.Dataset", out: Path | None, json: bool) -> None:
     """Write and print what --sliding asks for."""
     from stiction.report.files import comments_of, record, write_csv, write_folder, write_netcdf, write_picture
-    from stiction.report.sliding import sliding_figure, sliding_notes, sliding_table
+    from stiction.report.sliding import sliding_notes, sliding_table
 
     names = {
         "sliding.csv": lambda path: write_csv(data, path, comments_of(data)),
         "sliding.nc": lambda path: write_netcdf(data, path),
-        "sliding.png": lambda path: write_picture(sliding_figure(data, case.title), path),
+        "sliding.png": lambda path: write_picture(_sliding(case, data), path),
     }
     if out is not None:
-        with busy("Writing the results"):
+        with writing():
             write_folder(out, names)
     if json:
         print_json(record(data, case.subject.groups()))
@@ -167,7 +168,7 @@ def _report_sliding(case: "Case", data: "xarray.Dataset", out: Path | None, json
 
 def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and pictures; returns their names."""
-    with busy("Writing the results"):
+    with writing():
         from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
         from stiction.solving.method_spread import as_columns
         from stiction.studies.bands import as_columns as with_quantiles
@@ -178,13 +179,9 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
             "curve.png": lambda path: write_picture(_figure(case, data), path),
         }
         if "friction_coefficient_by_method" in data and not case.is_several:
-            from stiction.report.surface_pictures import method_spread_figure
-
-            files["band.png"] = lambda path: write_picture(method_spread_figure(data, case.title), path)
+            files["band.png"] = lambda path: write_picture(_methods(case, data), path)
         if "friction_coefficient_quantile" in data and not case.is_several:
-            from stiction.report.uncertainty_pictures import uncertainty_figure
-
-            files["uncertainty.png"] = lambda path: write_picture(uncertainty_figure(data, case.title), path)
+            files["uncertainty.png"] = lambda path: write_picture(_uncertainty(case, data), path)
         write_folder(out, files)
     return list(files)
 
@@ -197,6 +194,24 @@ def _figure(case: "Case", data: "xarray.Dataset"):
     from stiction.report.pictures import curve_figure
 
     return curve_figure(data, case.title)
+
+
+def _methods(case: "Case", data: "xarray.Dataset"):
+    from stiction.report.surface_pictures import method_spread_figure
+
+    return method_spread_figure(data, case.title)
+
+
+def _uncertainty(case: "Case", data: "xarray.Dataset"):
+    from stiction.report.uncertainty_pictures import uncertainty_figure
+
+    return uncertainty_figure(data, case.title)
+
+
+def _sliding(case: "Case", data: "xarray.Dataset"):
+    from stiction.report.sliding_pictures import sliding_figure
+
+    return sliding_figure(data, case.title)
 
 
 def _table(case: "Case", data: "xarray.Dataset", all_rows: bool):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, Ranges, app, bar, busy, console, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -64,11 +64,16 @@ def sensitivity(
         written(out, files)
 
 
+def _figure(data: "xarray.Dataset"):
+    from stiction.report.sensitivity_pictures import sensitivity_figure
+
+    return sensitivity_figure(data)
+
+
 def _write(out: Path, data: "xarray.Dataset") -> list[str]:
     """Write tables and the picture; returns their names."""
-    with busy("Drawing"):
+    with writing("Drawing"):
         from stiction.report.files import write_csv, write_folder, write_netcdf, write_picture
-        from stiction.report.sensitivity_pictures import sensitivity_figure
 
         files: dict[str, Callable[[Path], None]] = {
             name: partial(write_csv, data[[one for one in data.data_vars if dim in data[one].dims]])
@@ -77,7 +82,7 @@ def _write(out: Path, data: "xarray.Dataset") -> list[str]:
         }
         files |= {
             "sensitivity.nc": lambda path: write_netcdf(data, path),
-            "sensitivity.png": lambda path: write_picture(sensitivity_figure(data), path),
+            "sensitivity.png": lambda path: write_picture(_figure(data), path),
         }
         write_folder(out, files)
     return list(files)

@@ -1,14 +1,13 @@
 """`stiction serve`: the page on which the knobs are turned."""
 
 import sys
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from stiction.cli.program import app, busy
-from stiction.quantities.errors import InputError
+from stiction.quantities.extras import require
 
 _LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
@@ -32,8 +31,7 @@ def serve(
     Nothing leaves this machine, and no network is needed. The address of the page holds the case: who gets it sees the same.
     Uploads are kept in a temporary folder, and deleted with the page. Ctrl-C ends it.
     """
-    if find_spec("nicegui") is None:
-        raise InputError("serve", "without NiceGUI", "an installation with it: pip install 'stiction[web]'")
+    require("serve", "nicegui", "matplotlib")
     with busy("Starting"):
         from stiction.web.server import check_port, question_of
         from stiction.web.server import serve as run

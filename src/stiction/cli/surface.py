@@ -1,5 +1,6 @@
 """`stiction surface`: what one scan says."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -143,19 +144,12 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
 
 def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any, solved: "ContactOfMap | None") -> list[str]:
     """Write pictures and tables; returns their names."""
-    from stiction.report.files import as_json, write_csv, write_folder, write_netcdf, write_picture, write_rows
+    from stiction.report.files import as_json, write_csv, write_folder, write_netcdf, write_rows
     from stiction.studies.surface_analysis import spectrum_rows, summary
 
     resolution = _resolution(analysis.surface, case, load)
     with busy("Drawing"):
-        from stiction.report.surface_pictures import asperity_figure, map_figure, resolution_figure, spectrum_figure
-
-        found = list(analysis.asperities.values())
-        files = {
-            "map.png": lambda path: write_picture(map_figure(analysis.surface), path),
-            "spectrum.png": lambda path: write_picture(spectrum_figure(analysis.spectrum), path),
-            "asperities.png": lambda path: write_picture(asperity_figure(found, analysis.surface), path),
-            "fan.png": lambda path: write_picture(resolution_figure(resolution), path),
+        files = _pictures(analysis, resolution) | {
             "fan.csv": lambda path: write_csv(resolution, path),
             "fan.nc": lambda path: write_netcdf(resolution, path),
             "spectrum.csv": lambda path: write_rows(path, *spectrum_rows(analysis.spectrum)),
@@ -167,6 +161,27 @@ def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any, solv
             files["pressure.npy"] = lambda path: _write_pressure(path, solved)
         write_folder(out, files)
     return list(files)
+
+
+def _pictures(analysis: "Analysis", resolution: "xarray.Dataset") -> dict[str, Callable[[Path], None]]:
+    """The pictures and what draws them, which is imported when it does."""
+
+    def drawn(of: Callable[[Any], Any]) -> Callable[[Path], None]:
+        def draw(path: Path) -> None:
+            from stiction.report import surface_pictures
+            from stiction.report.files import write_picture
+
+            write_picture(of(surface_pictures), path)
+
+        return draw
+
+    found = list(analysis.asperities.values())
+    return {
+        "map.png": drawn(lambda pictures: pictures.map_figure(analysis.surface)),
+        "spectrum.png": drawn(lambda pictures: pictures.spectrum_figure(analysis.spectrum)),
+        "asperities.png": drawn(lambda pictures: pictures.asperity_figure(found, analysis.surface)),
+        "fan.png": drawn(lambda pictures: pictures.resolution_figure(resolution)),
+    }
 
 
 def _resolution(scan: "HeightMap", case: "Case | None", load: Any) -> "xarray.Dataset":

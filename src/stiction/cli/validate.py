@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, app, bar, busy, console, written
+from stiction.cli.program import Json, Out, app, bar, busy, console, writing, written
 
 if TYPE_CHECKING:
     import xarray
@@ -60,7 +60,7 @@ def _print(data: "xarray.Dataset") -> None:
 
 def _write(out: Path, found: "dict[str, xarray.Dataset]") -> list[str]:
     """Write a table for each entry; returns their names."""
-    with busy("Writing the results"):
+    with writing():
         from stiction.report.files import write_folder, write_rows
         from stiction.report.validation_tables import row_rows
 

@@ -25,6 +25,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
+from stiction.engine.taken_in import taken_in
 from stiction.quantities.cache import cache_folder, cannot_keep
 
 # `contract` (fused multiply-add) is safe in every formula. Sums may also be reordered, which is what lets them vectorise;
@@ -47,12 +48,12 @@ _KNOWN = ("numpy", "numba", "math")
 
 def formula(function: Callable) -> Any:
     """Compile a formula of scalars. The kernels take it in whole, so it needs no cache of its own."""
-    return numba.njit(**FORMULA)(function)
+    return taken_in(function, FORMULA)
 
 
 def loop(function: Callable) -> Any:
     """Compile a part of a kernel, which the kernel takes in whole: its sums may be reordered, as those of the kernel."""
-    return numba.njit(**KERNEL, forceinline=True)(function)
+    return taken_in(function, {**KERNEL, "forceinline": True})
 
 
 def kernel(function: Callable) -> Any:

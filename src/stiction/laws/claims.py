@@ -21,6 +21,13 @@ TRAITS = {
     "2015": "the asperity of the 2015 paper",
 }
 
+# What a junction that has yielded resists, after a tangential law: from first to last are three orders of magnitude.
+YIELDED = {
+    "none": "junctions that have yielded resist nothing",
+    "interface": "the strength of the interface acts on their area as the load leaves it",
+    "junction growth": "the strength of the interface acts on their area, which grows under shear",
+    "full stick": "they are as strong as the bulk",
+}
 
 # What it means to leave a range, the worst first.
 KINDS_OF_DOUBT = {

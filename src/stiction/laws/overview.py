@@ -96,6 +96,7 @@ _MORE: dict[str, Callable[[Any], Any]] = {
     "confined": bool,
     "interchangeable": bool,
     "interfacial": bool,
+    "yielded": str,
     "below": str,
     "above": str,
     "property": str,

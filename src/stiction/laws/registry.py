@@ -8,7 +8,7 @@ command line, citations and contract tests are made from the record.
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from stiction.laws.claims import FILM_LIMITS, GRADES, TRAITS, Departure, Jump, Limit, Parameter, Validity
+from stiction.laws.claims import FILM_LIMITS, GRADES, TRAITS, YIELDED, Departure, Jump, Limit, Parameter, Validity
 from stiction.laws.records import Record, find, of_kind, text_of
 from stiction.quantities.errors import InputError
 
@@ -45,7 +45,7 @@ class TangentialLaw(Record):
     why a law that is neither says nothing of film and body as one; like: key of the law to take there in its place, or "".
     junctions: keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where its own
     gives them nothing. of_area: its force is the strength of the interface times the contact area, beside what goes with the
-    load.
+    load. yielded: what junctions that have yielded resist, of YIELDED; "" if that is not said.
     """
 
     kind = keyword = "tangential"
@@ -57,6 +57,7 @@ class TangentialLaw(Record):
     like: str = ""
     of_area: bool = False
     junctions: tuple[str, ...] = ()
+    yielded: str = ""
 
     @property
     def options(self) -> Mapping[str, tuple[str, ...]]:
@@ -260,9 +261,9 @@ KINDS: tuple[type[Record], ...] = (
 )
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "Ageing", "AsperityLaw", "AsperityMethod",
-    "Composite", "Contamination", "Criterion", "Departure", "FilmLaw", "Jump", "Limit", "Meniscus", "Parameter",
-    "Presliding", "Record", "RoughSurface", "TangentialLaw", "Validity", "all_options", "composites_of", "find",
+    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "YIELDED", "Ageing", "AsperityLaw",
+    "AsperityMethod", "Composite", "Contamination", "Criterion", "Departure", "FilmLaw", "Jump", "Limit", "Meniscus",
+    "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Validity", "all_options", "composites_of", "find",
     "friction_incompatibility", "incompatibility", "of_kind", "records", "resolve_options", "select_options", "text_of",
 ]  # fmt: skip
 

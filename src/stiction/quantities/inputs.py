@@ -222,6 +222,9 @@ def _drop_null(entry: dict) -> None:
     entry.update(choices[0] if len(choices) == 1 else {"anyOf": choices} if choices else {})
 
 
+_KINDS = {"model_type": "a table with its numbers"}  # kinds of errors that pydantic tells to programmers
+
+
 def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
     """The first of pydantic's errors as one line, a mistyped key before the field that it leaves missing."""
     details = min(error.errors(), key=lambda entry: entry["type"] != "extra_forbidden")
@@ -234,7 +237,8 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
         return InputError(".".join(path), details["input"], f"{known}; {path[-1]} is no key here")
     if details["type"] == "missing":
         return InputError(".".join(path), None, _wanted(path[-1], cls))
-    allowed = details.get("ctx", {}).get("expected") or cls.model_fields[path[0]].description or details["msg"]
+    allowed = details.get("ctx", {}).get("expected") or cls.model_fields[path[0]].description
+    allowed = allowed or _KINDS.get(details["type"], details["msg"])
     return InputError(".".join(path), details["input"], allowed)
 
 

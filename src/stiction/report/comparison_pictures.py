@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.families import with_plastic_junctions
 from stiction.report.pictures import GREY, finish, label, say
 
 if TYPE_CHECKING:
@@ -55,14 +56,14 @@ def _any_drawn(data: "xarray.Dataset", family: str) -> bool:
 
 
 def _panel(axes: Axes, data: "xarray.Dataset", family: str) -> None:
-    """The curves of one family."""
+    """The curves of one family; where its models do not agree what plastic junctions resist, their names say it."""
     from matplotlib.colors import TABLEAU_COLORS
 
     colours, drawn = list(TABLEAU_COLORS.values()), 0
-    for at in np.flatnonzero(data["family_of_curve"].values == family):
-        one = data.isel(model=int(at))
-        name = str(one["model"].item())
-        best = name == data.attrs.get("recommended")
+    some = data.isel(model=np.flatnonzero(data["family_of_curve"].values == family))
+    for at, name in enumerate(with_plastic_junctions(some)):
+        one = some.isel(model=at)
+        best = one["model"].item() == data.attrs.get("recommended")
         look = {"color": "black" if best else colours[drawn % 10], "linestyle": _DASHES[drawn // 10 % 4]}
         drawn += _curve(axes, one, label=name, linewidth=3.0 if best else 1.5, zorder=3 if best else 2, **look)
     axes.set(xscale="log", yscale="log", xlabel=label(data["load"]))

@@ -12,19 +12,22 @@ if TYPE_CHECKING:
     import xarray
 
 
-def run_command(data: "xarray.Dataset", model: str) -> str:
-    """The command line that computes one row of a comparison again."""
+_DIGITS = 6  # of a load that is read: its result differs in the sixth
+
+
+def run_command(data: "xarray.Dataset", model: str, exact: bool = False) -> str:
+    """The command line that computes one row of a comparison again; exact: to the last digit."""
     case = data.attrs.get("case_file", "CASE.toml")
-    load = _load_in_words(data)
+    load = _load_in_words(data, exact)
     return f"stiction run {shlex.quote(case)} --model {shlex.quote(model)}" + (f" --load {shlex.quote(load)}" if load else "")
 
 
-def _load_in_words(data: "xarray.Dataset") -> str:
-    """The working load as --load takes it, to the last digit."""
+def _load_in_words(data: "xarray.Dataset", exact: bool) -> str:
+    """The working load as --load takes it."""
     if "working_load" not in data.attrs:
         return ""
-    unit = data["load"].attrs.get("units", "1")
-    return f"{data.attrs['working_load']!r}" + ("" if unit == "1" else f" {unit}")
+    unit, load = data["load"].attrs.get("units", "1"), float(data.attrs["working_load"])
+    return (f"{load!r}" if exact else f"{load:.{_DIGITS}g}") + ("" if unit == "1" else f" {unit}")
 
 
 def comparison(data: "xarray.Dataset") -> dict[str, Any]:
@@ -42,9 +45,10 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "measured_film_error": json.loads(one["measured_film_error"].item()),
             "why_not": one["why_not"].item() or None,
             "family": one["family_of_curve"].item() or None,
+            "plastic_junctions_resist": one["plastic_junctions_resist"].item() or None,
             "cost": one["cost"].item(),
             "solved": one["solved"].item(),
-            "command": run_command(data, str(name)),
+            "command": run_command(data, str(name), exact=True),
         }
         row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
         row |= _over_methods(one) | _over_inputs(one)
@@ -121,7 +125,7 @@ def at_load_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]
     heads += names[-3:]
     shares: list[float] = data["quantile"].values.tolist() if "quantile" in data.dims else []
     heads += [f"friction_coefficient_q{round(100.0 * share):02d}" for share in shares]
-    texts = ("outside_validity", "why_not")
+    texts = ("plastic_junctions_resist", "outside_validity", "why_not")
     rows = (
         [str(one[name].item()) for name in ("model", "grade")]
         + [one[name].item() for name in names]

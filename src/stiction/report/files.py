@@ -17,6 +17,7 @@ import numpy as np
 from stiction.laws.registry import GRADES
 from stiction.laws.validity import doubts_of
 from stiction.quantities.errors import InputError
+from stiction.quantities.extras import installed
 from stiction.quantities.paths import require_place
 
 if TYPE_CHECKING:
@@ -140,6 +141,11 @@ def write_picture(figure: "Figure", path: Path) -> None:
     figure.savefig(path, dpi=_DOTS_PER_INCH)
 
 
+def undrawn_of(names: Iterable[str]) -> list[str]:
+    """The pictures among names of files that cannot be drawn here: all of them without matplotlib, an optional extra."""
+    return [] if installed("matplotlib") else [name for name in names if name.endswith(".png")]
+
+
 def check_folder(folder: Path) -> None:
     """Raise InputError for a place where no folder can be, before anything is computed for it."""
     require_place(folder, "a folder, new or existing")
@@ -151,9 +157,11 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
     """Write files (name -> function that writes to a path) into a folder, made if it is missing.
 
     All are finished in a folder beside it before the first is moved into place; other files in it stay.
-    Raises InputError where they cannot be written.
+    Pictures are left out where there is nothing to draw them. Raises InputError where they cannot be written.
     """
     check_folder(folder)
+    undrawn = set(undrawn_of(files))
+    files = {name: write for name, write in files.items() if name not in undrawn}
     folder = folder.resolve()
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.extras import require
 from stiction.quantities.paths import require_place
 from stiction.report import report_sections as say
 from stiction.report.honest_digits import rounded
@@ -20,13 +21,6 @@ from stiction.report.html_words import formula
 from stiction.report.printed_sources import entries, printed
 from stiction.report.report_answer import answer_in_words, beside_headline, best_of, doubts_here, headline, question, spreads
 from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
-from stiction.report.report_pictures import (
-    all_of_one,
-    pictures_of_comparison,
-    pictures_of_curve,
-    pictures_of_scan,
-    pictures_of_uncertainty,
-)
 from stiction.studies.case import Case, as_case
 from stiction.studies.case_text import as_toml
 from stiction.studies.findings import Findings, find_out, text_of_file
@@ -48,6 +42,7 @@ def write_report(
     case. ranges: whether numbers of materials vary within their ranges, in place of what the case says. progress: from a text,
     what wraps a list of steps. Returns the answer as numbers and words, a dict. Raises InputError.
     """
+    require("report", "matplotlib")
     check_place(Path(path), case)
     read = as_case(case, ranges)
     text, name = "", "case.toml"
@@ -69,6 +64,8 @@ def as_html(findings: Findings, name: str, again: str, progress: Progress = lamb
     """The page; name: of the case file; again: the command line that makes it. The same findings give the same text but for the
     date."""
     import jinja2
+
+    from stiction.report.report_pictures import all_of_one
 
     loader = jinja2.PackageLoader("stiction.report")
     templates = jinja2.Environment(
@@ -111,6 +108,13 @@ def _as_link(text: str) -> str:
 
 def _pictures(findings: Findings, progress: Progress) -> Iterable[tuple[str, list]]:
     """The pictures, section by section."""
+    from stiction.report.report_pictures import (
+        pictures_of_comparison,
+        pictures_of_curve,
+        pictures_of_scan,
+        pictures_of_uncertainty,
+    )
+
     sections: dict[str, Callable[[], Iterable]] = {
         "curve": lambda: pictures_of_curve(findings),
         "comparison": lambda: pictures_of_comparison(findings),

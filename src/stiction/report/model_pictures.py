@@ -1,6 +1,6 @@
 """Every model's friction at the working load, a row each: to be read where there is little room."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.families import families_of
 from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, finish, say
 
 if TYPE_CHECKING:
@@ -17,20 +18,19 @@ __all__ = ["models_figure", "rows_of_models"]
 
 _LOOKS = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"), (SKY, "D"))
 _MU = "friction_coefficient_at_load"
-_WIDE = 1e4  # friction less than this much below the largest is not drawn: the axis would be of it alone
+_WIDE = 1e4  # friction more than this factor below the largest stands at the edge: the axis would be of it alone
 
 
 def rows_of_models(data: "xarray.Dataset") -> list[int]:
     """Places of the models that have a friction coefficient at the working load, families together, from the least up."""
-    mu, families = data[_MU].values, data["family_of_curve"].values
-    known = mu[np.isfinite(mu)]
-    least = known.max(initial=0.0) / _WIDE
-    shown = [int(at) for at in np.flatnonzero(np.isfinite(mu) & (np.nan_to_num(mu) > least))]
-    return sorted(shown, key=lambda at: (families[at] != data.attrs.get("family"), str(families[at]), mu[at]))
+    mu, rests, families = data[_MU].values, data["family_of_curve"].values, families_of(data)
+    shown = np.flatnonzero(np.isfinite(mu)).tolist()
+    return sorted(shown, key=lambda at: (rests[at] != data.attrs.get("family"), families[at], mu[at]))
 
 
 def models_figure(data: "xarray.Dataset") -> Figure:
-    """Dots, hollow where a model is outside its range; a bar over what is uncertain of the inputs, where that is known; the
+    """Dots, hollow where a model is outside its range, and an arrow at the edge with its number where it says far less than the
+    others; a bar over what is uncertain of the inputs, where that is known; the
     recommended one named in bold. data: a comparison at a working load."""
     rows = rows_of_models(data)
     figure = Figure(figsize=(6.4, 1.5 + 0.21 * max(len(rows), 3)), layout="constrained")
@@ -38,12 +38,20 @@ def models_figure(data: "xarray.Dataset") -> Figure:
     if not rows:
         say(axes, "no model says anything of friction here")
         return figure
-    families = list(dict.fromkeys(str(data["family_of_curve"].values[at]) for at in rows))
+    every = families_of(data)
+    families = list(dict.fromkeys(every[at] for at in rows))
+    least = max(float(data[_MU].values[rows].max()) / _WIDE, 1e-300)
     for row, at in enumerate(rows):
-        colour, mark = _LOOKS[families.index(str(data["family_of_curve"].values[at])) % len(_LOOKS)]
+        colour, mark = _LOOKS[families.index(every[at]) % len(_LOOKS)]
         outside = bool(str(data["outside_validity"].values[at]))
-        _bar(axes, data, at, row, colour)
-        axes.plot(data[_MU].values[at], row, mark, color=colour, markerfacecolor="none" if outside else colour, markersize=6)
+        look: dict[str, Any] = {"color": colour, "markerfacecolor": "none" if outside else colour, "markersize": 6}
+        mu = float(data[_MU].values[at])
+        if mu < least:
+            axes.plot(0.02, row, "<", transform=axes.get_yaxis_transform(), **look)
+            axes.text(0.04, row, f"{mu:.2g}", transform=axes.get_yaxis_transform(), fontsize=8, va="center")
+            continue
+        _bar(axes, data, at, row, colour, least)
+        axes.plot(mu, row, mark, **look)
     names = [str(data["model"].values[at]) for at in rows]
     axes.set_yticks(range(len(rows)), names, fontsize=8)
     for text, name in zip(axes.get_yticklabels(), names, strict=True):
@@ -59,13 +67,13 @@ def models_figure(data: "xarray.Dataset") -> Figure:
 _RESULT = "friction_coefficient"
 
 
-def _bar(axes: Axes, data: "xarray.Dataset", at: int, row: int, colour: str) -> None:
-    """From the low to the high end of the band of one model."""
+def _bar(axes: Axes, data: "xarray.Dataset", at: int, row: int, colour: str, least: float) -> None:
+    """From the low to the high end of the band of one model, no lower than the axis reaches."""
     if f"{_MU}_quantile" not in data:
         return
     low, high = (float(data[f"{_MU}_quantile"].isel(model=at, quantile=end)) for end in (0, -1))
     if np.isfinite([low, high]).all() and low > 0.0:
-        axes.plot([low, high], [row, row], color=colour, linewidth=2.0, alpha=0.6)
+        axes.plot([max(low, least), high], [row, row], color=colour, linewidth=2.0, alpha=0.6)
 
 
 def _legend(figure: Figure, families: list[str]) -> None:

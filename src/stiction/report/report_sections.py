@@ -13,13 +13,16 @@ import numpy as np
 from stiction.laws.claims import KINDS_OF_DOUBT
 from stiction.laws.registry import GRADES
 from stiction.laws.sources import bibliography
-from stiction.laws.validity import Doubt, doubts_of, read_doubts
+from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
+from stiction.report.comparison_doubts import doubts_with_meanings
+from stiction.report.families import said_of_plastic_junctions
 from stiction.report.html_tables import Table, of_printed
 from stiction.report.html_words import letters
 from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
 from stiction.report.report_inputs import groups_of_inputs, with_powers
-from stiction.report.tables import comparison_table, curve_table, doubts, run_notes
+from stiction.report.tables import comparison_table, curve_table, run_notes
+from stiction.report.uncertainty_tables import in_draws
 from stiction.studies.findings import Findings
 
 if TYPE_CHECKING:
@@ -83,7 +86,7 @@ def compared(findings: Findings) -> Table | None:
     if told is None:
         return None
     table = of_printed(comparison_table(told), "Every model at the working load, from the least friction up")
-    known = {"error": "measured error of the area"}
+    known = {"error": "measured error of the area", "plastic": "plastic junctions resist"}
     return replace(table, heads=[known.get(head, head) for head in table.heads])
 
 
@@ -104,6 +107,7 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
         lines += [f"Its measured error: {words}."] if words and "measured error" not in used["reason"] else []
     elif used.get("reason"):
         lines.append(f"No model is recommended: {used['reason']}.")
+    lines += [f"{said[0].upper()}{said[1:]}."] if (said := said_of_plastic_junctions(told)) else []
     lines += [f"What would have to change: {used['advice']}."] if used.get("advice") else []
     lines += [f"Set aside: {line}." for line in used.get("set_aside", "").splitlines()]
     lines += [f"{line}." for line in used["criteria"].splitlines()]
@@ -116,11 +120,7 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
 
 def _numbered_doubts(told: "xarray.Dataset") -> list[str]:
     """The doubts of the table, in its order, with what their symbols mean."""
-    every = [one for text in told["doubts"].values for one in read_doubts(str(text))]
-    meant = {
-        one.rule: f"{QUANTITIES[one.quantity].meaning} ({QUANTITIES[one.quantity].symbol})" for one in every if one.quantity
-    }
-    return [letters(f"{meant[rule]} {rule[rule.index('is not') :]}" if rule in meant else rule) for rule in doubts(told)]
+    return [letters(one) for one in doubts_with_meanings(told)]
 
 
 def spread_table_of(findings: Findings) -> Table | None:
@@ -150,9 +150,12 @@ def uncertainty_lines(findings: Findings) -> list[str]:
     lines.append(
         "What follows ± is one standard deviation, a factor is one of the logarithm, and between two ends all is alike."
     )
-    lines += [f"Drawn: {used['uncertainty']} (Sobol's sequence, scrambled)."] if "uncertainty" in used else []
+    if "uncertainty" in used:
+        lines.append(
+            f"Random draws of what is uncertain: {used['uncertainty'].replace(' points', '')} (Sobol's sequence, scrambled)."
+        )
     shares: dict[str, float] = json.loads(used.get("doubts_of_points", "{}"))
-    return lines + [f"In {share:.1%} of the points drawn: {_with_meaning(text)}." for text, share in shares.items()]
+    return lines + [f"I{in_draws(share, _with_meaning(text))[1:]}." for text, share in shares.items()]
 
 
 def _unknown(some: "list[Uncertain]") -> str:

@@ -1,8 +1,8 @@
 """What the command line prints of sensitivity: the inputs from the most to the least important, at the working load."""
 
 import json
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.table import Table
@@ -10,6 +10,7 @@ from rich.text import Text
 
 from stiction.laws.validity import doubts_of
 from stiction.report.several_tables import of_point, points_dimension
+from stiction.report.uncertainty_tables import in_draws
 from stiction.solving.pointwise import WHY_NOT
 
 if TYPE_CHECKING:
@@ -95,6 +96,14 @@ def _signed(value: float) -> str:
     return "0" if abs(value) < _LEAST else f"{value:+.3g}"
 
 
+def _laws_in_words(used: Mapping[str, Any]) -> str:
+    """The model of a result, by its attributes, with every law and option that answers in it."""
+    kinds = ("asperity", "tangential", "film", "meniscus", "ageing", "contamination")
+    laws = [f"{kind} law {used[kind]}" for kind in kinds if used.get(kind, "none") != "none"]
+    options = [f"{name.replace('_', ' ')} {used[name]}" for name in str(used.get("options", "")).split() if name in used]
+    return ", ".join([str(used["model"]), *laws, *options])
+
+
 def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
     """What was varied, how, and what is doubtful of the nominal contact."""
     used = data.attrs
@@ -105,13 +114,13 @@ def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
             yield Text(f"methods of finding asperities, each as likely: {', '.join(used['methods'].split())}", style="dim")
         models = ", ".join(f"{name} {weight:.0%}" for name, weight in json.loads(used["models"]).items())
         yield Text(f"models: {models}", style="dim")
-        yield Text(f"drawn: {used['uncertainty']}", style="dim")
+        yield Text(f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}", style="dim")
         for text, share in json.loads(used["doubts_of_points"]).items():
             if text in WHY_NOT:
-                yield Text(f"left out, {share:.1%} of the points drawn: {text}", style="bold yellow")
+                yield Text(f"left out: {in_draws(share, text)}", style="bold yellow")
         yield Text("total, first: share of the variance of the logarithm; effect: its change from end to end", style="dim")
     else:
         yield Text('nothing is uncertain: give numbers errors, "0.5 +/- 0.1 GPa", or use --ranges', style="bold")
-    yield Text(f"elasticities: by {used['model']}, at the nominal numbers", style="dim")
+    yield Text(f"elasticities: by {_laws_in_words(used)}, at the nominal numbers", style="dim")
     for doubt in doubts_of(data):
         yield Text(f"doubtful: {doubt}", style="bold yellow")

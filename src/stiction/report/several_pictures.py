@@ -9,7 +9,7 @@ from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
 from stiction.quantities.units import show
-from stiction.report.pictures import WIDE, finish, heading, label, say
+from stiction.report.pictures import RED, WIDE, doubts_below, finish, heading, label, say
 from stiction.report.several_tables import (
     coordinates_along,
     of_point,
@@ -39,6 +39,8 @@ def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     else:
         figure = _small_multiples(data, dims)
     figure.suptitle(heading(data, title), fontsize=11)
+    if notes := doubts_below(data, int(14.5 * figure.get_figwidth())):
+        figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
     return figure
 
 

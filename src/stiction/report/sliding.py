@@ -1,23 +1,16 @@
-"""From rest to sliding: the picture of force and lost energy against displacement, and its table."""
+"""From rest to sliding: the table of points, and what is said of them."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from rich.table import Table
 
-from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
-from stiction.report.picture_style import COLOURS, along
-from stiction.report.pictures import doubts_below, heading, say
 from stiction.report.tables import curve_table, run_notes
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["sliding_figure", "sliding_notes", "sliding_table"]
+__all__ = ["sliding_notes", "sliding_table"]
 
 _HEADS = {
     "mean_separation": "separation",
@@ -41,58 +34,3 @@ def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
     if used["kept"] == 1.0:
         yield "the force then tends to that, and the displacement is where it has come to 99 % of it"
     yield from run_notes(data)
-
-
-def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Force over load against displacement, with the static friction that it cannot pass and where it is largest; and, where
-    asperities keep their strength, the energy lost in cycles. data: result of `slide` with one dimension of points, or none."""
-    lost = "energy_loss" in data
-    figure = Figure(figsize=(12.0 if lost else 7.0, 5.4), layout="constrained")
-    panels = figure.subplots(1, 2 if lost else 1, squeeze=False)[0]
-    points = [one for one in data["tangential_force"].dims if one != "displacement"]
-    rows = [data.isel({points[0]: at}) for at in range(data.sizes[points[0]])] if points else [data]
-    _forces(panels[0], rows)
-    if lost:
-        _losses(panels[1], rows)
-    figure.suptitle(heading(data, title), fontsize=11)
-    if notes := doubts_below(data, 150 if lost else 90):
-        figure.supxlabel("\n".join(notes), fontsize=8, color="#D55E00")
-    return figure
-
-
-def _named(row: "xarray.Dataset") -> str:
-    """The load of a row."""
-    load = row["load"]
-    text = show(float(load), "load", 3) if load.attrs.get("units") == "N" else f"{float(load):.3g}"
-    return f"${QUANTITIES['load'].latex}$ = {text}"
-
-
-def _forces(axes: Axes, rows: list["xarray.Dataset"]) -> None:
-    pressed = [row for row in rows if float(row["load"]) > 0.0]
-    axes.set_ylabel("tangential force over load $F/P$")
-    if not pressed:
-        say(axes, "not defined here:\nthere is no compressive load")
-        return
-    for at, row in enumerate(pressed):
-        colour, load = COLOURS[at % len(COLOURS)], float(row["load"])
-        axes.plot(row["displacement"], row["tangential_force"] / load, color=colour, label=_named(row))
-        axes.axhline(float(row["friction_coefficient"]), color=colour, linestyle=":", linewidth=1.0)
-        share = 0.99 if "energy_loss" in row else 1.0  # of the force that it tends to
-        axes.plot(row["sliding_displacement"], share * row["largest_friction_coefficient"], "o", color=colour, markersize=5)
-    axes.plot([], [], ":", color="black", label="all asperities at once: $\\mu$")
-    axes.plot([], [], "o", color="black", label="99 % of it" if "energy_loss" in rows[0] else "largest")
-    axes.set_ylim(bottom=0.0)
-    along(axes, "x", "displacement", rows[0]["displacement"].values, log=False)
-    axes.legend(fontsize=8, framealpha=0.9)
-
-
-def _losses(axes: Axes, rows: list["xarray.Dataset"]) -> None:
-    moved = rows[0]["displacement"].values > 0.0
-    largest = np.zeros(1)
-    for at, row in enumerate(rows):
-        lost = row["energy_loss"].values[moved]
-        largest = np.concatenate([largest, lost])
-        axes.plot(row["displacement"].values[moved], lost, color=COLOURS[at % len(COLOURS)], label=_named(row))
-    along(axes, "y", "energy_loss", largest[largest > 0.0])
-    along(axes, "x", "displacement", rows[0]["displacement"].values[moved])
-    axes.set_xlabel(f"amplitude: {axes.get_xlabel()}")

@@ -12,10 +12,12 @@ from rich.text import Text
 
 from stiction.contact.contact import Contact
 from stiction.laws.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
-from stiction.laws.validity import doubts_of, read_doubts
+from stiction.laws.validity import doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_with_meanings
 from stiction.report.comparison_rows import run_command
+from stiction.report.families import said_of_plastic_junctions
 from stiction.solving.film_errors import in_words, read_film_errors
 from stiction.solving.unused import unused_of
 
@@ -228,14 +230,14 @@ def outside_validity(data: "xarray.Dataset") -> Text | None:
 
 def comparison_table(data: "xarray.Dataset") -> Table:
     """What each model says at the working load, or along its curve if there is none, from the least friction up; the
-    recommended one is green. Of a measured surface the spread of mu over the methods of finding asperities stands in place of
-    the contact area. The error is that of the contact area, measured on solved surfaces near this contact. Doubts are numbered
-    as in `doubts`."""
-    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
+    recommended one is green; plastic: what its plastic junctions resist. Of a measured surface the spread of mu over the
+    methods of finding asperities stands in place of the contact area. The error is that of the contact area, measured on
+    solved surfaces near this contact. Doubts are numbered as in `doubts`."""
+    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("model", overflow="fold")
     with_range_over_methods = "friction_coefficient_at_load_low" in data
-    for head in ("grade", "mu", "over methods" if with_range_over_methods else "contact area", "error", "doubts"):
-        table.add_column(head, justify="left" if head in ("grade", "doubts") else "right", no_wrap=True)
+    for head in ("grade", "mu", "over methods" if with_range_over_methods else "contact\narea", "error", "plastic", "doubts"):
+        table.add_column(head, justify="left" if head in ("grade", "plastic", "doubts") else "right", no_wrap=True)
     judged = "friction_coefficient_at_load" in data
     known = doubts(data)
     order = np.argsort(data["friction_coefficient_at_load"].values) if judged else range(data.sizes["model"])
@@ -244,13 +246,14 @@ def comparison_table(data: "xarray.Dataset") -> Table:
         mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
         unit = one["contact_area"].attrs.get("units", "1")
         size = _short(area) if unit == "1" else shown(area, "contact_area", digits=3)
-        numbers = ", ".join(str(1 + known.index(line)) for line in _doubts_of(one))
+        numbers = ", ".join(str(1 + known.index(line)) for line in doubts_of_model(one))
         name = str(one["model"].item())
         look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
         fourth = over_methods(one) if with_range_over_methods else size
         error = float(one["measured_area_error"]) if judged else np.nan
         wrong = f"{error:+.0%}" if np.isfinite(error) else "-"
-        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), fourth, wrong, numbers or "-")), style=look)
+        resist = str(one["plastic_junctions_resist"].item()) or "-"
+        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), fourth, wrong, resist, numbers or "-")), style=look)
     return table
 
 
@@ -263,17 +266,6 @@ def over_methods(one: "xarray.Dataset") -> str:
     return f"{low:.3g} to {high:.3g}" if low < high else "-"
 
 
-def _doubts_of(one: "xarray.Dataset") -> list[str]:
-    """Why one model says nothing of friction, and the ranges of validity that it leaves, without by how much."""
-    return [*filter(None, [one["why_not"].item()]), *(doubt.rule for doubt in read_doubts(one["doubts"].item()))]
-
-
-def doubts(data: "xarray.Dataset") -> list[str]:
-    """All doubts of a comparison, each once."""
-    every = (_doubts_of(data.isel(model=at)) for at in range(data.sizes["model"]))
-    return list(dict.fromkeys(line for lines in every for line in lines))
-
-
 def comparison_summary(data: "xarray.Dataset") -> list[Text]:
     """The working load, the spread, the recommendation with its reason, and what is left out."""
     used = data.attrs
@@ -282,6 +274,7 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
         plain = data["load"].attrs.get("units", "1") == "1"
         load = f"{used['working_load']:.4g}" if plain else shown(used["working_load"], "load")
         lines.append(Text(f"working load {load}: mu {_range(used['spread'])} over all models, {_within(data)}"))
+        lines += [Text(said)] if (said := said_of_plastic_junctions(data)) else []
         lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
         if used["recommended"] in data["model"]:
             low, high = used["recommended_range"]
@@ -299,7 +292,7 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
     else:
         lines.append(Text("without a working load, which is above 0, the models are not judged"))
     lines += [Text(line) for line in used["criteria"].splitlines()]
-    lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts(data), start=1)]
+    lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts_with_meanings(data), start=1)]
     lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]
     return lines
 

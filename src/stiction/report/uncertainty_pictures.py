@@ -19,6 +19,7 @@ __all__ = ["spread_figure", "uncertainty_figure"]
 # The three colours, of the inputs, the methods and the models.
 COLOURS = dict(zip(MEANINGS, (BLUE, ORANGE, GREEN), strict=True))
 _MU = "friction_coefficient"
+_SEEN = 1.005  # a factor that is a bar, and no line
 
 
 def uncertainty_figure(data: "xarray.Dataset", title: str = "") -> Figure:
@@ -95,8 +96,11 @@ def _spreads(axes: Axes, below: Axes, data: "xarray.Dataset") -> None:
         return
     for at, (name, one) in enumerate(known.items()):
         low, high = float(one["spread_low"]), float(one["spread_high"])
-        axes.barh(-at, high - low, left=low, height=0.4, color=COLOURS[name], edgecolor=COLOURS[name])  # seen if it is a line
+        axes.barh(-at, high - low, left=low, height=0.4, color=COLOURS[name])
         text = f"{MEANINGS[name]}: {low:.3g} to {high:.3g}"
+        if _none(high / low):  # a bar of no width is seen by nobody
+            axes.plot(low, -at, marker="D", color=COLOURS[name], markersize=9, linestyle="none")
+            text = f"{MEANINGS[name]}: {low:.3g}, no difference"
         axes.annotate(text, (0.02, -at + 0.24), xycoords=("axes fraction", "data"), fontsize=8, va="bottom")
     nominal = float(data.attrs["spread_around"])
     axes.axvline(nominal, color="black", linewidth=1.0)
@@ -108,12 +112,19 @@ def _spreads(axes: Axes, below: Axes, data: "xarray.Dataset") -> None:
         panel.grid(False, axis="y")
 
 
+def _none(factor: float) -> bool:
+    """Whether a factor is none that could be seen."""
+    return factor < _SEEN
+
+
 def _factors(axes: Axes, factors: dict[str, float]) -> None:
     """One bar: the factors one after another, each as long as its logarithm."""
     left = 1.0
     for name, factor in factors.items():
         axes.barh(0.0, left * (factor - 1.0), left=left, height=0.6, color=COLOURS[name], label=f"{name}: {factor:.3g}")
         left *= factor
+    if _none(left):
+        axes.text(0.5, 0.25, "no difference: a factor of 1", transform=axes.transAxes, ha="center", va="center", fontsize=8)
     axes.set(xscale="log", xlim=(1.0, max(1.1 * left, 1.2)), ylim=(-0.5, 1.2), yticks=[])
     axes.set_xlabel("by what factor it differs, one after another")
     axes.legend(fontsize=8, ncols=3, loc="upper left", framealpha=0.9)

@@ -13,7 +13,7 @@ from stiction.report.several_tables import of_point, points_dimension, shown_qua
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["MEANINGS", "band_table", "models_band_table", "spread_table", "uncertain_notes"]
+__all__ = ["MEANINGS", "band_table", "in_draws", "models_band_table", "spread_table", "uncertain_notes"]
 
 _ROWS = 12
 # What a spread is due to, in words.
@@ -53,9 +53,14 @@ def uncertain_notes(data: "xarray.Dataset") -> Iterator[Text]:
     for line in used["uncertain_inputs"].splitlines():
         yield Text(f"uncertain: {line}", style="dim")
     if "uncertainty" in used:
-        yield Text(f"drawn: {used['uncertainty']}", style="dim")
+        yield Text(f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}", style="dim")
     for text, share in json.loads(used.get("doubts_of_points", "{}")).items():
-        yield Text(f"in {share:.1%} of the points drawn: {text}", style="dim")
+        yield Text(in_draws(share, text), style="dim")
+
+
+def in_draws(share: float, text: str) -> str:
+    """How often something holds of what was drawn."""
+    return f"in {share:.1%} of the random draws, each a possible set of the uncertain inputs: {text}"
 
 
 def spread_table(data: "xarray.Dataset") -> Table:

@@ -51,6 +51,14 @@ class Chosen:
         assert self.asperity is not None, "a theory in closed form has no asperity law"
         return Law(self.asperity, self.tangential, self.options)
 
+    @property
+    def yielded(self) -> str:
+        """What junctions that have yielded resist, of registry.YIELDED; "" for contact only, or a law that does not say."""
+        if self.tangential is None:
+            return ""
+        taken = [one.yielded for one in self.tangential.parts(self.options) if isinstance(one, TangentialLaw)]
+        return (taken or [self.tangential.yielded])[0]
+
     def with_option(self, name: str, value: str) -> "Chosen":
         """The same with another value of an option."""
         return replace(self, options={**self.options, name: value})

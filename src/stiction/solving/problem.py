@@ -283,7 +283,9 @@ class ClosedForm(Problem):
 
 
 def _wanted(name: str) -> str:
-    """What must be given of a quantity that a model needs: a work of adhesion that is one."""
+    """What must be given of a quantity that a model needs: a work of adhesion that is one. A part of a contact is none."""
+    if name not in QUANTITIES:
+        return f"a {name}"
     quantity = QUANTITIES[name]
     return replace(quantity, lower_included=False).wanted if name == "work_of_adhesion" else quantity.wanted
 

@@ -37,7 +37,9 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
     load, area = (np.asarray(results[name]).reshape(n, -1) for name in ("load", "contact_area"))
     touching = results.get("touching_asperities")
     share = None if touching is None else np.asarray(touching).reshape(n, -1)
-    found = _by_asperity(problem, load, area, share, _bearing(problem, load, results))
+    pulled = results.get("load_meniscus")
+    wet = None if pulled is None else -np.asarray(pulled).reshape(n, -1)
+    found = _by_asperity(problem, load, area, share, _bearing(problem, load, results), wet)
     if groups.roughness_parameter is not None:
         density = math.pi * groups.roughness_parameter[:, None]
         found["area_fraction"] = density * area
@@ -84,9 +86,14 @@ def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:
 
 
 def _by_asperity(
-    problem: Problem, load: np.ndarray, area: np.ndarray, share: np.ndarray | None, hardness: np.ndarray
+    problem: Problem,
+    load: np.ndarray,
+    area: np.ndarray,
+    share: np.ndarray | None,
+    hardness: np.ndarray,
+    pull_of_menisci: np.ndarray | None,
 ) -> dict[str, np.ndarray]:
-    """What needs no density of asperities. hardness: of what bears the load, over that of the bodies."""
+    """What needs no density of asperities, but for menisci. hardness: of what bears the load, over that of the bodies."""
     groups = problem.groups
     compressed = np.where(load > 0.0, load, np.nan)
     found = {"mean_pressure_over_hardness": load / (groups.eta[:, None] * hardness * np.where(area > 0.0, area, np.nan))}
@@ -95,21 +102,26 @@ def _by_asperity(
         if not groups.has_film:
             yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
             found["asperity_area_over_yield"] = area / np.where(share > 0.0, share * yielded, np.nan)
-    found |= _of_menisci(groups, area, share)
+    found |= _of_menisci(groups, area, share, pull_of_menisci)
     per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
     pull = per_theta if groups.n_g is None else per_theta * groups.n_g
     found["adhesion_share"] = pull[:, None] * (expected_share(area) if share is None else share) / compressed
     return found
 
 
-def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None) -> dict[str, np.ndarray]:
-    """How much of the surface they cover, and how far asperities are pressed in beside their height (n, m)."""
-    if groups.meniscus_height is None or share is None:
+def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None) -> dict[str, np.ndarray]:
+    """How much of the surface they cover, and how far asperities are pressed in beside their height (n, m).
+
+    pull: normalised (n, m). It is Laplace's pressure on what is wetted, so that it counts also those that bridge a gap; around
+    elastic asperities it is less, and there those that touch count with the ring 2 pi R 2 r c of each.
+    """
+    if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
     height = groups.meniscus_height[:, None]
     found = {"penetration_over_meniscus": area / (np.where(share > 0.0, share, np.nan) * height)}
     if groups.roughness_parameter is not None:
-        found["meniscus_coverage"] = 2.0 * math.pi * groups.roughness_parameter[:, None] * height * share
+        bridged = np.maximum(pull * groups.meniscus_index[:, None] / (2.0 * math.pi), share)
+        found["meniscus_coverage"] = 2.0 * math.pi * groups.roughness_parameter[:, None] * height * bridged
     return found
 
 

@@ -27,6 +27,7 @@ __all__ = ["compare_case", "film_of_case", "slide_case", "solve_case"]
 
 
 RECOMMENDED = "recommended"
+_LAYERED = "layered"  # the film law of `stiction film`
 _MOST = 1_000_000  # points at once in memory
 _FEW = 5  # curves of force against displacement of one case
 
@@ -51,11 +52,26 @@ def solve_case(
 
 
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
-    """The stresses in the film of a case at its points, as `film_stresses` gives them. Raises InputError."""
+    """The stresses in the film of a case at its points, as `film_stresses` gives them; by the recommended model, where that is
+    asked, if it goes with a layered film. Raises InputError, also for a contact of which numbers are several."""
     from stiction.studies.film_stress import film_stresses  # slow to import, and no other study needs it
 
+    if case.is_several:
+        name, array = next(iter(case.subject.arrays()))
+        raise InputError(name, f"{array.size} numbers", "one, as a film is looked at one contact at a time: a case for each")
+    recommended = choice.model == RECOMMENDED
+    if recommended:
+        choice = replace(choice_of_case(case, replace(choice, film=None)), film=_LAYERED)
     subject = case.with_surface_moments(choice.model).subject
-    return _said(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
+    try:
+        data = film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments())
+    except InputError:
+        if not recommended:
+            raise
+        name = " + ".join(filter(None, (choice.model, choice.asperity)))
+        allowed = f"a sum over asperities that goes with the film law {_LAYERED}, such as --model soft_coating_2015"
+        raise InputError("model", f"{RECOMMENDED}, which is {name} here", allowed) from None
+    return _said(data, case)
 
 
 def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0) -> "xarray.Dataset":
@@ -112,7 +128,10 @@ def choice_of_case(case: Case, choice: Choice) -> Choice:
 
 
 def compare_case(
-    case: Case, load: Any = None, progress: Callable[[str], Callable[[Iterable], Iterable]] = lambda text: iter
+    case: Case,
+    load: Any = None,
+    progress: Callable[[str], Callable[[Iterable], Iterable]] = lambda text: iter,
+    bands: bool = True,
 ) -> "xarray.Dataset":
     """Every model on the contact of a case, as `compare` gives them, at a working load [N].
 
@@ -120,12 +139,12 @@ def compare_case(
     friction_coefficient_at_load_low and friction_coefficient_at_load_high. Where numbers are uncertain, it has also
     friction_coefficient_at_load_quantile (quantile, model) with its error; and wherever a model is recommended, what its
     friction differs by, spread_low, spread_high and spread_factor (spread). progress: from a text, what wraps a list of steps.
-    Raises InputError.
+    bands: whether the quantiles are asked. Raises InputError.
     """
     data = compare(case.subject, load=load, progress=progress("Asking the models"))
     if load is not None:
         at = float(data.attrs["working_load"])
-        data = with_bands_of_models(data, case, at, progress("Drawing what is uncertain"))
+        data = with_bands_of_models(data, case, at, progress("Drawing what is uncertain")) if bands else data
         data = spreads_of_comparison(data, case.uncertainty.coverage)
     if case.load is not None:
         data = data.assign_attrs(case_loads=np.asarray(case.load, dtype=float))

@@ -54,7 +54,8 @@ def compare(
     Where a model has no tangential law of its own and the contact states an interfacial shear strength, that law of the
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
     contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
-    working load, with grade, `outside_validity` in words, `doubts` as JSON; `measured_area_error` (and `_rms`) and
+    working load, with grade, `outside_validity` in words, `doubts` as JSON, `family_of_curve`, what its friction rests on, and
+    `plastic_junctions_resist`, a word of stiction.laws.registry.YIELDED; `measured_area_error` (and `_rms`) and
     `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number
     where none was solved near; `measured_error` as JSON, `measured_error_in_words`. A theory that knows no separation has
     none (not a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at
@@ -161,6 +162,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     answer.effects = problem.effects
     answer.of_map = problem.record.of_map is not None
     answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
+    answer.yielded = problem.chosen.yielded
     answer.curve = _in_units(problem, curve)
     answer.doubtful = doubtful_points(problem, {name: table[None, :] for name, table in curve.items()})
     if at_load:
@@ -228,6 +230,7 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
         "measured_film_error": [one.film_errors for one in shown],
         "why_not": [one.why_not for one in shown],
+        "plastic_junctions_resist": [one.yielded if "friction_coefficient" in one.curve else "" for one in shown],
         "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
     }
     data = data.assign({name: ("model", np.array(values, dtype=object)) for name, values in texts.items()})

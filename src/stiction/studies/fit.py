@@ -2,14 +2,13 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stiction import __version__
-from stiction.quantities.errors import InputError
+from stiction.quantities.extras import require
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.case_text import case_text, with_written
@@ -71,8 +70,7 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
     """What is fitted. Raises InputError."""
     from stiction.studies.case import read_content
 
-    if find_spec("lmfit") is None:
-        raise InputError("fit", "without lmfit", "an installation with it: pip install 'stiction[fit]'")
+    require("fit", "lmfit")
     plan = (
         make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)
     )

@@ -45,10 +45,11 @@ class Answer:
 
     curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
-    takes account of; of_interface: its friction is the shear strength that the contact states. adhesion: its pull-off forces
-    over the load. measured: its error on solved surfaces near this contact and load; beside_measured: that of others is known.
-    film_off: by how many factors of two its film law was found off on a sphere near this contact; film_errors: what was
-    measured of it, as JSON. why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
+    takes account of; of_interface: its friction is the shear strength that the contact states; yielded: what its plastic
+    junctions resist, of registry.YIELDED, "" for contact only. adhesion: its pull-off forces over the load. measured: its
+    error on solved surfaces near this contact and load; beside_measured: that of others is known. film_off: by how many
+    factors of two its film law was found off on a sphere near this contact; film_errors: what was measured of it, as JSON.
+    why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
     """
 
     candidate: Candidate
@@ -60,6 +61,7 @@ class Answer:
     outside: list[Doubt] = field(default_factory=list)
     effects: list[str] = field(default_factory=list)
     of_interface: bool = False
+    yielded: str = ""
     adhesion: float = math.inf
     measured: MeasuredErrors | None = None
     beside_measured: bool = False

@@ -2,12 +2,12 @@
 
 import errno
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from importlib.util import find_spec
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.extras import require
 from stiction.studies.sweep_plan import Plan, make_plan
 from stiction.studies.sweep_workers import make_ready
 
@@ -47,7 +47,7 @@ def sweep(
 
 def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress: Progress | None) -> "Store":
     """As `sweep`; returns the store, which is complete."""
-    _check_packages("zarr", *(("distributed",) if scheduler else ()))
+    require("sweep", *(("distributed",) if scheduler else ()), "zarr")
     if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST_WORKERS:
         raise InputError("--workers", workers, f"a whole number, 1 to {_MOST_WORKERS}; more are for a cluster, --scheduler")
     if not isinstance(out, str | PathLike):
@@ -103,9 +103,3 @@ def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) 
         full = error.errno in (errno.ENOSPC, errno.EDQUOT)
         why = "room on its disk, which is full" if full else f"a place that can be written ({error.strerror or error})"
         raise InputError("--out", store.path, f"{why}; what is done is kept: call again to go on") from None
-
-
-def _check_packages(*names: str) -> None:
-    missing = [name for name in names if find_spec(name) is None]
-    if missing:
-        raise InputError("sweep", f"without {', '.join(missing)}", "an installation with them: pip install 'stiction[sweep]'")

@@ -231,8 +231,8 @@ def _lengths(plan: Plan) -> dict[str, int]:
 def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
     """The plan with blocks of as many contacts as have the points asked for, whole along the last dimensions."""
     size = math.prod(lengths.values()) * plan.points
-    usual = min(max(AT_ONCE, size // 64), 8 * AT_ONCE) if plan.sweep.statistics else AT_ONCE
-    room = max(1, (plan.sweep.block or usual) // plan.points)
+    times = min(max(1, size // (64 * AT_ONCE)), 8) if plan.sweep.statistics else 1
+    room = max(1, plan.sweep.block // plan.points if plan.sweep.block else times * (AT_ONCE // plan.points))
     tile: dict[str, int] = {}
     for dim in reversed(list(lengths)):
         tile[dim] = max(1, min(lengths[dim], room))

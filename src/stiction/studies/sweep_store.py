@@ -100,8 +100,8 @@ class Store:
             self.group[_PARTS][name][block : block + 1] = statistics_of(values, contacts)[None]
             if _percentiles(self.plan):
                 rows = values.reshape(math.prod(values.shape[:contacts]), -1)
-                counts = counted(rows)  # of the last block there are fewer contacts
-                self.group[_COUNTS][name][block : block + 1, ..., : counts.shape[-1]] = counts[None]
+                counts = counted(rows)  # of the last contacts, which may be fewer than a block has, there are fewer
+                self.group[_COUNTS][name][block : block + 1, :, :, : counts.shape[-1]] = counts[None]
 
     def finish(self) -> None:
         """When all blocks are done: the statistics of all together, and no file that an interruption left."""

@@ -5,6 +5,7 @@ import pickle
 from collections.abc import Iterator
 from functools import lru_cache, partial
 from itertools import islice
+from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
@@ -16,6 +17,7 @@ __all__ = ["done_here", "done_in_processes", "done_on_cluster", "make_ready"]
 
 # Times that workers may die without a block done between; blocks that wait for each worker.
 _DEATHS, _AHEAD = 3, 3
+_EVERY = 5.0  # seconds between countings of the workers of a cluster
 _LEAST_AHEAD = 256  # blocks that wait for a cluster, however small: the scheduler hands them on without asking here
 
 
@@ -124,25 +126,40 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
         given, rest = pickle.dumps(store), iter(blocks)
         waiting: dict[Any, int] = {}
 
-        def submitted(count: int) -> list[Any]:
-            some = list(islice(rest, count))
+        room = _Room(client)
+
+        def submitted() -> list[Any]:
+            some = list(islice(rest, max(0, room.now() - len(waiting))))
             futures = client.map(partial(_do_there, given), some, pure=False) if some else []
             waiting.update(zip((future.key for future in futures), some, strict=True))
             return futures
 
-        running = as_completed(submitted(max(_LEAST_AHEAD, _AHEAD * sum(client.nthreads().values()))))
+        running = as_completed(submitted())
         try:
             for batch in running.batches():  # many at a time, and no result is asked for: each would be a message of its own
-                running.update(submitted(len(batch)))
-                for future in batch:
+                done = [waiting.pop(future.key) for future in batch]
+                running.update(submitted())
+                for future, block in zip(batch, done, strict=True):
                     if future.status != "finished":
                         future.result()  # waits, or raises what went wrong
-                    block = waiting.pop(future.key)
                     yield store.plan.contacts(block) * store.plan.points
         except KilledWorker:
             raise InputError(
                 "--scheduler", address, "workers that live: they die again and again, for want of memory?"
             ) from None
+
+
+class _Room:
+    """How many blocks may wait for a cluster: workers come and go, and are counted now and then."""
+
+    def __init__(self, client: Any) -> None:
+        self.client, self.room, self.counted = client, 0, -_EVERY
+
+    def now(self) -> int:
+        if monotonic() - self.counted >= _EVERY:
+            self.counted = monotonic()
+            self.room = max(_LEAST_AHEAD, _AHEAD * sum(self.client.nthreads().values()))
+        return self.room
 
 
 def _do_there(given: bytes, block: int) -> int:

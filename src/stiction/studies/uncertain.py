@@ -74,7 +74,7 @@ class _Factor(Input):
     """A median, and the factor that is one standard deviation of the logarithm."""
 
     median: _Point = Field(description="the value that is as likely too high as too low")
-    factor: float = Field(gt=1.0, le=1e6, description="a factor above 1: two thirds of the values lie within it")
+    factor: float = Field(gt=1.0, le=1e6, strict=True, description="a factor above 1: two thirds of the values lie within it")
     along: Along = Field(None, validate_default=False, description=_TOGETHER)
 
 
@@ -128,7 +128,21 @@ def uncertain_numbers(
         one = read_distribution(entry, path[-1], ".".join(path), beside)
         along = entry.get("along") if isinstance(entry, Mapping) else None
         read[path] = Uncertain.of(path, one, along or ".".join(path[1:]))
+    _check_rows(read)
     return read
+
+
+def _check_rows(numbers: Mapping[tuple[str, ...], Uncertain]) -> None:
+    """InputError where files whose rows stay together have not as many."""
+    first: dict[str, Uncertain] = {}
+    for one in numbers.values():
+        if one.distribution.kind != "values":
+            continue
+        other = first.setdefault(one.dimension, one)
+        count, wanted = (len(each.distribution.parameters) for each in (one, other))
+        if count != wanted:
+            allowed = f"{wanted}, as many as {other.where} has: rows of both go together"
+            raise InputError(f"{one.where}.samples", f"{count} values", allowed)
 
 
 def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path()) -> Distribution:

@@ -42,7 +42,7 @@ def uncertainty(
     """
     require_callable(progress, "progress")
     case = as_case(case, ranges)
-    return answered(case, working_load(case, load), progress).data
+    return answered(case, working_load(case, load), progress, bands=False).data
 
 
 @dataclass(frozen=True)
@@ -56,13 +56,16 @@ class Answered:
     told: "xarray.Dataset | None" = None
 
 
-def answered(case: Case, load: float | None, progress: Callable[[str], Callable[[Iterable], Iterable]]) -> Answered:
-    """A case with what its friction differs by at a working load, and that from which it follows. Raises InputError."""
+def answered(
+    case: Case, load: float | None, progress: Callable[[str], Callable[[Iterable], Iterable]], bands: bool = True
+) -> Answered:
+    """A case with what its friction differs by at a working load, and that from which it follows; bands: whether also the band
+    of every model, which the answer does not need, and which takes as long as the slowest of them. Raises InputError."""
     data = solve_case(case, progress=progress)
     if load is None:
         return Answered(data, load)
     here = solve_case(replace(case, separation=None, load=np.array([load])), progress=progress).squeeze("load")
-    told = compare_case(case, load, progress)
+    told = compare_case(case, load, progress, bands)
     if _MU not in data:
         return Answered(data, load, here, told)
     inputs = ends_of_band(here[f"{_MU}_quantile"]) if f"{_MU}_quantile" in here else []

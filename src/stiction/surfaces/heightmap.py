@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.extras import how_to_install
 from stiction.quantities.units import to_si
 
 if TYPE_CHECKING:
@@ -94,7 +95,7 @@ class HeightMap:
                 warnings.simplefilter("ignore")  # what the library says of its own libraries
                 from SurfaceTopography import Topography, UniformLineScan
         except ImportError:
-            raise InputError("topography", None, "the library SurfaceTopography: pip install stiction[scans]") from None
+            raise InputError("topography", None, f"its library after: {how_to_install('SurfaceTopography')}") from None
         heights = self.heights if self.complete else np.ma.masked_invalid(self.heights)
         about = {"name": self.name, "history": list(self.history)}
         if self.is_profile:

@@ -23,7 +23,7 @@ from stiction.web.address import refuse_other_files
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Answer", "Comparison", "Question", "case_asked", "compared", "model_names", "option_values", "solved"]
+__all__ = ["Answer", "Comparison", "Question", "case_asked", "compared", "make_ready", "model_names", "option_values", "solved"]
 
 _MOST_NUMBERS = 20_000  # in a curve that is drawn anew while a knob moves
 _MOST_DRAWN = 4096  # of what is uncertain
@@ -142,3 +142,11 @@ def option_values(data: "xarray.Dataset | None") -> dict[str, tuple[str, ...]]:
 
 
 CHOSEN_BY_KEY = tuple(name for name in LAWS if name != "model")
+
+
+def make_ready(answer: Answer) -> None:
+    """Ask once what the form of every page asks: laws are imported when they are first asked for."""
+    model_names(answer.case)
+    option_values(answer.data)
+    for keyword in CHOSEN_BY_KEY:
+        law_keys(keyword)

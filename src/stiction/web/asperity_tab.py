@@ -9,7 +9,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
 from stiction.studies.one_asperity import OneAsperity, one_asperity
 from stiction.web.charts import COLOURS, cells, chart, line
-from stiction.web.drawn import Picture, wide
+from stiction.web.drawn import Picture
 from stiction.web.explorer import Explorer
 from stiction.web.working import Latest
 
@@ -33,8 +33,7 @@ class AsperityTab:
         self._traction = ui.slider(min=0.0, max=1.0, step=0.01, value=0.2).props('aria-label="tangential over normal force"')
         for slider in (self._radius, self._traction):
             slider.on("update:model-value", self._ask, throttle=0.05)
-        with wide("von Mises stress in section"):
-            self._picture = Picture("von Mises stress in section", "auto")
+        self._picture = Picture("von Mises stress in section", "", 620)
         self._picture.element.classes("section")  # as high as its axes are to scale
         explorer.listen(self._again)
 

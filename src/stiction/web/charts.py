@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.families import families_of
 from stiction.report.files import unit_of
 from stiction.report.picture_style import scale
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
@@ -76,7 +77,7 @@ def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[st
         "textStyle": {"color": ink},
         "color": list(COLOURS),
         "grid": {"left": 74, "right": 18, "top": 36, "bottom": 46},
-        "legend": {"textStyle": {"color": ink}, "type": "scroll", "top": 0, "show": len(series) > 1},
+        "legend": {"textStyle": {"color": ink}, "top": 0, "show": len(series) > 1},
         "tooltip": {"trigger": "axis", "renderMode": "richText", "confine": True},
         "xAxis": {"type": "value", "nameGap": 28, **look, **x},
         "yAxis": {"type": "value", "nameGap": 56, **look, **y},
@@ -175,35 +176,35 @@ def share_chart(curve: "xarray.Dataset", what: str, against: str, dark: bool) ->
 def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
     """Friction at the working load by each model, a row each, families apart; what is outside its range is hollow, faint."""
     mu = data["friction_coefficient_at_load"].values
-    families = data["family_of_curve"].values
+    families = families_of(data)
     shown = [at for at in np.argsort(mu) if np.isfinite(mu[at]) and mu[at] > 0.0]
-    shown.sort(key=lambda at: (str(families[at]), mu[at]))
+    shown.sort(key=lambda at: (families[at], mu[at]))
     names = [str(data["model"].values[at]) for at in shown]
     series = []
-    for at, family in enumerate(dict.fromkeys(str(families[one]) for one in shown)):
+    for at, family in enumerate(dict.fromkeys(families[one] for one in shown)):
         for outside in (False, True):
-            rows = [row for row, one in enumerate(shown) if str(families[one]) == family and _outside(data, one) == outside]
+            rows = [row for row, one in enumerate(shown) if families[one] == family and _outside(data, one) == outside]
             colour = COLOURS[at % len(COLOURS)]
             look = (
-                {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.55}
+                {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.8}
                 if outside
                 else {"color": colour}
             )
             series.append({"name": family + (", outside its range" if outside else ""), "type": "scatter", "symbolSize": 12,
-                           "symbol": ("circle", "rect", "triangle")[at % 3], "itemStyle": look,
+                           "symbol": ("circle", "rect", "triangle", "diamond")[at % 4], "itemStyle": look,
                            "data": [[float(mu[shown[row]]), row] for row in rows]})  # fmt: skip
     best = data.attrs.get("recommended")
     if best in names:
         row = names.index(best)
-        series.append({"name": "recommended", "type": "scatter", "symbol": "pin", "symbolSize": 26, "itemStyle": {"color": RED},
+        ring = {"color": "transparent", "borderColor": RED, "borderWidth": 3}
+        series.append({"name": "recommended", "type": "scatter", "symbol": "circle", "symbolSize": 22, "itemStyle": ring,
                        "data": [[float(mu[shown[row]]), row]]})  # fmt: skip
     series = [one for one in series if one["data"]]
     options = chart("static friction coefficient by each model", {"type": "log", "name": "static friction coefficient mu"},
                     {"type": "category", "data": names,
-                     "axisLabel": {"color": _INK[dark], "width": 260, "overflow": "break", "lineHeight": 14}},
+                     "axisLabel": {"color": _INK[dark], "width": 300, "overflow": "truncate", "interval": 0}},
                     series, dark)  # fmt: skip
-    options["grid"] |= {"left": 276, "top": 70}
-    options["legend"] |= {"type": "plain", "top": 0}
+    options["grid"] |= {"left": 316}
     options["tooltip"]["trigger"] = "item"
     return options
 

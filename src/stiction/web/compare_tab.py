@@ -1,5 +1,6 @@
 """The tab Compare: every model on this contact, families apart, which one to trust and why."""
 
+import re
 from typing import Any
 
 from nicegui import ui
@@ -8,7 +9,7 @@ from stiction.laws.overview import models
 from stiction.laws.validity import read_doubts
 from stiction.web.asked import Comparison, compared
 from stiction.web.charts import comparison_chart
-from stiction.web.drawn import Picture, attributes, wide
+from stiction.web.drawn import Picture, attributes
 from stiction.web.explorer import Explorer
 from stiction.web.studying import Study
 
@@ -20,13 +21,18 @@ _COLUMNS = [
         ("model", "model"),
         ("mu", "mu"),
         ("family", "its friction rests on"),
+        ("plastic", "plastic junctions resist"),
         ("grade", "grade"),
         ("doubts", "doubts"),
     )
 ]
 
-_NAME = """<q-td :props="props"><q-btn flat dense no-caps align="left" color="primary" :label="props.value"
-  @click="() => $parent.$emit('opened', props.value)" /></q-td>"""
+_BUTTON = """<q-btn flat dense no-caps align="left" color="primary" style="text-align: left" :label="NAME"
+  @click="() => $parent.$emit('opened', NAME)" />"""
+_NAME = f"""<q-td :props="props">{_BUTTON.replace("NAME", "props.value")}</q-td>"""
+# A row on a narrow page: its cells below one another.
+_CARD = f"""<q-card flat bordered class="w-full q-pa-sm q-mb-sm">{_BUTTON.replace("NAME", "props.row.model")}
+  <div v-for="one in props.cols.slice(1)" :key="one.name"><b>{{{{ one.label }}}}:</b> {{{{ one.value }}}}</div></q-card>"""
 
 
 class CompareTab:
@@ -38,17 +44,16 @@ class CompareTab:
         self._asked: Any = None
         self._study = Study("Compare all models at this load", self._work, self._show)
         self._advice = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
-        self._more = ui.label().classes("text-sm")
-        with wide("friction by model"):
-            self._picture = Picture("friction by model", "560px")
+        self._more = ui.label().classes("text-sm").style("white-space: pre-line")
+        self._picture = Picture("friction by model", "", 620)
+        self._picture.element.classes("by-rows")
         self._picture.show(None)
         self._picture.element.on_point_click(lambda event: self._open(str(self._names()[event.value[1]])))
-        self._table = (
-            ui.table(columns=_COLUMNS, rows=[], row_key="model").classes("w-full models").props("dense flat wrap-cells")
-        )
+        self._table = ui.table(columns=_COLUMNS, rows=[], row_key="model").classes("w-full").props("dense flat wrap-cells")
         self._table.set_visibility(False)
         # A button in the row, which a keyboard reaches; the name is bound as text.
         self._table.add_slot("body-cell-model", _NAME)
+        self._table.add_slot("item", _CARD)
         self._table.on("opened", lambda event: self._open(event.args))
         self._pages = ui.row().classes("w-full gap-2")
         explorer.listen(self._again)
@@ -75,17 +80,24 @@ class CompareTab:
         said = data.attrs
         best = said.get("recommended", "none")
         told = f"Recommended: {best}." if best != "none" else "No model is recommended."
-        self._advice.set_text(f"{told} {said.get('reason', '')}")
-        ends = [f"{end:.4g}" for end in said.get("spread", [])]
-        parts = [f"All models: mu {' to '.join(ends)}." if ends else "", said.get("advice", ""), said.get("set_aside", "")]
-        self._more.set_text(" ".join(filter(None, parts)))
+        self._advice.set_text(f"{told} {_sentence(said.get('reason', ''))}")
+        ends = [f"{end:.3g}" for end in said.get("spread", [])]
+        parts = [f"All models: mu {' to '.join(ends)}." if ends else "", _sentence(said.get("advice", ""))]
+        parts += [f"Set aside: {line}." for line in said.get("set_aside", "").splitlines()]
+        self._more.set_text("\n".join(filter(None, parts)))
         self._draw()
+        if self._explorer.view.narrow:
+            self._table.props("grid")
         self._table.rows = [self._row(at) for at in range(data.sizes["model"])]
         self._table.set_visibility(True)
+        if "spread_low" in data:
+            self._explorer.differ(self._asked, [float(data[f"spread_{end}"].sel(spread="models")) for end in ("low", "high")])
 
     def _draw(self) -> None:
         self._dark = self._explorer.view.dark
-        self._picture.show(comparison_chart(self._data, self._dark))
+        options = comparison_chart(self._data, self._dark)
+        self._picture.element.style(f"--rows: {len(options['yAxis']['data'])}")
+        self._picture.show(options)
 
     def _names(self) -> list[str]:
         options = self._picture.element.options
@@ -96,8 +108,9 @@ class CompareTab:
         mu = float(one["friction_coefficient_at_load"])
         doubts = [doubt.short for doubt in read_doubts(one["doubts"].item())]
         return {
-            "model": str(one["model"].item()), "mu": f"{mu:.4g}" if mu == mu else one["why_not"].item() or "-",
-            "family": one["family_of_curve"].item(), "grade": one["grade"].item(), "doubts": "; ".join(doubts) or "none",
+            "model": str(one["model"].item()), "mu": f"{mu:.3g}" if mu == mu else one["why_not"].item() or "-",
+            "family": one["family_of_curve"].item(), "plastic": one["plastic_junctions_resist"].item() or "-",
+            "grade": one["grade"].item(), "doubts": "; ".join(doubts) or "none",
         }  # fmt: skip
 
     def _open(self, name: str) -> None:
@@ -116,3 +129,9 @@ class CompareTab:
             ui.button("Close", on_click=dialog.close)
         dialog.on("hide", dialog.delete)
         dialog.open()
+
+
+def _sentence(text: str) -> str:
+    """The text as sentences of its own: of what is parted by semicolons each begins with a capital."""
+    parts = [one for one in re.split(r"; (?![^()]*\))", text) if one]
+    return " ".join(f"{one[0].upper()}{one[1:]}{'' if one.endswith('.') else '.'}" for one in parts)

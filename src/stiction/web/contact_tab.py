@@ -7,7 +7,7 @@ from nicegui import ui
 from stiction.web.charts import curve_chart, share_chart, stacks
 from stiction.web.drawn import Picture, attributes
 from stiction.web.explorer import Explorer
-from stiction.web.words import doubt_in_words, headline, remarks
+from stiction.web.words import doubt_in_words, remarks
 
 __all__ = ["ContactTab"]
 
@@ -48,7 +48,7 @@ class ContactTab:
         with ui.row().classes("w-full items-start gap-6 no-wrap-wide"):
             with ui.column().classes("gap-0").props('role="status" aria-live="polite"'):
                 self._number = ui.label().classes("text-3xl font-bold")
-                self._where = ui.label().classes("text-sm")
+                self._where = ui.label().classes("text-sm where")
                 self._old = ui.label("Of the last case that could be solved: see the field in red.").classes("text-negative")
             self._doubts = ui.column().classes("gap-1 grow text-sm").props('aria-label="what is doubtful"')
         with ui.expansion("What was computed").classes("w-full").props("dense"):
@@ -69,7 +69,7 @@ class ContactTab:
     def show(self) -> None:
         """The newest answer; where it is an error, what was right before, and that it is old."""
         answer, here = self._explorer.good, self._explorer.here
-        number, where = headline(answer, here)
+        number, where = self._explorer.headline
         self._number.set_text(number)
         self._where.set_text(where)
         self._old.set_visibility(self._explorer.answer.error is not None)

@@ -9,8 +9,9 @@ from stiction.solving.method_spread import as_columns
 from stiction.studies.bands import as_columns as with_quantiles
 from stiction.studies.case_text import as_toml
 from stiction.web.asked import Answer
+from stiction.web.working import Progress
 
-__all__ = ["KINDS", "SLOW", "content"]
+__all__ = ["KINDS", "content", "report_of"]
 
 
 def _picture(answer: Answer, path: Path) -> None:
@@ -41,11 +42,13 @@ def _toml(answer: Answer, path: Path) -> None:
     path.write_text(as_toml(answer.question.tables), encoding="utf-8")
 
 
-def _report(answer: Answer, path: Path) -> None:
+def report_of(answer: Answer, progress: Progress) -> bytes:
+    """The page of `stiction report`, which takes as long as a study. Raises InputError, and KeyboardInterrupt where it is
+    stopped."""
     from stiction.report.html_report import case_as_html
 
     assert answer.case is not None
-    path.write_text(case_as_html(answer.case, as_toml(answer.question.tables)), encoding="utf-8")
+    return case_as_html(answer.case, as_toml(answer.question.tables), progress=progress).encode()
 
 
 # Name of the file -> what writes it.
@@ -55,10 +58,7 @@ KINDS: dict[str, Callable[[Answer, Path], None]] = {
     "curve.nc": _netcdf,
     "curve.svg": _picture,
     "curve.png": _picture,
-    "report.html": _report,
 }
-
-SLOW = frozenset({"report.html"})  # takes as long as a study, and its turn among them
 
 
 def content(answer: Answer, name: str) -> bytes:

@@ -4,7 +4,9 @@ from typing import Any
 
 from nicegui import ui
 
-__all__ = ["Picture", "attributes", "wide"]
+from stiction.web.fitting import NARROW, fitted
+
+__all__ = ["Picture", "attributes"]
 
 
 def attributes(element: Any, **given: Any) -> Any:
@@ -17,21 +19,19 @@ def attributes(element: Any, **given: Any) -> Any:
     return element
 
 
-def wide(name: str) -> Any:
-    """A frame for what is not read when it is as narrow as a telephone: there it is moved sideways, also by keyboard."""
-    return attributes(ui.element("div").classes("wide"), tabindex=0, role="group", aria_label=name)
-
-
 class Picture:
-    """A chart with a name for who does not see it; hidden while there is nothing to draw."""
+    """A chart with a name for who does not see it; hidden while there is nothing to draw. height: as a style, "" where a class
+    says it; room: pixels that its legend has on a wide page."""
 
-    def __init__(self, name: str, height: str = "300px"):
-        self.element = ui.echart({}).classes("w-full").style(f"height: {height}")
+    def __init__(self, name: str, height: str = "300px", room: int = NARROW):
+        self.element = ui.echart({}).classes("w-full").style(f"height: {height}" if height else "")
+        self._room = room
         attributes(self.element, role="img", aria_label=name)
 
     def show(self, options: dict[str, Any] | None) -> None:
-        """Draw these options; None for nothing."""
+        """Draw these options, fitted to its width; None for nothing."""
         self.element.set_visibility(options is not None)
+        options = options and fitted(options, self._room)
         if options is not None and options != dict(self.element.options):
             self.element.options.clear()
             self.element.options.update(options)

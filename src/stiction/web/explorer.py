@@ -10,6 +10,7 @@ from weakref import WeakSet
 from stiction.web.address import files_named, packed
 from stiction.web.asked import Answer, Question, solved
 from stiction.web.fields import dropped, placed
+from stiction.web.words import headline
 from stiction.web.working import Latest
 
 __all__ = ["Explorer", "View", "close_all"]
@@ -18,12 +19,13 @@ __all__ = ["Explorer", "View", "close_all"]
 @dataclass
 class View:
     """How the answer is shown. against: "load" or "mean_separation"; stack: what is drawn as shares; here: the point told in
-    words, None for the middle one; dark: whether the page is dark."""
+    words, None for the middle one; dark, narrow: whether the page is dark, and as narrow as a telephone."""
 
     against: str = "load"
     stack: str = ""
     here: int | None = None
     dark: bool = False
+    narrow: bool = False
 
 
 _open: "WeakSet[Explorer]" = WeakSet()
@@ -42,6 +44,7 @@ class Explorer:
         self.question, self.answer = question, answer
         self.good = answer  # the newest without an error
         self.view = View()
+        self._models: tuple[Answer, list[float]] | None = None
         self.rebuild: Callable[[], None] = lambda: None  # makes the form anew, where the case gets other fields
         self._listeners: list[Callable[[], None]] = []
         self._latest = Latest(solved, self._show)
@@ -79,6 +82,17 @@ class Explorer:
         count = self.good.curve["load"].size
         middle = self.good.middle()
         return middle if self.view.here is None else min(self.view.here, count - 1)
+
+    def differ(self, answer: Answer, ends: list[float]) -> None:
+        """Models differ between these ends on this answer: its number has fewer digits from now on."""
+        self._models = answer, ends
+        self.redraw()
+
+    @property
+    def headline(self) -> tuple[str, str]:
+        """The number with the digits that its doubt leaves it, and where it holds."""
+        known = self._models[1] if self._models is not None and self._models[0] is self.good else []
+        return headline(self.good, self.here, known)
 
     @property
     def address(self) -> str:

@@ -17,27 +17,41 @@ from stiction.web.place_tab import PlaceTab
 from stiction.web.share_tab import ShareTab
 from stiction.web.studies_tab import StudiesTab
 from stiction.web.surface_tab import SurfaceTab
-from stiction.web.words import headline
 from stiction.web.working import run
 
 __all__ = ["make_page"]
 
 _STYLE = """
+.w-full { width: 100% } .w-28 { width: 7rem } .w-32 { width: 8rem } .w-48 { width: 12rem } .w-56 { width: 14rem }
+.w-64 { width: 16rem } .w-72 { width: 18rem } .w-80 { width: 20rem } .grow { flex-grow: 1 }
+.overflow-auto { overflow: auto }
+.gap-0 { gap: 0 } .gap-1 { gap: 0.25rem } .gap-2 { gap: 0.5rem } .gap-3 { gap: 0.75rem }
+.gap-4 { gap: 1rem } .gap-6 { gap: 1.5rem }
+.p-0 { padding: 0 } .px-2 { padding-left: 0.5rem; padding-right: 0.5rem }
+.py-1 { padding-top: 0.25rem; padding-bottom: 0.25rem }
+.items-center { align-items: center } .items-start { align-items: flex-start } .items-end { align-items: flex-end }
+.text-xs { font-size: 0.75rem; line-height: 1.35 } .text-sm { font-size: 0.875rem; line-height: 1.45 }
+.text-lg { font-size: 1.125rem; line-height: 1.55 } .text-xl { font-size: 1.25rem; line-height: 1.4 }
+.text-3xl { font-size: 1.875rem; line-height: 1.2 } .font-bold { font-weight: 700 } .font-mono { font-family: monospace }
 .charts { grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 8px }
 .frame { display: grid; grid-template-columns: minmax(260px, 340px) minmax(0, 1fr); gap: 16px; width: 100% }
 .knobs { position: sticky; top: 56px; align-self: start; max-height: calc(100vh - 64px); overflow-y: auto; flex-wrap: nowrap }
 .section { aspect-ratio: 2; max-width: 900px }
+.under-chart { margin: 0 18px 0 74px; width: auto; align-self: stretch }
 .one-line { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; min-width: 0 }
-.wide { overflow-x: auto; width: 100% }
+.results { container-type: inline-size }
+.by-rows { height: calc(var(--rows) * 22px + 130px) }
+@container (max-width: 420px) { .by-rows { height: calc(var(--rows) * 34px + 170px) }
+  .section { aspect-ratio: auto; height: calc(50cqw + 122px) } .under-chart { margin: 0 12px 0 50px } }
 @media (max-width: 800px) { .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap }
-  .q-page { padding: 4px } .frame > .results { order: -1 } .knobs { position: static; max-height: none }
-  .wide > * { min-width: 640px } .models table { min-width: 860px } }
+  .q-page { padding: 4px } .frame > .results { order: -1 } .knobs { position: static; max-height: none } }
 /* the colours of the library are important in a layer, which nothing after it outranks: so its variables are changed */
 .body--light .text-negative { --q-negative: #b00020 } .body--dark .text-negative { --q-negative: #ff8a80 }
 .body--dark .text-primary { --q-primary: #90caf9 }
 .q-tabs { max-width: 100% } .q-tabs__content { flex-wrap: wrap }
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """
+_NARROW = 800  # pixels of a page that is one column, as in its style
 # Tabs that are built when they are first opened: name -> what builds one.
 TABS: dict[str, Callable[[Explorer], Any]] = {
     "Compare": CompareTab,
@@ -91,7 +105,7 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
 
     def told() -> None:
         title.set_text(str(explorer.good.question.tables.get("title", "")))
-        number.set_text(headline(explorer.good, explorer.here)[0])
+        number.set_text(explorer.headline[0])
 
     def moved() -> None:
         told()
@@ -105,9 +119,10 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
 
 
 async def _see(explorer: Explorer) -> None:
-    """Ask the browser whether the page is dark: charts need to know."""
+    """Ask the browser whether the page is dark and how wide it is: charts and pictures need to know."""
     try:
-        explorer.view.dark = bool(await ui.run_javascript("document.body.classList.contains('body--dark')", timeout=5.0))
+        found = await ui.run_javascript("[document.body.classList.contains('body--dark'), window.innerWidth]", timeout=5.0)
+        explorer.view.dark, explorer.view.narrow = bool(found[0]), float(found[1]) <= _NARROW
     except TimeoutError:
         return  # who does not answer sees light charts
     explorer.redraw()

@@ -12,7 +12,7 @@ from stiction.studies.paper_claims import CLAIMS, LAM, READINGS, THETA, ClaimMap
 from stiction.studies.paper_figures import PANELS, PanelCurves, panel_curves
 from stiction.studies.place import ADHESION_MATTERS, PLASTICITY, Place, place_of, plasticity_line
 from stiction.web.charts import COLOURS, axis_name, cells, chart, line
-from stiction.web.drawn import Picture, wide
+from stiction.web.drawn import Picture
 from stiction.web.explorer import Explorer
 from stiction.web.studying import Study
 from stiction.web.working import run
@@ -42,14 +42,13 @@ class PlaceTab:
             self._claim.classes("w-80").props("dense outlined")
             self._reading = ui.toggle(list(READINGS), value=READINGS[0], on_change=self._again).props("dense no-caps")
         self._study = Study("Judge the claims in the plane", self._judged, lambda _: self.show())
-        with wide("plane of the adhesion indices"):
-            self._plane = Picture("plane of the adhesion indices", "460px")
+        self._plane = Picture("plane of the adhesion indices", "460px", 620)
         ui.label("Figures of the 2015 paper").classes("text-lg")
         with ui.row().classes("items-center gap-3"):
             self._figure = ui.select({at: one.figure for at, one in enumerate(PANELS)}, value=0, on_change=self._again)
             self._figure.props('dense outlined aria-label="figure"')
             ui.button("Open as the case", on_click=self._open).props("no-caps outline")
-        self._curves = Picture("figure of the paper", "360px")
+        self._curves = Picture("figure of the paper", "360px", 620)
         self._caption = ui.label().classes("text-sm")
         explorer.listen(self.show)
 
@@ -135,8 +134,6 @@ def _plane_chart(place: Place | None, share: tuple[str, np.ndarray] | None, dark
             for name, (low, high) in zip(("theta", "lam"), ends, strict=True)]  # fmt: skip
     options = chart("plane of the adhesion indices", axes[0], axes[1], series, dark)
     options["tooltip"]["trigger"] = "item"
-    options["grid"]["top"] = 60
-    options["legend"]["type"] = "plain"
     if share is not None:
         _add_share(options, *share)
     return options

@@ -9,7 +9,7 @@ from nicegui import Client, app, ui
 from stiction.quantities.errors import InputError
 from stiction.studies.case import read_content
 from stiction.web.address import files_named
-from stiction.web.asked import Question, solved
+from stiction.web.asked import Question, make_ready, solved
 from stiction.web.explorer import close_all
 from stiction.web.first import first_case
 from stiction.web.guard import Guard, names_for
@@ -25,7 +25,7 @@ def question_of(case: Path | None) -> Question:
     """The case that is served, by its file, or the one that the page begins with. Raises InputError.
 
     It is solved before there is a page: what is wrong with the file is said at once, and on a new installation kernels are
-    compiled here, so that the server, once it answers, answers soon.
+    compiled and laws imported here, so that the server, once it answers, answers soon.
     """
     if case is None:
         question = Question(first_case())
@@ -35,6 +35,7 @@ def question_of(case: Path | None) -> Question:
     answer = solved(question)
     if answer.error is not None:
         raise answer.error
+    make_ready(answer)
     return question
 
 
@@ -65,5 +66,8 @@ def serve(question: Question, host: str, port: int) -> None:
     app.on_shutdown(close_all)
     looks: dict[str, Any] = {"title": "stiction", "dark": None, "language": "en-US", "show": False}
     bounds: dict[str, Any] = {"limit_concurrency": _MOST_CONNECTIONS, "h11_max_incomplete_event_size": 2**16}
+    # Nothing is packed for a browser on this machine, which takes longer than to hand it over; nor is the library asked that
+    # makes styles in the browser, which is half of what a page takes there: page.py has the few that are used.
+    looks |= {"tailwind": False} | ({"gzip_middleware_factory": None} if names_for(host) else {})
     server: dict[str, Any] = {"reload": False, "reconnect_timeout": 10.0, "uvicorn_logging_level": "warning"}
     ui.run(host=host, port=port, show_welcome_message=False, **looks, **bounds, **server)

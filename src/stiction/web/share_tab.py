@@ -6,10 +6,11 @@ from nicegui import ui
 
 from stiction.quantities.errors import InputError
 from stiction.studies.case_text import as_toml
-from stiction.web.downloads import KINDS, SLOW, content
+from stiction.web.downloads import KINDS, content, report_of
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.working import QUICK, STUDIES, run
+from stiction.web.studying import Study
+from stiction.web.working import run
 
 __all__ = ["ShareTab"]
 
@@ -26,6 +27,11 @@ class ShareTab:
             for name in KINDS:
                 button = ui.button(name, on_click=lambda event, name=name: self._download(name, event.sender)).props("no-caps")
                 attributes(button, aria_label=f"download {name}")
+        ui.label("The report: answer, inputs with their sources, pictures, all models, validity, on one page to print or send. "
+                 "On the command line: stiction report case.toml").classes("text-sm")  # fmt: skip
+        self._study = Study(
+            "Make the report", lambda progress: report_of(explorer.good, progress), self._give, "report.html is downloaded"
+        )
         ui.label("The same numbers, to the last digit, on the command line: stiction run case.toml").classes("text-sm")
         self._text = ui.code("", language="toml").classes("w-full")
         attributes(self._text.copy_button, aria_label="copy the case")
@@ -36,13 +42,17 @@ class ShareTab:
     async def _download(self, name: str, button: Any) -> None:
         attributes(button, loading=True)
         try:
-            data = await run(content, self._explorer.good, name, pool=STUDIES if name in SLOW else QUICK)
+            data = await run(content, self._explorer.good, name)
         except InputError as error:
             ui.notify(f"{name}: {error}", type="negative")
             return
         finally:
             attributes(button, loading=False)
         ui.download.content(data, name)
+
+    @staticmethod
+    def _give(page: bytes) -> None:
+        ui.download.content(page, "report.html")
 
     def show(self) -> None:
         """The newest case."""

@@ -1,14 +1,15 @@
 """The tab Studies: how sure, what to measure better, design for a wish, calibration; those that take less than a minute."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from nicegui import ui
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.extras import require
 from stiction.studies.case import case_in
 from stiction.web.asked import Question, case_asked
 from stiction.web.drawn import attributes
@@ -24,10 +25,14 @@ __all__ = ["Result", "StudiesTab", "calibrated", "designed", "how_sure", "what_m
 
 @dataclass(frozen=True)
 class Result:
-    """What a study shows: text as of the terminal, and pictures with what they show."""
+    """What a study shows: text as of the terminal, and figures, each with what it shows in words."""
 
     text: str
-    pictures: tuple[tuple[str, str], ...] = ()
+    pictures: tuple[tuple[Any, str], ...] = ()
+
+    def drawn(self, narrow: bool) -> "Result":
+        """The same with images in place of figures, for a narrow page or a wide one."""
+        return Result(self.text, tuple((image_of(figure, narrow), told) for figure, told in self.pictures))
 
 
 def how_sure(question: Question, ranges: bool, progress: Progress) -> Result:
@@ -41,11 +46,11 @@ def how_sure(question: Question, ranges: bool, progress: Progress) -> Result:
     pictures = []
     if "friction_coefficient_quantile" in data:
         parts += [band_table(data), *uncertain_notes(data)]
-        pictures.append((image_of(uncertainty_figure(data)), "friction with its band"))
+        pictures.append((uncertainty_figure(data), "friction with its band"))
     if "spread_factor" in data:
         parts.append(spread_table(data))
     if "spread_factor" in data and not pictures:  # with a band they are beside it
-        pictures.append((image_of(spread_figure(data)), "what friction differs by: inputs, methods, models"))
+        pictures.append((spread_figure(data), "what friction differs by: inputs, methods, models"))
     return Result(text_of(parts), tuple(pictures))
 
 
@@ -58,7 +63,7 @@ def what_matters(question: Question, ranges: bool, progress: Progress) -> Result
     data = sensitivity(_with_ranges(question, ranges), progress=progress)
     tables = [indices_table(data)] if "input" in data.dims else []
     text = text_of([*tables, elasticities_table(data), *sensitivity_notes(data)])
-    return Result(text, ((image_of(sensitivity_figure(data)), "inputs by what they change"),))
+    return Result(text, ((sensitivity_figure(data), "inputs by what they change"),))
 
 
 def _with_ranges(question: Question, ranges: bool) -> Any:
@@ -79,6 +84,8 @@ def designed(
     from stiction.studies.design_plan import make_design_plan
 
     case_asked(question)
+    if not 0.0 < wish < math.inf:
+        raise InputError("wished mu", wish, "a number above 0")
     solve = {name: one for name, one in question.tables.get("solve", {}).items() if name not in ("load", "separation")}
     table = {
         "wish": {"target": "friction_coefficient", "value": wish},
@@ -89,7 +96,7 @@ def designed(
     tables = {**question.tables, "solve": {**solve, "load": [load]}, "design": table}
     data = run_design(make_design_plan(tables, question.folder), progress.tell).data()
     text = text_of([design_table(data, "design"), *design_notes(data)])
-    return Result(text, ((image_of(design_figure(data)), "designs by how near they come to the wish"),))
+    return Result(text, ((design_figure(data), "designs by how near they come to the wish"),))
 
 
 def calibrated(question: Question, data: Path, free: dict[tuple[str, ...], Any], progress: Progress) -> Result:
@@ -100,11 +107,10 @@ def calibrated(question: Question, data: Path, free: dict[tuple[str, ...], Any],
     from stiction.studies.fit_plan import make_fit_plan
 
     case_asked(question)
-    if find_spec("lmfit") is None:
-        raise InputError("calibration", "without lmfit", "an installation with it: pip install 'stiction[fit]'")
+    require("calibration", "lmfit")
     plan = make_fit_plan({**question.tables, "fit": {"free": _nested(free)}}, data, question.folder)
     found = run_fit(plan, progress).data()
-    return Result(text_of([parameter_table(found), *fit_notes(found)]), ((image_of(fit_figure(found)), "measured and fitted"),))
+    return Result(text_of([parameter_table(found), *fit_notes(found)]), ((fit_figure(found), "measured and fitted"),))
 
 
 def _nested(free: dict[tuple[str, ...], Any]) -> dict[str, Any]:
@@ -137,7 +143,8 @@ class StudiesTab:
         return card
 
     def _study(self, label: str, work: Callable[[Progress], Result]) -> None:
-        Study(label, work, lambda found: self._show(below, found))
+        view = self._explorer.view
+        Study(label, lambda progress: work(progress).drawn(view.narrow), lambda found: self._show(below, found))
         below = ui.column().classes("w-full")
 
     @staticmethod

@@ -2,10 +2,9 @@
 
 import time
 from collections.abc import Callable
-from concurrent.futures import Executor
 from typing import Any
 
-from nicegui import ui
+from nicegui import context, ui
 
 from stiction.quantities.errors import InputError
 from stiction.web.working import STUDIES, Progress, run
@@ -16,10 +15,11 @@ _EVERY = 0.3  # seconds between looks at how far it is
 
 
 class Study:
-    """One at a time for each visitor. work(progress), in a thread, gives what show takes, in the loop."""
+    """One at a time for each visitor. work(progress), in a thread, gives what show takes, in the loop; done: what is said
+    then."""
 
-    def __init__(self, label: str, work: Callable[[Progress], Any], show: Callable[[Any], None], pool: Executor = STUDIES):
-        self._work, self._show, self._pool = work, show, pool
+    def __init__(self, label: str, work: Callable[[Progress], Any], show: Callable[[Any], None], done: str = ""):
+        self._work, self._show, self._done = work, show, done
         self._progress: Progress | None = None
         self._began = 0.0
         with ui.row().classes("items-center gap-3 w-full"):
@@ -28,6 +28,7 @@ class Study:
             self._said = ui.label().props('role="status"')
         self._timer = ui.timer(_EVERY, self._look, active=False)
         self._stop.set_visibility(False)
+        context.client.on_delete(self.stop)  # who leaves keeps nobody waiting
 
     async def start(self) -> None:
         """Begin, unless it is under way."""
@@ -38,7 +39,8 @@ class Study:
         self._running(True)
         said = ""
         try:
-            self._show(await run(self._work, progress, pool=self._pool))
+            self._show(await run(progress.watched, self._work, pool=STUDIES))
+            said = self._done
         except InputError as error:
             said = str(error)
         except KeyboardInterrupt:

@@ -11,9 +11,8 @@ from stiction.surfaces.spectrum import BinnedSpectrum
 from stiction.web.charts import chart, ink_of, line
 from stiction.web.surface_work import Band
 
-__all__ = ["MARGINS", "solid_chart", "spectrum_chart", "wavevectors"]
+__all__ = ["solid_chart", "spectrum_chart", "wavevectors"]
 
-MARGINS = (74, 18)  # pixels from the left and the right edge of a chart to its axes
 _SHOWN = 96  # points along a side of the map in three dimensions
 _SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]
 _DECADES = 10  # of the spectrum; a filter leaves rounding below
@@ -50,9 +49,7 @@ def spectrum_chart(
     unit = "m^3" if whole.is_profile else "m^4"
     x = {"type": "log", "name": "wavevector q [rad/m]", "min": ends[0], "max": ends[1]}
     y = {"type": "log", "name": f"C [{unit}]", "min": limits[0], "max": limits[1]}
-    options = chart("radially averaged power spectrum against the wavevector", x, y, series, dark)
-    options["grid"] |= {"left": MARGINS[0], "right": MARGINS[1]}
-    return options
+    return chart("radially averaged power spectrum against the wavevector", x, y, series, dark)
 
 
 def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:

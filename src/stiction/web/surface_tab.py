@@ -18,7 +18,7 @@ from stiction.web.explorer import Explorer
 from stiction.web.guard import LARGEST_UPLOAD
 from stiction.web.pictures import show_image
 from stiction.web.studying import Study
-from stiction.web.surface_charts import MARGINS, solid_chart, spectrum_chart, wavevectors
+from stiction.web.surface_charts import solid_chart, spectrum_chart, wavevectors
 from stiction.web.surface_work import (
     Band,
     Pictures,
@@ -93,8 +93,7 @@ class SurfaceTab:
         self._ends: dict[str, Any] = {}
         for name in ("longest", "shortest"):
             label = ui.label().classes("text-sm")
-            slider = ui.slider(min=0.0, max=1.0, step=_STEP, value=0.0)
-            slider.style(f"margin: 0 {MARGINS[1]}px 0 {MARGINS[0]}px; width: auto; align-self: stretch")
+            slider = ui.slider(min=0.0, max=1.0, step=_STEP, value=0.0).classes("under-chart")
             attributes(slider, aria_label=f"{name} wave that is kept, by the logarithm of its wavevector")
             slider.on("update:model-value", self._ask, throttle=0.1)
             slider.on("change", self._let_go)
@@ -166,7 +165,7 @@ class SurfaceTab:
         if self._used.value and "contact" in self._explorer.question.tables:
             await self._explorer.put(("contact", "roughness"), self._scan.roughness(self._wanted()))
             self._explorer.rebuild()
-        await self._pictures.ask(self._scan.surface, self._wanted(), self._method.value)
+        await self._pictures.ask(self._scan.surface, self._wanted(), self._method.value, self._explorer.view.narrow)
 
     def _show_spectrum(self, found: BinnedSpectrum | InputError) -> None:
         if isinstance(found, InputError):
@@ -204,7 +203,7 @@ class SurfaceTab:
     async def _marked(self) -> None:
         """The same map with the asperities of another method."""
         if self._drawn is not None:
-            self._show_map(await run(map_picture, self._drawn.analysis, self._method.value))
+            self._show_map(await run(map_picture, self._drawn.analysis, self._method.value, self._explorer.view.narrow))
 
     def _again(self) -> None:
         """The case has changed: so has friction with this surface."""
@@ -218,7 +217,7 @@ class SurfaceTab:
         pressed = subject if load > 0.0 else None
         assert self._scan is not None
         surface = prepared(self._scan.surface, int(self._form.value))
-        return fan_picture(surface, pressed, load if pressed is not None else None, progress)
+        return fan_picture(surface, pressed, load if pressed is not None else None, progress, self._explorer.view.narrow)
 
     def _show_fan(self, source: str) -> None:
         self._below.clear()

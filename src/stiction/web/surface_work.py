@@ -103,23 +103,24 @@ def said_of_friction(question: Question, scan: Scan, band: Band, load: float) ->
     return f"{said} with this surface as the first body, {where}"
 
 
-def pictures_of(surface: HeightMap, band: Band, method: str) -> Pictures | InputError:
-    """What is drawn of a scan in a band, with the asperities of a method on its map; or why nothing is."""
+def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> Pictures | InputError:
+    """What is drawn of a scan in a band, with the asperities of a method on its map; or why nothing is. narrow: for a narrow
+    page."""
     from stiction.report.surface_pictures import asperity_figure
 
     try:
         found = analyse(_in(surface, band))
-        heights = image_of(asperity_figure(found.asperities.values(), found.surface))
-        return Pictures(found, map_picture(found, method), heights)
+        heights = image_of(asperity_figure(found.asperities.values(), found.surface), narrow)
+        return Pictures(found, map_picture(found, method, narrow), heights)
     except InputError as error:
         return error
 
 
-def map_picture(found: Analysis, method: str) -> str:
+def map_picture(found: Analysis, method: str, narrow: bool) -> str:
     """The map, with the asperities of a method, "" for none."""
     from stiction.report.surface_pictures import map_figure
 
-    return image_of(map_figure(found.surface, found=found.asperities.get(method)))
+    return image_of(map_figure(found.surface, found=found.asperities.get(method)), narrow)
 
 
 def example_scan(path: Path) -> dict[str, str]:
@@ -129,9 +130,9 @@ def example_scan(path: Path) -> dict[str, str]:
     return {"size": "40 um", "unit": "nm"}
 
 
-def fan_picture(surface: HeightMap, contact: Contact | None, load: float | None, progress: Progress) -> str:
+def fan_picture(surface: HeightMap, contact: Contact | None, load: float | None, progress: Progress, narrow: bool) -> str:
     """Numbers of the asperities, and friction, against the shortest wave that is left: a picture. Raises InputError."""
     from stiction.report.method_pictures import resolution_figure
 
     asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
-    return image_of(resolution_figure(resolution_study(surface, progress=progress("Filtering"), **asked)))
+    return image_of(resolution_figure(resolution_study(surface, progress=progress("Filtering"), **asked)), narrow)

@@ -1,9 +1,12 @@
 """What the page says in words: the answer in one sentence, its doubts, what else a user should know."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from stiction.laws.claims import KINDS_OF_DOUBT
 from stiction.laws.registry import GRADES
+from stiction.report.honest_digits import rounded
 from stiction.report.tables import shown
 from stiction.web.asked import Answer
 
@@ -15,7 +18,7 @@ def named(answer: Answer, name: str, at: int) -> str:
     curve = answer.curve
     if name not in curve:
         return ""
-    value = float(np.broadcast_to(curve[name].values, curve["load"].shape)[at])
+    value = _at(answer, name, at)
     if curve[name].attrs.get("normalised_by"):
         return f"{value:.4g} (over {curve[name].attrs['normalised_by']})"
     if curve[name].attrs.get("units", "1") == "1":
@@ -23,17 +26,35 @@ def named(answer: Answer, name: str, at: int) -> str:
     return shown(value, name)
 
 
-def headline(answer: Answer, at: int) -> tuple[str, str]:
-    """The number and where it holds."""
+def headline(answer: Answer, at: int, known: Sequence[float] = ()) -> tuple[str, str]:
+    """The number, with as many digits as its doubt leaves it, and where it holds, with four. known: what it may be by models
+    that were compared, beside what is uncertain of the inputs."""
     load = named(answer, "load", at)
     if "friction_coefficient" not in answer.curve:
         return f"real contact area {named(answer, 'contact_area', at)}", f"at a load of {load}; this model is of contact only"
     mu = named(answer, "friction_coefficient", at)
-    said = f"mu = {mu}" if mu != "not defined" else "mu is not defined: the surfaces hold themselves together"
     where = [f"at a load of {load}", f"real contact area {named(answer, 'contact_area', at)}"]
     if separation := named(answer, "mean_separation", at):
         where.append(f"mean separation {separation}")
-    return said, ", ".join(where)
+    if mu == "not defined":
+        return "mu is not defined: the surfaces hold themselves together", ", ".join(where)
+    said = rounded(_at(answer, "friction_coefficient", at), [*_ends(answer, at), *known])
+    return f"mu ≈ {said}", ", ".join([*where, f"mu to four digits {mu}"])
+
+
+def _at(answer: Answer, name: str, at: int) -> float:
+    return float(np.broadcast_to(answer.curve[name].values, answer.curve["load"].shape)[at])
+
+
+def _ends(answer: Answer, at: int) -> list[float]:
+    """What friction may be at a point, as far as is known: by what is uncertain of the inputs, by the ways to find
+    asperities."""
+    curve = answer.curve
+    ends = [_at(answer, name, at) for name in ("friction_coefficient_low", "friction_coefficient_high") if name in curve]
+    if "friction_coefficient_quantile" in curve:
+        band = curve["friction_coefficient_quantile"]
+        ends += [float(np.broadcast_to(band.values[end], curve["load"].shape)[at]) for end in (0, -1)]
+    return [end for end in ends if np.isfinite(end)]
 
 
 def doubt_in_words(kind: str, text: str) -> str:

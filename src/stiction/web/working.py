@@ -1,6 +1,7 @@
 """Work beside the loop that talks to the browser: threads for what is quick, one for studies, and only the newest question."""
 
 import asyncio
+import ctypes
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -52,15 +53,45 @@ class Progress:
     stopped by itself."""
 
     def __init__(self, seconds: float = LONGEST) -> None:
+        self._seconds = seconds
         self._end = time.monotonic() + seconds
         self.text = ""
         self.share = 0.0
         self.too_long = False
         self._stop = threading.Event()
+        self._thread: int | None = None
+        self._guard = threading.Lock()
 
     def stop(self) -> None:
-        """End the study at its next step."""
+        """End the study, also within a step."""
         self._stop.set()
+        self._interrupt()
+
+    def watched(self, work: Callable[["Progress"], _T]) -> _T:
+        """The result of the work, in this thread, which is interrupted when it is to be stopped or has taken its time; that
+        begins here, and not while others have their turn."""
+        self._end = time.monotonic() + self._seconds
+        late = threading.Timer(self._seconds, self._interrupt)
+        late.daemon = True
+        try:
+            with self._guard:
+                self.check()
+                self._thread = threading.get_ident()
+            late.start()
+            found = work(self)
+        finally:
+            late.cancel()
+            with self._guard:  # an interrupt that was sent has arrived
+                self._thread = None
+        return found
+
+    def _interrupt(self) -> None:
+        """KeyboardInterrupt in the thread of the work: a step of a study may take minutes, and others wait for their turn."""
+        with self._guard:
+            if self._thread is not None:
+                self.too_long = time.monotonic() > self._end
+                ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(KeyboardInterrupt))
+                self._thread = None
 
     def check(self) -> None:
         """KeyboardInterrupt, as of a user at a terminal, where it is to be stopped."""

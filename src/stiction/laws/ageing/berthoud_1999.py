@@ -4,7 +4,8 @@ r"""Strengthening at rest with the logarithm of time, by creep of the junctions:
 logarithm of the time at rest; below the cut-off time $t_\mathrm c$ nothing has grown yet. No shear acts while the contact
 waits, and there is no end to the growth. *Source*: [dieterich_1978], abstract, for rocks (first [dieterich_1972]);
 [berthoud_1999] for rough polymers, and [baumberger_caroli_2006], of which the abstract was seen: slow growth of the real area
-by creep. The form is written down from memory and derived here, below. [dillavou_rubinstein_2020] has static friction and
+by creep. The form is written down from memory and derived here, below; [jagla_2010], abstract, finds it in a model of creep at
+low loads, towards an area that is never passed. [dillavou_rubinstein_2020] has static friction and
 area both grow so, friction faster than area where a shear load acts at rest.
 
 $$
@@ -20,6 +21,8 @@ Laws of the interface alone take it, in the part of their force that goes with t
 ([`briscoe_tabor_1978`](#briscoe_tabor_1978)) depends on the load, which does not grow. `contact_area` is that at first.
 Every other law is refused: how asperities strengthen that peel, yield or grow under shear is not known.
 
+Over about five decades of time it was followed; results that wait longer say so.
+
 *Limit*: no waiting, or $m=0$: nothing changes. *Check*: $m=0.02$ and $t_\mathrm c=1$ s:
 
 | $t_\mathrm w$ | 0 | 1 s | 1 min | 1 h | 1 day | 1 year |
@@ -30,7 +33,7 @@ Every other law is refused: how asperities strengthen that peel, yield or grow u
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import Ageing
+from stiction.laws.registry import Ageing, Validity
 from stiction.laws.sources import Source
 
 
@@ -43,6 +46,9 @@ def aged(groups: Groups) -> Groups:
     return groups.with_changes(shear_strength=groups.shear_strength * factor(groups))
 
 
+# Times at rest over the cut-off time: from about a second to about a day (Dieterich 1972, by memory).
+_MEASURED = 1e5
+
 RECORD = Ageing(
     key="berthoud_1999",
     title="Strengthening at rest with the logarithm of time",
@@ -52,10 +58,12 @@ RECORD = Ageing(
         Source("dieterich_1972", "", "not seen; as the works below report it"),
         Source("dieterich_1978", "abstract", "creep at points of contact; growth with the logarithm of time"),
         Source("baumberger_caroli_2006", "abstract", "slow growth of the real area via creep of asperities"),
+        Source("jagla_2010", "abstract", "area growing as 1 + C ln(1 + t/t_0) at low loads, towards an end"),
         Source("dillavou_rubinstein_2020", "abstract", "static friction and real area both grow with the logarithm of time"),
     ),
     aged=aged,
     verified="the creep law, inverted by quadrature at 20 digits; both parts of a law of the interface by hand",
     needs=("shear_strength", "waiting", "strengthening"),
+    validity=(Validity("waiting", 0.0, _MEASURED, "the logarithm was followed over some five decades of time", "fit"),),
     notes="Both coefficients are to be measured: nothing here predicts them. contact_area is that before waiting.",
 )

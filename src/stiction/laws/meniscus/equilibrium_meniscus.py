@@ -27,8 +27,8 @@ the liquid is on its surface.
 *Limit*: no humidity, $w_\mathrm m\to0$: still the whole pull of those that touch, as the force in contact does not depend on
 $r$. Below a relative humidity at which $r$ is a few molecules there is no such meniscus; results say so.
 
-*Trap*: with elastic asperities that are pressed in farther than $2rc$ the pull falls to half of this:
-[`hertzian_meniscus`](#hertzian_meniscus). *Unknown*: menisci of constant volume, which do not dry up as fast as surfaces
+*Trap*: with elastic asperities that are pressed in farther than $2rc$ the pull at a displacement falls to half of this:
+[`hertzian_meniscus`](#hertzian_meniscus). Their areas grow instead, so that the friction of an interface is nearer to this law. *Unknown*: menisci of constant volume, which do not dry up as fast as surfaces
 part: what they hold depends on how they came to be.
 
 *Check*: parted in equilibrium, a sphere and a flat take $4\pi R\gamma_\mathrm Lrc^2$, half of the surface energy
@@ -64,7 +64,7 @@ VALIDITY = (
     ),
     Validity("meniscus_over_radius", 0.0, 0.01, "menisci are not small beside asperities: their pull is off by a twentieth"),
     Validity("meniscus_tabor_parameter", 0.0, 0.1, "menisci draw so soft asperities out of shape"),
-    Validity("meniscus_coverage", 0.0, 0.5, "menisci of neighbouring asperities meet"),
+    Validity("meniscus_coverage", 0.0, 0.2, "menisci of neighbours meet: they pull less than is counted, by a tenth and more"),
 )
 
 
@@ -106,7 +106,12 @@ RECORD = Meniscus(
     needs=("meniscus_index", "meniscus_height"),
     validity=(
         *VALIDITY,
-        Validity("penetration_over_meniscus", 0.0, 0.1, "elastic asperities pressed in so far are pulled less, down to half"),
+        Validity(
+            "penetration_over_meniscus",
+            0.0,
+            0.1,
+            "elastic asperities pressed in so far are pulled less, down to half, and have wider areas than is counted",
+        ),
     ),
     notes="Of plastic asperities, which are cut off, the pull does not change; of elastic ones it falls to half as they are "
     "pressed in farther than a meniscus is high: hertzian_meniscus.",

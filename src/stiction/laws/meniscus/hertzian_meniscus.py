@@ -4,7 +4,7 @@ r"""Menisci around elastic asperities, which pull less the farther those are pre
 ring of liquid is the attracting ring of [`maugis_1992`](#maugis_1992), with the stress $\gamma_\mathrm L/r$ and the range
 $2rc$, at small Tabor parameters, where it does not draw the solids out of shape. *Source*: that a meniscus is such a ring:
 [maugis_gauthier_manuel_1994], as [intersurface_adhesion_2018] reports it, JKR's law in dry air, DMT's in moist; the equations
-are those of [maugis_1992] to first order in $\lambda_M$, derived here. With $s=a/\sqrt{c^2-a^2}$, $a$ and $c$ being the inner
+are those of [maugis_1992] to first order in $\lambda_M$. Derived here from both. With $s=a/\sqrt{c^2-a^2}$, $a$ and $c$ being the inner
 and the outer radius of the ring,
 
 $$
@@ -20,6 +20,16 @@ of an energy, $-2\gamma_\mathrm Lc\,\mathrm d(\pi a^2)/\mathrm d\omega$. *Check*
 | $w/w_\mathrm m$ | 0 | 0.1 | 1 | 10 | 100 |
 |---|---|---|---|---|---|
 | pull over $4\pi R\gamma_\mathrm Lc$ | 1 | 0.7958 | 0.6295 | 0.5355 | 0.5081 |
+
+*Trap*: that is the pull at a given displacement. What is missing of it has widened the contact, and the area here is that of
+Hertz's contact at this displacement, without that. At a given area the pull grows instead, to first order in $\lambda_M$,
+
+$$
+\frac{s+(1+s^2)\arctan\frac1s}F=\ 1.086,\ 1.643,\ 4.659\quad\text{times}\ 4\pi R\gamma_\mathrm Lc\ \text{for}\ w/w_\mathrm m=0.1,\ 1,\ 10
+$$
+
+so that where the interface is what is sheared the friction is understated here, by more than after `equilibrium_meniscus`: this
+law is for loads and pull-off forces. Results say so from $w=0.1\,w_\mathrm m$ on.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$; [symbols](#1-units).
 """
@@ -92,6 +102,7 @@ RECORD = Meniscus(
     validity=(
         *equilibrium_meniscus.VALIDITY,
         Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
+        Validity("penetration_over_meniscus", 0.0, 0.1, "areas are wider than is counted, and with them the friction"),
     ),
     limits=(Limit("equilibrium_meniscus", {"meniscus_index": 1.0, "meniscus_height": 1e8}, ("load",), 0.002),),
 )

@@ -45,6 +45,7 @@ RECORD = TangentialLaw(
         Source("bowden_tabor_1950", "", "the adhesion theory of friction"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="interface",
     interfacial=True,
     of_area=True,
     verified="dimensional evaluation at 30 digits; mu = tau_0/H where the mean pressure is the hardness",

@@ -48,6 +48,7 @@ RECORD = TangentialLaw(
         ),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="interface",
     interfacial=True,
     of_area=True,
     verified="dimensional evaluation at 30 digits; constant strength for alpha = 0",

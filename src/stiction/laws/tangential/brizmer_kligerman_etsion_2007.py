@@ -26,11 +26,14 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity.brizmer_kligerman_etsion_2006 import LEAST_NU, critical_values
-from stiction.laws.joining import normal_states
+from stiction.laws.joining import coordinates, normal_states
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.registry import TangentialLaw, Validity
 from stiction.laws.sources import Source
 from stiction.laws.tangential.shared.zero_load import zero_load
+
+# Where the sum over a piece that begins under load is split, over the displacement there.
+_SPLITS = (8.0, 64.0, 512.0, 4096.0)
 
 
 @formula
@@ -52,8 +55,12 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
     # or, of a plastic junction that adheres, where its tension ends.
     begins = zero_load(piece)
     begins = first if begins is None else begins
-    touches = normal_states(piece, first)[:, 2] <= 0.0
-    return TangentialResistance(resistance, (L_c,), begins[:, None], np.where(touches, begins, -np.inf))
+    at_first = normal_states(piece, first)
+    touches = at_first[:, 2] <= 0.0
+    # Where a piece begins under load, that power begins before it, about as far off as the piece is from first touch.
+    near = [coordinates(piece, np.where(touches, -np.inf, at_first[:, 0] * factor)) for factor in _SPLITS]
+    kinks = np.stack([begins, *(np.where(touches, begins, one) for one in near)], axis=1)
+    return TangentialResistance(resistance, (L_c,), kinks, np.where(touches, begins, -np.inf))
 
 
 RECORD = TangentialLaw(
@@ -65,6 +72,7 @@ RECORD = TangentialLaw(
         Source("brizmer_kligerman_etsion_2006", "critical load in full stick"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="full stick",
     of_half_space="it is fitted to finite elements of one homogeneous sphere, and a film changes how that sticks and yields",
     wants={"no adhesion": "the sphere is pressed by its load alone"},
     verified="seven loads tabulated independently; evaluation at 30 digits; sums over Gaussian heights",

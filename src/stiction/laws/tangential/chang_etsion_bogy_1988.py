@@ -127,6 +127,7 @@ RECORD = TangentialLaw(
         Source("hamilton_1983", "stresses on the axis and at the edge"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="none",
     of_half_space="the two places it looks at are where a half-space first yields",
     like="layered_first_yield",
     wants={

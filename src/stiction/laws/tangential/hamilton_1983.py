@@ -272,6 +272,7 @@ RECORD = TangentialLaw(
     grade="B",
     sources=(Source("hamilton_1983", "stresses under the normal and the tangential load", "with the von Mises criterion"),),
     tangential_resistance=tangential_resistance,
+    yielded="none",
     of_half_space="its stresses are a half-space's",
     like="layered_first_yield",
     verified="stresses: equilibrium, tractions, point loads integrated independently; first yield found by search",

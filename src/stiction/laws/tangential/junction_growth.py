@@ -86,6 +86,7 @@ RECORD = TangentialLaw(
         ),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="junction growth",
     wants={"no adhesion": "the sphere is pressed by its load alone"},
     of_half_space="it ends at the full stick of one homogeneous sphere, and a film changes how that sticks and yields",
     verified="shear stress and grown area solved together by bisection at 30 digits; its three limits",

@@ -69,6 +69,7 @@ RECORD = TangentialLaw(
         Source("kogut_etsion_2004", "", "the same fits times the load, with two digits"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="none",
     of_half_space="it is fitted to finite elements of one homogeneous sphere, and a film moves the zone that yields",
     wants={"no adhesion": "the sphere is pressed by its load alone"},
     verified="the quoted forms agree with each other and with the two-digit print of 2004; evaluation at 30 digits",

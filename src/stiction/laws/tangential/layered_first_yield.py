@@ -74,6 +74,7 @@ RECORD = TangentialLaw(
         Source("hamilton_1983", "stresses under the normal and the tangential load", "of which it is the limit"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="none",
     layered=True,
     verified="stresses: Hamilton's for like materials, plane waves, equilibrium; first yield by a denser search of space",
     needs=("hardness_group", "nu", "hardness_to_yield"),

@@ -61,6 +61,7 @@ RECORD = TangentialLaw(
         Source("mindlin_1949", "", "the tangential stiffness of a half-space, the limit of thick and thin films"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="none",
     layered=True,
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
     verified="tangential stiffness by another method; largest force by trying radii; closed limits",

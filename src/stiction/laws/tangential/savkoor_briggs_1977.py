@@ -98,6 +98,7 @@ RECORD = TangentialLaw(
         ),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="none",
     of_half_space="the stiffness in its energy balance is a half-space's",
     like="layered_peeling",
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},

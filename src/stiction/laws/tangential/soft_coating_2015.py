@@ -108,6 +108,7 @@ RECORD = TangentialLaw(
         Source("hamilton_1983", "stresses at the trailing edge"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="none",
     layered=True,
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
     verified="independent evaluation at 30 digits",

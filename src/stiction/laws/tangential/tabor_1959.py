@@ -79,6 +79,7 @@ RECORD = TangentialLaw(
         Source("tabor_1959", "", "growth ended by an interface weaker than the bulk, as commonly quoted; derived again"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="junction growth",
     of_half_space="its junction is of one material, and of a film with its body it does not say what is plastic",
     like="bowden_tabor_1943",
     verified="the criterion solved by bisection at 30 digits; closed form of plastic junctions; constant strength for c -> 0",

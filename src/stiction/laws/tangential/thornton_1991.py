@@ -50,6 +50,7 @@ RECORD = TangentialLaw(
     grade="B",
     sources=(Source("thornton_1991", "", "the critical force as commonly quoted; it equals that of Savkoor and Briggs"),),
     tangential_resistance=tangential_resistance,
+    yielded="none",
     of_half_space="its force is that of a half-space's stiffness",
     like="layered_peeling",
     wants={"JKR": "the force is that at which a JKR contact peels"},

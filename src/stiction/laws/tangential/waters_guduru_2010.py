@@ -135,6 +135,7 @@ RECORD = TangentialLaw(
         Source("savkoor_briggs_1977", "", "energy release of a sheared JKR contact"),
     ),
     tangential_resistance=tangential_resistance,
+    yielded="none",
     of_half_space="the stiffness in its energy balance is a half-space's",
     like="layered_peeling",
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},

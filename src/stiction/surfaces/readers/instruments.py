@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.extras import how_to_install
 from stiction.surfaces.raw_scan import RawScan, Reader, ends_in_a_line
 from stiction.surfaces.readers.shared.topography import on_grid
 
@@ -26,7 +27,7 @@ def read(path: Path, channel) -> RawScan | None:
             from SurfaceTopography.Exceptions import CannotDetectFileFormat
             from SurfaceTopography.IO import open_topography
         except ImportError:
-            raise InputError("scan", str(path), "instrument files after: pip install stiction[scans]") from None
+            raise InputError("scan", str(path), f"instrument files after: {how_to_install('SurfaceTopography')}") from None
         try:
             with open_topography(str(path)) as reader:
                 return _library(reader, channel, path)

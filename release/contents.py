@@ -1,0 +1,92 @@
+"""What a wheel and an sdist have to hold, and what they must not: `python release/contents.py FOLDER` says what is wrong."""
+
+import re
+import sys
+import tarfile
+import zipfile
+from email.parser import HeaderParser
+from pathlib import Path
+
+from shared import ROOT, project
+
+# Data that the program reads; modules are compared with the tree below.
+DATA = (
+    "py.typed",
+    "__init__.pyi",
+    "laws/sources.bib",
+    "contact/material_data/elements.toml",
+    "contact/layered/curves.npz",
+    "solving/solved_set.npz",
+    "report/templates/report.html",
+    "web/first.toml",
+)
+# What tests and documents need besides the package: the tests run from an unpacked sdist.
+OF_SDIST = ("tests", "docs", "examples", "benchmarks", "truth", "validation", "release", "pyproject.toml", "README.md",
+            "LICENSE", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "ARCHITECTURE.md", "Makefile", "requirements.lock")  # fmt: skip
+LEFTOVERS = re.compile(
+    r"(^|/)(__pycache__|\.venv|\.git|build|dist|demo|\.\w+_cache|\.hypothesis|\.ci)/|\.(pyc|nbi|nbc|so)$|READ_ME_FIRST"
+)
+MOST = {".whl": 2.0e6, ".gz": 5.0e6}  # bytes
+
+
+def tree() -> set[str]:
+    """Every file of the package, as git would have it."""
+    package = ROOT / "src" / "stiction"
+    return {
+        path.relative_to(package.parent).as_posix()
+        for path in package.rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+
+
+def problems_of_wheel(path: Path) -> list[str]:
+    """What is wrong with a wheel, a line each."""
+    with zipfile.ZipFile(path) as archive:
+        names = set(archive.namelist())
+        about = next(name for name in names if name.endswith(".dist-info/METADATA"))
+        told = HeaderParser().parsestr(archive.read(about).decode())
+        entries = archive.read(about.replace("METADATA", "entry_points.txt")).decode()
+    inside = {name for name in names if ".dist-info/" not in name}
+    found = [f"missing: {name}" for name in sorted(tree() | {f"stiction/{name}" for name in DATA}) if name not in inside]
+    found += [f"too much: {name}" for name in sorted(inside - tree())]
+    found += [f"not of a package: {name}" for name in sorted(names) if LEFTOVERS.search(name)]
+    if about.replace("METADATA", "licenses/LICENSE") not in names or told["License-Expression"] != project()["license"]:
+        found.append("no licence")
+    if told["Version"] != project()["version"] or set(told.get_all("Provides-Extra")) != set(
+        project()["optional-dependencies"]
+    ):
+        found.append(f"metadata of another version: {told['Version']}, {told.get_all('Provides-Extra')}")
+    if "stiction = stiction.cli:main" not in entries:
+        found.append("no command `stiction`")
+    return found + _heavy(path)
+
+
+def problems_of_sdist(path: Path) -> list[str]:
+    """What is wrong with an sdist, a line each."""
+    with tarfile.open(path) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    found = [f"missing: src/{name}" for name in sorted(tree()) if f"src/{name}" not in names]
+    found += [f"missing: {part}" for part in OF_SDIST if not any(name == part or name.startswith(f"{part}/") for name in names)]
+    found += [f"not of a package: {name}" for name in sorted(names) if LEFTOVERS.search(name)]
+    return found + _heavy(path)
+
+
+def _heavy(path: Path) -> list[str]:
+    size = path.stat().st_size
+    return [f"{size / 1e6:.1f} MB"] if size > MOST[path.suffix] else []
+
+
+def main(folder: Path) -> int:
+    """Say what is wrong with the two packages in a folder; how many things are."""
+    (wheel,), (sdist,) = folder.glob("*.whl"), folder.glob("*.tar.gz")
+    found = [
+        f"{path.name}: {problem}"
+        for path, of in ((wheel, problems_of_wheel), (sdist, problems_of_sdist))
+        for problem in of(path)
+    ]
+    print("\n".join(found) or f"{wheel.name} and {sdist.name} hold what they should")
+    return len(found)
+
+
+if __name__ == "__main__":
+    sys.exit(min(main(Path(sys.argv[1])), 1))

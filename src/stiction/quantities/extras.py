@@ -1,0 +1,34 @@
+"""Packages that only part of the work needs: by which extra of the project each is installed, and one line where it is not."""
+
+from importlib.util import find_spec
+
+from stiction.quantities.errors import InputError
+
+__all__ = ["EXTRA_OF", "how_to_install", "installed", "require"]
+
+# The package that is imported -> the extra of pyproject.toml that brings it.
+EXTRA_OF = {
+    "matplotlib": "pictures",
+    "SurfaceTopography": "scans",
+    "zarr": "sweep",
+    "distributed": "cluster",
+    "lmfit": "fit",
+    "nicegui": "web",
+}
+
+
+def installed(package: str) -> bool:
+    """Whether a package can be imported; it is not imported for that."""
+    return find_spec(package) is not None
+
+
+def how_to_install(package: str) -> str:
+    """What to type for a package of `EXTRA_OF`."""
+    return f"pip install 'stiction[{EXTRA_OF[package]}]'"
+
+
+def require(field: str, *packages: str) -> None:
+    """Raise InputError unless all these packages of `EXTRA_OF` can be imported; field: what was asked for."""
+    missing = [package for package in packages if not installed(package)]
+    if missing:
+        raise InputError(field, f"without {missing[0]}", f"an installation with it: {how_to_install(missing[0])}")

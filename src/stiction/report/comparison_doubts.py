@@ -1,0 +1,31 @@
+"""What is doubtful in a comparison of models, each doubt once, numbered by its place."""
+
+from typing import TYPE_CHECKING
+
+from stiction.laws.validity import read_doubts
+from stiction.quantities.table import QUANTITIES
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["doubts", "doubts_of_model", "doubts_with_meanings"]
+
+
+def doubts_of_model(one: "xarray.Dataset") -> list[str]:
+    """Why one model says nothing of friction, and the ranges of validity that it leaves, without by how much."""
+    return [*filter(None, [one["why_not"].item()]), *(doubt.rule for doubt in read_doubts(one["doubts"].item()))]
+
+
+def doubts(data: "xarray.Dataset") -> list[str]:
+    """All doubts of a comparison, each once."""
+    every = (doubts_of_model(data.isel(model=at)) for at in range(data.sizes["model"]))
+    return list(dict.fromkeys(line for lines in every for line in lines))
+
+
+def doubts_with_meanings(data: "xarray.Dataset") -> list[str]:
+    """All doubts of a comparison, in the order of `doubts`, with what their symbols mean."""
+    every = [one for text in data["doubts"].values for one in read_doubts(str(text))]
+    meant = {
+        one.rule: f"{QUANTITIES[one.quantity].meaning} ({QUANTITIES[one.quantity].symbol})" for one in every if one.quantity
+    }
+    return [f"{meant[rule]} {rule[rule.index('is not') :]}" if rule in meant else rule for rule in doubts(data)]

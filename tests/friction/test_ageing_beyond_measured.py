@@ -1,0 +1,39 @@
+"""Time at rest beyond what anybody waited: the logarithm is doubted there, though it is still taken."""
+
+import json
+import math
+
+import pytest
+
+import stiction as st
+
+CONTACT = st.Contact(
+    first="silicon",
+    second="silicon",
+    roughness=st.Roughness(asperity_height_deviation="10 nm", asperity_radius="1 um", asperity_density="1e13 1/m^2"),
+    nominal_area="0.01 mm^2",
+    interfacial_shear_strength="100 MPa",
+    strengthening=0.02,
+    cut_off_time="1 s",
+    waiting_time="0 s",
+)
+
+
+def solved(time: str):
+    return st.solve(CONTACT.replace(waiting_time=time), load="1 mN", model="greenwood_williamson_1966")
+
+
+def doubts(result) -> list:
+    return [doubt["most"] for doubt in json.loads(result.attrs["doubts"]) if doubt.get("quantity") == "waiting"]
+
+
+@pytest.mark.parametrize("time", ["0 s", "1 h", "1 day"])
+def test_times_that_were_measured_are_not_doubted(time):
+    assert doubts(solved(time)) == []
+
+
+def test_a_year_of_a_contact_that_begins_to_age_after_a_second_is():
+    year = solved("1 year")
+    assert doubts(year) == [pytest.approx(365.25 * 86400)]
+    ratio = float(year["friction_coefficient"] / solved("0 s")["friction_coefficient"])
+    assert ratio == pytest.approx(1.0 + 0.02 * math.log(365.25 * 86400), rel=1e-9)

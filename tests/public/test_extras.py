@@ -1,0 +1,136 @@
+"""What only part of the work needs is an extra: the rest works without it, and one line says what to install."""
+
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stiction as st
+from stiction.quantities.extras import EXTRA_OF, how_to_install, require
+
+ROOT = Path(__file__).parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+CASE, BARE = (ROOT / "examples" / f"{name}.toml" for name in ("silver_on_steel", "compare_models"))
+# Runs before the program: `import` and `find_spec` see no package of an extra.
+HIDDEN = f"""
+import sys
+for name in {sorted(EXTRA_OF)}:
+    sys.modules[name] = None
+"""
+
+
+def without_extras(folder, *words):
+    """The command as it is in an installation without extras: its exit code, and what it said on both channels."""
+    (folder / "sitecustomize.py").write_text(HIDDEN, encoding="utf-8")
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), str(ROOT / "src")]), "COLUMNS": "200"}
+    command = [sys.executable, "-m", "stiction", *map(str, words)]
+    done = subprocess.run(command, text=True, capture_output=True, env=environment, cwd=folder, check=False)
+    return done.returncode, done.stdout, done.stderr.strip()
+
+
+def name_of(requirement):
+    return re.match(r"[\w.-]+", requirement)[0].lower()
+
+
+def test_each_package_is_brought_by_the_extra_that_is_named():
+    extras = PROJECT["optional-dependencies"]
+    for package, extra in EXTRA_OF.items():
+        assert package.lower() in map(name_of, extras[extra]), package
+        assert package.lower() not in map(name_of, PROJECT["dependencies"]), package
+    named = set(re.search(r"\[(.*)\]", extras["all"][0])[1].split(","))
+    assert named | {"sweep"} == set(EXTRA_OF.values())  # that of the sweep comes with that of the cluster
+
+
+def test_a_missing_package_is_said_in_a_line(monkeypatch):
+    require("fit", "lmfit")
+    monkeypatch.setitem(sys.modules, "lmfit", None)
+    with pytest.raises(st.InputError) as told:
+        require("fit", "numpy", "lmfit")
+    assert str(told.value) == "fit: 'without lmfit'; allowed: an installation with it: pip install 'stiction[fit]'"
+
+
+def test_a_case_is_solved_and_written_without_extras(tmp_path):
+    """All but the picture, which is named, with what to install."""
+    code, out, error = without_extras(tmp_path, "run", CASE, "--out", "results")
+    assert code == 0 and "written to results: curve.csv, curve.nc\n" in out
+    assert error == f"stiction: not drawn without matplotlib: curve.png; {how_to_install('matplotlib')}"
+    assert sorted(path.name for path in (tmp_path / "results").iterdir()) == ["curve.csv", "curve.nc"]
+
+
+SCAN = """
+[contact]
+first = "hardened_steel_52100"
+second = "hardened_steel_52100"
+work_of_adhesion = "0.2 J/m^2"
+nominal_area = "1 mm^2"
+roughness = { first = { file = "scan.npy", size = "40 um", unit = "m" } }
+
+[solve]
+load = ["0.1 N"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "pictures"),
+    [
+        (("compare", CASE), "compare.png, spread.png"),
+        (("run", BARE, "--asperity", "jkr", "--sliding"), "sliding.png"),
+        (("film", CASE), "film.png"),
+        (("surface", "scan.npy", "--size", "40 um", "--unit", "m"), "map.png, spectrum.png, asperities.png, fan.png"),
+        (("run", "scan.toml"), "curve.png, band.png"),
+    ],
+)
+def test_commands_write_all_but_pictures(tmp_path, words, pictures):
+    made = st.gaussian_surface(
+        (64, 64), (40e-6, 40e-6), st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=4e-6, deviation=8e-9), seed=1
+    )
+    np.save(tmp_path / "scan.npy", made.heights)
+    (tmp_path / "scan.toml").write_text(SCAN, encoding="utf-8")
+    code, _, error = without_extras(tmp_path, *words, "--out", "results")
+    assert (code, error.splitlines()[-1]) == (
+        0,
+        f"stiction: not drawn without matplotlib: {pictures}; {how_to_install('matplotlib')}",
+    )
+    written = [path.suffix for path in (tmp_path / "results").iterdir()]
+    assert written and ".png" not in written
+
+
+@pytest.mark.parametrize(
+    ("words", "package"),
+    [
+        (("report", CASE, "--out", "report.html"), "matplotlib"),
+        (("figures", "--out", "figures"), "matplotlib"),
+        (("serve",), "nicegui"),
+        (("sweep", CASE, "--out", "store"), "zarr"),
+        (("sweep", CASE, "--out", "store", "--scheduler", "tcp://127.0.0.1:8786"), "distributed"),
+        (("fit", CASE, "--data", "measured.csv"), "lmfit"),
+        (("surface", "scan.sur"), "SurfaceTopography"),
+    ],
+)
+def test_commands_of_an_extra_say_what_to_install(tmp_path, words, package):
+    """Exit code 2 and one line, no traceback, and nothing is left behind."""
+    (tmp_path / "scan.sur").write_bytes(b"DIGITAL SURF")
+    (tmp_path / "measured.csv").write_text("load [N],friction_coefficient\n1,0.1\n", encoding="utf-8")
+    before = sorted(tmp_path.iterdir())
+    code, out, error = without_extras(tmp_path, *words)
+    said = [line for line in error.splitlines() if line != "Reading the case"]
+    assert (code, out, len(said)) == (2, "", 1)
+    assert said[0].startswith("stiction: ") and said[0].endswith(how_to_install(package))
+    assert [path for path in sorted(tmp_path.iterdir()) if path not in before and path.name != "sitecustomize.py"] == []
+
+
+def test_no_public_name_needs_an_extra_to_be_imported(tmp_path):
+    code = f"{HIDDEN}\nimport stiction as st\nprint([name for name in st.__all__ if not hasattr(st, name)])"
+    done = subprocess.run([sys.executable, "-c", code], text=True, capture_output=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_extras_can_be_found_here():
+    """The tests of what they bring run where they are installed: all of them are, with the extra dev."""
+    assert [package for package in EXTRA_OF if importlib.util.find_spec(package) is None] == []

@@ -1,0 +1,110 @@
+"""What a first user has to understand: doubts below pictures, spreads that are none, models that say very little, words."""
+
+import numpy as np
+import pytest
+import xarray
+from rich.text import Text
+
+import stiction as st
+from stiction.quantities.errors import InputError
+from stiction.report.comparison_doubts import doubts, doubts_with_meanings
+from stiction.report.comparison_rows import run_command
+from stiction.report.model_pictures import models_figure, rows_of_models
+from stiction.report.sensitivity_tables import sensitivity_notes
+from stiction.report.several_pictures import several_figure
+from stiction.report.uncertainty_pictures import spread_figure
+from stiction.report.uncertainty_tables import uncertain_notes
+from stiction.studies.case import parse_case
+from stiction.studies.case_results import film_of_case
+from stiction.studies.spreads import with_spreads
+from stiction.web.first import first_case
+
+
+def _case(thickness="200 nm", **solve):
+    tables = first_case()
+    tables["contact"]["coating"]["thickness"] = thickness
+    tables["solve"] = {"load": ["0.5 N", "1 N"], **solve}
+    return tables
+
+
+def _words(figure):
+    return "\n".join(one.get_text() for one in figure.findobj(lambda one: hasattr(one, "get_text")))
+
+
+def test_a_picture_of_several_numbers_says_what_is_doubtful():
+    data = st.solve_case(parse_case(_case(["100 nm", "200 nm"])))
+    assert "outside the range of validity" in _words(several_figure(data))
+    assert "outside the range" not in _words(several_figure(data.assign_attrs(doubts="[]", outside_validity="")))
+
+
+def test_a_spread_that_is_none_is_seen():
+    empty = xarray.Dataset()
+    none = with_spreads(empty, [0.2, 0.2], [], [], 0.2)
+    assert "no difference: a factor of 1" in _words(spread_figure(none))
+    figure = spread_figure(none)
+    assert [one for one in figure.axes[0].lines if one.get_marker() == "D"]
+    some = spread_figure(with_spreads(empty, [0.2, 0.3], [], [], 0.2))
+    assert "no difference" not in _words(some) and not [one for one in some.axes[0].lines if one.get_marker() == "D"]
+
+
+def test_draws_are_called_what_they_are():
+    attributes = {
+        "uncertain_inputs": "x: 1 to 2",
+        "uncertainty": "64 points, seed 0",
+        "doubts_of_points": '{"y is not 1": 0.333}',
+    }
+    said = "\n".join(one.plain for one in uncertain_notes(xarray.Dataset(attrs=attributes)))
+    assert "random draws of what is uncertain: 64, seed 0" in said
+    assert "in 33.3% of the random draws, each a possible set of the uncertain inputs: y is not 1" in said
+
+
+def test_no_model_is_left_out_of_the_dots_however_little_it_says():
+    said = {"friction_coefficient_at_load": [0.3, 2e-9, 0.1], "family_of_curve": ["a"] * 3, "outside_validity": [""] * 3}
+    said["plastic_junctions_resist"] = [False] * 3
+    data = xarray.Dataset({name: ("model", values) for name, values in said.items()}, {"model": ["most", "least", "some"]})
+    assert sorted(rows_of_models(data)) == [0, 1, 2]
+    figure = models_figure(data)
+    (axes,) = figure.axes
+    assert [one.get_text() for one in axes.get_yticklabels()] == ["least", "some", "most"]
+    assert "2e-09" in _words(figure) and axes.get_xlim()[0] > 1e-6
+
+
+def test_the_command_of_a_comparison_has_a_load_that_is_read():
+    load = xarray.DataArray(np.array([1.0]), dims="point", attrs={"units": "N"})
+    data = xarray.Dataset({"load": load}, attrs={"working_load": 2.3604761904761906, "case_file": "a.toml"})
+    assert run_command(data, "m").endswith("--load '2.36048 N'")
+    assert run_command(data, "m", exact=True).endswith("--load '2.3604761904761906 N'")
+
+
+def test_doubts_of_a_comparison_explain_their_symbols():
+    data = st.compare_case(parse_case(_case()), load=1.0)
+    plain, told = doubts(data), doubts_with_meanings(data)
+    assert len(plain) == len(told)
+    at = next(at for at, one in enumerate(plain) if one.startswith("s_0 is not"))
+    assert told[at].startswith("share of the load on asperities that the model gives no friction (s_0) is not 0 to 0.5: ")
+
+
+def test_stresses_in_films_of_several_thicknesses_are_refused_in_a_line_that_says_what_to_do():
+    case = parse_case(_case(["100 nm", "200 nm"]))
+    with pytest.raises(InputError, match=r"coating\.thickness: '2 numbers'; allowed: one, .* a case for each"):
+        film_of_case(case, case.choice)
+
+
+def test_stresses_in_a_film_by_the_recommended_model_or_what_to_name_instead():
+    case = parse_case(_case(model="recommended"))
+    assert film_of_case(case, case.choice).attrs["film"] == "layered"
+    case = parse_case(first_case() | {"solve": first_case()["solve"] | {"model": "recommended"}})
+    with pytest.raises(InputError, match=r"recommended, which is \w+ here'; allowed: .* --model soft_coating_2015"):
+        film_of_case(case, case.choice)
+
+
+def test_sensitivity_names_every_law_that_answers():
+    case = _case(model="soft_coating_2015", reading="published")
+    case["solve"]["load"] = ["1 N"]
+    case["contact"]["work_of_adhesion"] = {"median": "1 J/m^2", "factor": 1.2}
+    case["uncertainty"] = {"count": 64}
+    data = st.sensitivity(case, models=[])
+    said = "\n".join(one.plain for one in sensitivity_notes(data) if isinstance(one, Text))
+    assert "models: soft_coating_2015 + reading published 100%" in said
+    line = next(one for one in said.splitlines() if one.startswith("elasticities: "))
+    assert "tangential law soft_coating_2015, film law printed, reading published" in line

@@ -1,0 +1,162 @@
+"""Parts of the page without a page: what is ready before it is asked, charts at every width, studies that end, digits."""
+
+import math
+import re
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import matplotlib
+import pytest
+from matplotlib.figure import Figure
+
+import stiction.web
+from stiction.quantities.errors import InputError
+from stiction.report.html_report import report_record
+from stiction.studies.findings import find_out
+from stiction.web.asked import Question, solved
+from stiction.web.charts import chart, line
+from stiction.web.downloads import report_of
+from stiction.web.first import first_case
+from stiction.web.fitting import fitted
+from stiction.web.pictures import image_of
+from stiction.web.studies_tab import designed
+from stiction.web.words import headline
+from stiction.web.working import Progress
+
+
+@pytest.fixture(scope="module")
+def answer():
+    return solved(Question(first_case()))
+
+
+def test_laws_are_imported_before_the_server_answers():
+    code = (
+        "import sys; from stiction.web import asked, server; asked_of = server.question_of(None)\n"
+        "before = set(sys.modules); case = asked.case_asked(asked_of)\n"
+        "asked.model_names(case), asked.option_values(None)\n"
+        "[asked.law_keys(one) for one in asked.CHOSEN_BY_KEY]\n"
+        "print(sorted(one for one in set(sys.modules) - before if one.startswith('stiction')))"
+    )
+    found = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True, timeout=300)
+    assert found.stdout.strip() == "[]"
+
+
+# Of the frameworks, or of the page for its own use.
+OTHER = {"no-wrap", "text-negative", "items-stretch"}
+
+
+def test_every_class_that_is_used_is_in_the_style_of_the_page():
+    """No library makes styles in the browser: a class that nobody defines does nothing."""
+    folder = Path(stiction.web.__file__).parent
+    style = (folder / "page.py").read_text(encoding="utf-8")
+    used = {
+        name
+        for path in folder.glob("*.py")
+        for text in re.findall(r"classes\(\s*\"([^\"]*)\"", path.read_text(encoding="utf-8"))
+        for name in text.split()
+    }
+    assert len(used) > 30
+    assert {one for one in used - OTHER if f".{one} " not in style} <= {"where"}
+
+
+def _chart(names, **y):
+    series = [line(name, [1.0, 2.0], [3.0, 4.0], at) for at, name in enumerate(names)]
+    return chart("a chart", {"name": "x"}, {"name": "y", **y}, series, False)
+
+
+def test_a_chart_fits_a_telephone_and_a_wide_page():
+    found = fitted(_chart(["first", "second"]))
+    narrow, wide = (one["option"] for one in found["media"])
+    assert found["media"][0]["query"] == {"maxWidth": 420} and "query" not in found["media"][1]
+    assert narrow["grid"]["left"] < wide["grid"]["left"] == found["grid"]["left"]
+    assert narrow["xAxis"]["splitNumber"] < wide["xAxis"]["splitNumber"]
+    long = fitted(_chart(["a name that takes more than a line of a legend on a telephone, so that it is broken", "b"]))
+    assert long["media"][0]["option"]["grid"]["top"] >= narrow["grid"]["top"] + 40  # two lines more
+    named = fitted(_chart(["one"], type="category", data=["a model"]))["media"][0]["option"]
+    assert named["yAxis"]["axisLabel"]["inside"] and named["grid"]["left"] < 20
+    scale = {"min": 0, "max": 1, "right": 0}
+    coloured = fitted(_chart(["one"]) | {"visualMap": scale})["media"]
+    assert coloured[0]["option"]["visualMap"]["orient"] == "horizontal"
+    assert coloured[0]["option"]["grid"]["bottom"] > narrow["grid"]["bottom"]
+    assert fitted({"grid3D": {}}) == {"grid3D": {}}
+
+
+def test_panels_of_a_picture_stand_below_one_another_on_a_narrow_page():
+    figure = Figure(figsize=(12.0, 4.0), layout="constrained")
+    left, right = figure.subplots(1, 2)
+    with matplotlib.rc_context():
+        assert image_of(figure, narrow=True).startswith("data:image/png")
+    assert figure.get_figwidth() < 6.0 and left.get_position().y0 > right.get_position().y1
+
+
+def _endless(progress):
+    while True:
+        time.sleep(0.002)  # a step that asks nobody whether it may go on
+
+
+@pytest.mark.parametrize("wish", [0.0, -1.0, math.nan, math.inf])
+def test_a_wish_that_no_friction_can_be_is_refused(wish):
+    with pytest.raises(InputError, match=r"wished mu: .*; allowed: a number above 0"):
+        designed(Question(first_case()), "1 N", wish, {}, Progress())
+
+
+def test_a_text_in_place_of_a_table_is_refused_in_plain_words():
+    error = solved(Question({"contact": "x", "solve": {"load": ["1 N"]}})).error
+    assert str(error) == "contact: 'x'; allowed: a table with its numbers"
+
+
+def test_a_study_ends_within_a_step_when_it_is_stopped():
+    progress = Progress()
+    threading.Timer(0.2, progress.stop).start()
+    with pytest.raises(KeyboardInterrupt):
+        progress.watched(_endless)
+    assert not progress.too_long
+
+
+def test_a_study_ends_within_a_step_after_its_time_which_begins_with_it():
+    progress = Progress(seconds=0.3)
+    time.sleep(0.4)  # others have their turn
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        progress.watched(_endless)
+    assert progress.too_long and time.monotonic() - began > 0.25
+    assert Progress(seconds=60.0).watched(lambda progress: 3) == 3
+
+
+def test_a_study_that_is_stopped_before_its_turn_does_not_begin():
+    progress = Progress()
+    progress.stop()
+    with pytest.raises(KeyboardInterrupt):
+        progress.watched(lambda progress: pytest.fail("it began"))
+
+
+def test_the_report_is_stopped(answer):
+    stopped = Progress()
+    stopped.stop()
+    with pytest.raises(KeyboardInterrupt):
+        report_of(answer, stopped)
+
+
+def test_mu_has_the_same_digits_on_the_page_and_in_the_report(answer):
+    at = answer.middle()
+    load = float(answer.curve["load"].values[at])
+    found = find_out(answer.case, load=load)
+    said, models = report_record(found), found.answer.told
+    ends = [float(models[f"spread_{end}"].sel(spread="models")) for end in ("low", "high")]
+    number, where = headline(answer, at, ends)
+    assert number == f"mu ≈ {said['friction_coefficient_rounded']}"
+    assert where.endswith(f"mu to four digits {said['friction_coefficient']:.4g}")
+    assert headline(answer, at)[0] == f"mu ≈ {said['friction_coefficient']:.2g}"  # nothing is known of its error
+
+
+def test_digits_are_those_that_the_draws_leave():
+    tables = first_case()
+    tables["contact"]["work_of_adhesion"] = {"median": "1 J/m^2", "factor": 3}
+    tables["uncertainty"] = {"count": 64}
+    answer = solved(Question(tables))
+    band = answer.curve["friction_coefficient_quantile"].values[:, answer.middle()]
+    assert band[-1] > 2.0 * band[0]
+    assert re.fullmatch(r"mu ≈ 0\.0\d", headline(answer, answer.middle())[0])
