@@ -191,11 +191,14 @@ def _identity(row: dict) -> str:
     return json.dumps([row["module"], row["code"], row["column"], row["old"], row["new"]])
 
 
-def _keep(rows: dict[str, dict]) -> None:
-    text = "".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows.values())
+def _keep(row: dict) -> dict[str, dict]:
+    """Add a verdict to those that are kept, which may have been edited meanwhile; all of them."""
+    rows = known()
+    rows[_identity(row)] = row
     part = RESULTS.with_suffix(".part")
-    part.write_text(text, encoding="utf-8")
+    part.write_text("".join(json.dumps(one, ensure_ascii=False) + "\n" for one in rows.values()), encoding="utf-8")
     part.replace(RESULTS)
+    return rows
 
 
 def rate(rows: dict[str, dict]) -> str:
@@ -270,10 +273,8 @@ def run(given: argparse.Namespace, rows: dict[str, dict]) -> None:
         for at, mutant in enumerate(wanted, 1):
             if time.monotonic() > end:
                 break
-            key = mutant.key
-            row = key | asking.verdict(mutant)
-            rows[_identity(key)] = row
-            _keep(rows)
+            row = mutant.key | asking.verdict(mutant)
+            rows |= _keep(row)
             print(f"{at}/{len(wanted)} {row['outcome']:8} {row['seconds']:6.1f} s  {row['module']}:{row['line']} "
                   f"{row['old']!r} -> {row['new']!r}  {row.get('first', '')}", flush=True)  # fmt: skip
 
