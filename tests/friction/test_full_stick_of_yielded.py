@@ -2,6 +2,7 @@
 the piece that has yielded begins beyond it. Summed here anew, between many places that crowd there."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ def summed(force, yields: float) -> float:
     def one(w):
         return force(w) * math.exp(-0.5 * (SEPARATION + w) ** 2) / math.sqrt(2.0 * math.pi)
 
-    return math.fsum(quad(one, *ends, epsabs=0.0, epsrel=1e-12)[0] for ends in zip(places[:-1], places[1:], strict=True))
+    return math.fsum(quad(one, *ends, epsabs=0.0, epsrel=1e-12)[0] for ends in pairwise(places))
 
 
 @pytest.mark.parametrize("eta", [0.3, 0.1, 0.03, 0.01])

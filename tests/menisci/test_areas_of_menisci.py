@@ -1,4 +1,4 @@
-"""What menisci do to the area: asperities of Maugis and Dugdale, whose ring is the liquid, solved here without approximation."""
+"""What menisci do to the area: asperities of Maugis and Dugdale, whose ring is the liquid, solved without approximation."""
 
 import json
 import math

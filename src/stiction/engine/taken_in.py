@@ -68,6 +68,8 @@ class _Compiler(CompilerBase):
 class _TakenIn(CPUDispatcher):
     """A formula as kernels see it. Called from Python it is compiled once more, by itself, with a door."""
 
+    _options: dict[str, Any]
+
     def __call__(self, *args: Any) -> Any:
         return self._by_itself(*args)
 
@@ -79,7 +81,8 @@ class _TakenIn(CPUDispatcher):
 def taken_in(function: Any, options: dict[str, Any]) -> Any:
     """The function compiled for kernels, with these options of numba; itself under NUMBA_DISABLE_JIT."""
     doors = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    compiled: Any = numba.njit(**options, **doors, pipeline_class=_Compiler)(function)
+    njit: Any = numba.njit  # its annotations know no options in a dictionary
+    compiled = njit(**options, **doors, pipeline_class=_Compiler)(function)
     if compiled is not function:
         compiled.__class__, compiled._options = _TakenIn, options
     return compiled

@@ -28,8 +28,9 @@ the liquid is on its surface.
 $r$. Below a relative humidity at which $r$ is a few molecules there is no such meniscus; results say so.
 
 *Trap*: with elastic asperities that are pressed in farther than $2rc$ the pull at a displacement falls to half of this:
-[`hertzian_meniscus`](#hertzian_meniscus). Their areas grow instead, so that the friction of an interface is nearer to this law. *Unknown*: menisci of constant volume, which do not dry up as fast as surfaces
-part: what they hold depends on how they came to be.
+[`hertzian_meniscus`](#hertzian_meniscus). Their areas grow instead, so that the friction of an interface is nearer to this
+law. *Unknown*: menisci of constant volume, which do not dry up as fast as surfaces part: what they hold depends on how they
+came to be.
 
 *Check*: parted in equilibrium, a sphere and a flat take $4\pi R\gamma_\mathrm Lrc^2$, half of the surface energy
 $2\gamma_\mathrm Lc\cdot4\pi Rrc$ that is created ([de_boer_de_boer_2007], abstract). Water at 20 °C: $r$ is 0.777 nm at 50 %

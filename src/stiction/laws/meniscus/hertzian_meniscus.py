@@ -4,8 +4,8 @@ r"""Menisci around elastic asperities, which pull less the farther those are pre
 ring of liquid is the attracting ring of [`maugis_1992`](#maugis_1992), with the stress $\gamma_\mathrm L/r$ and the range
 $2rc$, at small Tabor parameters, where it does not draw the solids out of shape. *Source*: that a meniscus is such a ring:
 [maugis_gauthier_manuel_1994], as [intersurface_adhesion_2018] reports it, JKR's law in dry air, DMT's in moist; the equations
-are those of [maugis_1992] to first order in $\lambda_M$. Derived here from both. With $s=a/\sqrt{c^2-a^2}$, $a$ and $c$ being the inner
-and the outer radius of the ring,
+are those of [maugis_1992] to first order in $\lambda_M$. Derived here from both. With $s=a/\sqrt{c^2-a^2}$, $a$ and $c$ being
+the inner and the outer radius of the ring,
 
 $$
 F=s+(1-s^2)\arctan\tfrac1s,\qquad w=\frac{\pi w_\mathrm ms^2}F,\qquad
@@ -25,7 +25,8 @@ of an energy, $-2\gamma_\mathrm Lc\,\mathrm d(\pi a^2)/\mathrm d\omega$. *Check*
 Hertz's contact at this displacement, without that. At a given area the pull grows instead, to first order in $\lambda_M$,
 
 $$
-\frac{s+(1+s^2)\arctan\frac1s}F=\ 1.086,\ 1.643,\ 4.659\quad\text{times}\ 4\pi R\gamma_\mathrm Lc\ \text{for}\ w/w_\mathrm m=0.1,\ 1,\ 10
+\frac{s+(1+s^2)\arctan\frac1s}F=\ 1.086,\ 1.643,\ 4.659\quad\text{times}\ 4\pi R\gamma_\mathrm Lc\ \text{for}\
+w/w_\mathrm m=0.1,\ 1,\ 10
 $$
 
 so that where the interface is what is sheared the friction is understated here, by more than after `equilibrium_meniscus`: this
