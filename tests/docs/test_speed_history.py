@@ -61,6 +61,18 @@ def test_only_the_same_machine_is_compared():
     assert "No ratio fell" in history.told([slow, fast])
 
 
+def test_a_peer_that_moved_is_named():
+    """Three benchmarks as fast as before, but the loop beside them: that is said once."""
+    same = {"one": 8e6, "two": 5e6, "three": 2e6}
+    before, now = history.record(results(**same), "before"), history.record(results(**same), "now")
+    assert history.moved_peers([before, now]) == []
+    for ratios in now["ratios"].values():
+        ratios["to_quad"] *= 0.8
+    (said,) = history.moved_peers([before, now])
+    assert "scipy.quad are 0.80" in said
+    assert history.told([before, now]) == said
+
+
 def test_records_are_appended(tmp_path):
     file = tmp_path / "history.jsonl"
     assert history.read(file) == []

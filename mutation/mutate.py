@@ -1,10 +1,10 @@
 """Do the tests bite? Makes the code wrong in one place after another, and asks the tests that ought to notice.
 
-    python mutation/run.py                    # 150 edits, spread over the parts; those in results.jsonl are not run again
-    python mutation/run.py --minutes 30       # stop then; the next run goes on
-    python mutation/run.py --again survivors  # only what survived before, after tests were added
-    python mutation/run.py --only units       # only one part of targets.py
-    python mutation/run.py --report           # what results.jsonl says, without running anything
+    python mutation/mutate.py                    # 150 edits, spread over the parts; those in results.jsonl are not run again
+    python mutation/mutate.py --minutes 30       # stop then; the next run goes on
+    python mutation/mutate.py --again survivors  # only what survived before, after tests were added
+    python mutation/mutate.py --only units       # only one part of targets.py
+    python mutation/mutate.py --report           # what results.jsonl says, and CONTRIBUTING.md then too
 
 Works in a copy of the tracked files, with kernels of its own; nothing here is a test, and nothing fails by it. Edits are chosen
 with a seed: the same ones, as long as their module is the same.
@@ -17,6 +17,7 @@ import json
 import multiprocessing
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -36,7 +37,7 @@ RESULTS = ROOT / "mutation" / "results.jsonl"
 SLOW = ("numpy", "numba", "scipy.optimize", "scipy.integrate", "scipy.special", "scipy.stats", "scipy.signal")
 SLOW += ("scipy.interpolate", "xarray", "pydantic", "pint", "mpmath", "matplotlib.pyplot", "h5py", "lmfit")
 FAILED, BROKEN = 1, 99  # pytest: tests failed; above 1: they could not be run, as where a module cannot be imported
-PATIENCE = 4.0  # times as long as the tests take where nothing is wrong, and a minute for compiling
+PATIENCE = 900.0  # seconds for tests that take one to two minutes on a busy machine
 
 
 class Mutant(NamedTuple):
@@ -128,7 +129,7 @@ class Asking:
         }  # fmt: skip
         self.processes = multiprocessing.get_context("forkserver")
         self.processes.set_forkserver_preload(list(SLOW))
-        self.usual: dict[tuple[str, ...], float] = {}
+        self.sound: set[str] = set()  # tests that pass where nothing is edited
 
     def run(self, tests: tuple[str, ...], seconds: float) -> tuple[str, str]:
         """('passed', 'failed', 'error' or 'time', the first failing test)."""
@@ -147,44 +148,35 @@ class Asking:
             return "time", ""
         said = told.read_text(encoding="utf-8") if told.exists() else ""
         if process.exitcode == BROKEN or process.exitcode is None or process.exitcode < 0:
-            raise SystemExit(
-                f"tests could not be asked: {told.read_text(encoding='utf-8') if told.exists() else process.exitcode}"
-            )
+            raise SystemExit(f"tests could not be asked, exit {process.exitcode}: {said}")
         names = {0: "passed", FAILED: "failed"}
-        said = told.read_text(encoding="utf-8") if told.exists() else ""
         first = next((line.split(" ", 1)[1] for line in said.splitlines() if line.startswith(("FAILED ", "ERROR "))), "")
-        return names.get(process.exitcode or 0, "error"), first.split(" - ")[0]
-
-    def patience(self, tests: tuple[str, ...]) -> float:
-        """Seconds to wait for tests; they must pass where nothing is edited."""
-        if tests not in self.usual:
-            start = time.monotonic()
-            outcome, first = self.run(tests, 1800.0)
-            if outcome != "passed":
-                print((self.folder / "told").read_text(encoding="utf-8"))
-                raise SystemExit(f"the tests do not pass as the code is: {first or outcome}")
-            self.usual[tests] = time.monotonic() - start
-            print(f"{self.usual[tests]:.0f} s as the code is: {' '.join(tests)}", flush=True)
-        return 60.0 + PATIENCE * self.usual[tests]
+        return names.get(process.exitcode, "error"), first.split(" - ")[0]
 
     def verdict(self, mutant: Mutant) -> dict[str, str | float]:
         """Whether it was killed, by what, and how long that took."""
-        patience = self.patience(mutant.part.tests)
-        late = self.patience(LAST) if mutant.part.pinned else 0.0
         start, file = time.monotonic(), self.tree / mutant.module
         whole = file.read_text(encoding="utf-8")
         file.write_text(mutant.edit.of(whole), encoding="utf-8")
         try:
-            outcome, first = self.run(mutant.part.tests, patience)
-            by = "tests"
+            (outcome, first), by = self.run(mutant.part.tests, PATIENCE), "tests"
             if outcome == "passed" and mutant.part.pinned:
-                (outcome, first), by = self.run(LAST, late), "pinned results alone"
+                (outcome, first), by = self.run(LAST, PATIENCE), "pinned results alone"
         finally:
             file.write_text(whole, encoding="utf-8")
-        found = {"outcome": "survived" if outcome == "passed" else "killed", "by": by, "how": outcome, "first": first}
+        found = {"seconds": round(time.monotonic() - start, 1), "date": time.strftime("%Y-%m-%d")}
         if outcome == "passed":
-            del found["by"], found["how"], found["first"]
-        return found | {"seconds": round(time.monotonic() - start, 1), "date": time.strftime("%Y-%m-%d")}
+            return {"outcome": "survived"} | found
+        self.confirm(first)
+        return {"outcome": "killed", "by": by, "how": outcome, "first": first} | found
+
+    def confirm(self, first: str) -> None:
+        """What failed must pass where nothing is edited, or its failure says nothing; what could not be read has no name."""
+        if first and first not in self.sound:
+            outcome, _ = self.run((first,), PATIENCE)
+            if outcome != "passed":
+                raise SystemExit(f"{first} fails as the code is: {(self.folder / 'told').read_text(encoding='utf-8')}")
+            self.sound.add(first)
 
 
 def known() -> dict[str, dict]:
@@ -199,11 +191,35 @@ def _identity(row: dict) -> str:
     return json.dumps([row["module"], row["code"], row["column"], row["old"], row["new"]])
 
 
-def _keep(rows: dict[str, dict]) -> None:
-    text = "".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows.values())
+def _keep(row: dict) -> dict[str, dict]:
+    """Add a verdict to those that are kept, which may have been edited meanwhile; all of them."""
+    rows = known()
+    rows[_identity(row)] = row
     part = RESULTS.with_suffix(".part")
-    part.write_text(text, encoding="utf-8")
+    part.write_text("".join(json.dumps(one, ensure_ascii=False) + "\n" for one in rows.values()), encoding="utf-8")
     part.replace(RESULTS)
+    return rows
+
+
+def rate(rows: dict[str, dict]) -> str:
+    """The line of CONTRIBUTING.md: how many were killed of how many that were run, and when."""
+    every = list(rows.values())
+    killed = [row for row in every if row["outcome"] == "killed"]
+    alone, same = sum(row["by"] != "tests" for row in killed), sum(row["outcome"] == "equivalent" for row in every)
+    counted = len(every) - same
+    last = max((row["date"] for row in every), default="never")
+    share = f" ({100.0 * len(killed) / counted:.0f} %)" if counted else ""
+    return (
+        f"Kill rate: {len(killed)} of {counted} edits{share}, {alone} of them by pinned results alone; "
+        f"{same} more change nothing that can be seen; last run {last}."
+    )
+
+
+def tell(line: str) -> None:
+    """Print the line, and write it where it stands in CONTRIBUTING.md."""
+    print(line)
+    page = ROOT / "CONTRIBUTING.md"
+    page.write_text(re.sub(r"(?m)^Kill rate: .*$", line, page.read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def report(rows: dict[str, dict]) -> str:
@@ -241,6 +257,7 @@ def main() -> None:
     if not given.report:
         run(given, rows)
     print(report(rows))
+    tell(rate(rows))
 
 
 def run(given: argparse.Namespace, rows: dict[str, dict]) -> None:
@@ -256,10 +273,8 @@ def run(given: argparse.Namespace, rows: dict[str, dict]) -> None:
         for at, mutant in enumerate(wanted, 1):
             if time.monotonic() > end:
                 break
-            key = mutant.key
-            row = key | asking.verdict(mutant)
-            rows[_identity(key)] = row
-            _keep(rows)
+            row = mutant.key | asking.verdict(mutant)
+            rows |= _keep(row)
             print(f"{at}/{len(wanted)} {row['outcome']:8} {row['seconds']:6.1f} s  {row['module']}:{row['line']} "
                   f"{row['old']!r} -> {row['new']!r}  {row.get('first', '')}", flush=True)  # fmt: skip
 
