@@ -15,9 +15,9 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.studies.fit_answer import fitted
-from stiction.studies.fit_model import forward_of
-from stiction.studies.fit_plan import make_fit_plan
+from stiction.studies.fit.answer import fitted
+from stiction.studies.fit.model import forward_of
+from stiction.studies.fit.plan import make_fit_plan
 
 CASE = {
     "contact": {

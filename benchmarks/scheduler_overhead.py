@@ -13,8 +13,8 @@ import time
 from pathlib import Path
 from typing import Any
 
-from stiction.studies import sweep_workers
-from stiction.studies.sweep_plan import Plan, make_plan
+from stiction.studies.sweep import workers as sweep_workers
+from stiction.studies.sweep.plan import Plan, make_plan
 
 CASE = Path(__file__).parent / "seven_inputs.toml"
 _BLOCK = 0.31  # seconds that a block of 131072 points takes: benchmarks/sweep_speed.py

@@ -18,7 +18,7 @@ import numpy as np
 
 import stiction as st
 from stiction.solving.choice import Choice
-from stiction.studies.surface_analysis import prepared
+from stiction.studies.scans.analysis import prepared
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.statistics import statistics
 

@@ -29,7 +29,7 @@ from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, Fil
 from stiction.quantities.table import QUANTITIES
 from stiction.report.material_tables import LISTED, with_range
 from stiction.solving.conditions import RULES
-from stiction.studies.recommendation import (
+from stiction.studies.comparison.recommendation import (
     COST_OF_A_DOUBLING,
     COST_OF_ERROR,
     COST_OF_FILM,

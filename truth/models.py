@@ -26,7 +26,7 @@ from stiction.quantities.units import axis
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.inversion import Unreachable, separations_at
 from stiction.solving.problem import make_problem, takes_surface_moments
-from stiction.studies.measured import MeasuredRoughness, measure
+from stiction.studies.scans.measured import MeasuredRoughness, measure
 from stiction.surfaces.boundary_elements.map_area import MapArea
 from stiction.surfaces.heightmap import HeightMap
 

@@ -10,8 +10,8 @@ from unittest.mock import patch
 import numpy as np
 
 from stiction.solving.choice import Choice
-from stiction.studies import paper_layered
-from stiction.studies.paper_claims import CLAIMS, LAM, THETA, Surfaces, surfaces_at
+from stiction.studies.paper import layered as paper_layered
+from stiction.studies.paper.claims import CLAIMS, LAM, THETA, Surfaces, surfaces_at
 
 OF_THE_PAPER = "greenwood_williamson_1966", "roy_chowdhury_ghosh_1994", "savkoor_briggs_1977"
 

@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import stiction as st
-from stiction.studies.one_asperity import one_asperity
+from stiction.studies.stresses.one_asperity import one_asperity
 
 steel = "hardened_steel_52100"
 FILMS = {

@@ -23,6 +23,6 @@ def __getattr__(name: str):
 
 def _roughness_of(scan):
     """The roughness that is found in a scan: the one question that a room asks of one above it."""
-    from stiction.studies.measured import roughness_of
+    from stiction.studies.scans.measured import roughness_of
 
     return roughness_of(scan)

@@ -9,7 +9,7 @@ import pytest
 from stiction.contact.contact import Contact, Indices
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
-from stiction.studies.case import json_schema, read_case
+from stiction.studies.case.read import json_schema, read_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -5,11 +5,11 @@ import pytest
 
 import stiction as st
 from stiction.quantities.errors import InputError
-from stiction.studies.case import read_content
-from stiction.studies.fit_plan import make_fit_plan
-from stiction.studies.measurements import read_measurements
-from stiction.studies.sweep import sweep
-from stiction.studies.sweep_plan import make_plan
+from stiction.studies.case.read import read_content
+from stiction.studies.fit.measurements import read_measurements
+from stiction.studies.fit.plan import make_fit_plan
+from stiction.studies.sweep.plan import make_plan
+from stiction.studies.sweep.run import sweep
 from stiction.surfaces.boundary_elements.doubts import share_at_ends
 from stiction.surfaces.heightmap import HeightMap
 

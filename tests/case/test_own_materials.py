@@ -8,7 +8,7 @@ from typer.testing import CliRunner
 from stiction import cli
 from stiction.contact.materials import Material, material
 from stiction.quantities.errors import InputError
-from stiction.studies.case import json_schema, read_case
+from stiction.studies.case.read import json_schema, read_case
 
 MATERIALS = """
 [materials.bronze]

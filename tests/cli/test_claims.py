@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.studies import paper_claims as claims
-from stiction.studies import paper_layered
-from stiction.studies.paper_claims import CLAIMS, READINGS, ClaimMap, Curves, Surfaces, claim_map, summary, surfaces_at, where
-from stiction.studies.paper_figures import PANELS, panel_curves
+from stiction.studies.paper import claims as claims
+from stiction.studies.paper import layered as paper_layered
+from stiction.studies.paper.claims import CLAIMS, READINGS, ClaimMap, Curves, Surfaces, claim_map, summary, surfaces_at, where
+from stiction.studies.paper.figures import PANELS, panel_curves
 
 H = claims._H
 

@@ -16,7 +16,7 @@ from stiction.cli.run import case_numbers
 from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, find, incompatibility, of_kind
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.solve import solve
-from stiction.studies.case import json_schema, read_case
+from stiction.studies.case.read import json_schema, read_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SILVER = EXAMPLES / "silver_on_steel.toml"
@@ -274,7 +274,7 @@ def test_interruption_is_exit_code_130(monkeypatch):
     def interrupt(path, **options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("stiction.studies.case.read_case", interrupt)
+    monkeypatch.setattr("stiction.studies.case.read.read_case", interrupt)
     assert command("run", PAPER, code=130).stderr == "stiction: interrupted\n"
 
 
@@ -322,7 +322,7 @@ def test_schema_to_the_screen_or_a_file(tmp_path):
 
 def test_figures_writes_pictures_curves_and_the_map_of_the_claims(tmp_path, monkeypatch):
     few = np.array([10.0, 1000.0])
-    monkeypatch.setattr("stiction.studies.paper_claims.claim_map.__defaults__", (few, few, iter))
+    monkeypatch.setattr("stiction.studies.paper.claims.claim_map.__defaults__", (few, few, iter))
     content = strict(command("figures", "--out", tmp_path / "figures", "--json").stdout)
     assert (content["theta"], content["lambda"]) == (40.0, 10.0)
     names = {path.name for path in (tmp_path / "figures").iterdir()}
@@ -339,6 +339,6 @@ def test_figures_writes_pictures_curves_and_the_map_of_the_claims(tmp_path, monk
 
 
 def test_figures_prints_what_each_claim_means_and_that_its_indices_were_chosen(tmp_path, monkeypatch):
-    monkeypatch.setattr("stiction.studies.paper_claims.claim_map.__defaults__", (np.array([40.0]), np.array([10.0]), iter))
+    monkeypatch.setattr("stiction.studies.paper.claims.claim_map.__defaults__", (np.array([40.0]), np.array([10.0]), iter))
     text = command("figures", "--reading", "published", "--out", tmp_path / "figures").stdout
     assert "(a)" in text and "holds if" in text and "not printed in the paper" in text

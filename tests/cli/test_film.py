@@ -13,8 +13,8 @@ import stiction as st
 from stiction.cli import app
 from stiction.laws.tangential.shared.hamilton_field import stress, von_mises
 from stiction.quantities.errors import InputError
-from stiction.studies.film_section import film_section
-from stiction.studies.film_stress import middle_point
+from stiction.studies.stresses.film_section import film_section
+from stiction.studies.stresses.film_stress import middle_point
 
 CASE = """
 title = "A hard film on steel"

@@ -19,7 +19,7 @@ from stiction.solving.candidates import Candidate
 from stiction.solving.choice import Choice
 from stiction.solving.film_errors import film_errors, in_words, off_by, read_film_errors
 from stiction.solving.problem import make_problem
-from stiction.studies.recommendation import COST_OF_FILM, Answer
+from stiction.studies.comparison.recommendation import COST_OF_FILM, Answer
 from tables import column, read
 
 TRUTH = Path(__file__).parents[2] / "truth"

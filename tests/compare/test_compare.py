@@ -20,9 +20,9 @@ from stiction.report.comparison_rows import at_load_rows, comparison
 from stiction.report.families import families_of, said_of_plastic_junctions
 from stiction.report.model_pictures import models_figure, rows_of_models
 from stiction.report.tables import comparison_summary
-from stiction.studies.case import read_case
-from stiction.studies.case_results import compare_case
-from stiction.studies.comparison import candidates, compare, working_load
+from stiction.studies.case.read import read_case
+from stiction.studies.case.results import compare_case
+from stiction.studies.comparison.compare import candidates, compare, working_load
 from stiction.web.charts import comparison_chart
 
 SURFACE = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}

@@ -13,9 +13,9 @@ from cases import STEEL_ON_STEEL
 from stiction.laws.validity import Doubt
 from stiction.solving.candidates import Candidate
 from stiction.solving.choice import Choice
-from stiction.studies.case import read_case
-from stiction.studies.comparison import compare, working_load
-from stiction.studies.recommendation import TOO_MUCH, Answer, recommend
+from stiction.studies.case.read import read_case
+from stiction.studies.comparison.compare import compare, working_load
+from stiction.studies.comparison.recommendation import TOO_MUCH, Answer, recommend
 
 STEEL = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2"}
 SURFACE = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}

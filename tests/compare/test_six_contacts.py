@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.studies.comparison import compare
+from stiction.studies.comparison.compare import compare
 
 
 def body(modulus, hardness, nu):

@@ -14,8 +14,8 @@ import stiction as st
 from cases import STEEL_ON_STEEL
 from stiction import cli
 from stiction.quantities.errors import InputError
-from stiction.studies.case import read_case
-from stiction.studies.validation import entries_in, read_entry
+from stiction.studies.case.read import read_case
+from stiction.studies.comparison.validation import entries_in, read_entry
 
 VALIDATION = Path(__file__).parents[2] / "validation"
 SYNTHETIC = VALIDATION / "synthetic_boundary_film.toml"

@@ -308,14 +308,14 @@ def test_a_method_from_outside_is_like_the_others(outside, tmp_path):
     assert measured.method == "every_point" and tuple(measured.by_method) == (*KEYS, "every_point")
     cited = st.cite(st.solve_case(st.read_case(tmp_path / "case.toml"), Choice("greenwood_williamson_1966")))
     assert "{somebody_2031," in cited and "{mccool_1986," in cited and "{hertz_1882," in cited
-    from stiction.studies.case import json_schema
+    from stiction.studies.case.read import json_schema
 
     assert "every_point" in json_schema()["$defs"]["MeasuredRoughness"]["properties"]["method"]["description"]
 
 
 def test_one_that_says_it_is_of_summits_comes_after_those_before_it(outside, monkeypatch):
     """The first in order that finds enough stands for the surface."""
-    from stiction.studies.measured import _standing
+    from stiction.studies.scans.measured import _standing
 
     first = replace(OUTSIDE, order=0, of_summits=True)
     monkeypatch.setattr(Entry, "load", lambda self: first)

@@ -10,7 +10,7 @@ import stiction as st
 from stiction.laws.registry import AsperityLaw, FilmLaw, Presliding, RoughSurface, TangentialLaw, of_kind
 from stiction.quantities.errors import InputError
 from stiction.solving.problem import make_problem
-from stiction.studies.comparison import candidates
+from stiction.studies.comparison.compare import candidates
 
 ROUGH = {"asperity_height_deviation": 1e-7, "asperity_radius": 2e-5, "asperity_density": 1.2e10}
 ONE = {"youngs_modulus": 200e9, "poissons_ratio": 0.3, "hardness": 2e9, "yield_stress": 0.7e9, "tangent_modulus": 2e9}

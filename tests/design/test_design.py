@@ -12,11 +12,11 @@ from stiction.solving.choice import Choice
 from stiction.solving.problem import make_problem
 from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
-from stiction.studies import design as design_module
-from stiction.studies.case import parse_case, read_case
-from stiction.studies.case_results import solve_case
-from stiction.studies.design import _beyond, _front, _searched, design, plan_of_design, run_design
-from stiction.studies.design_plan import Limit
+from stiction.studies.case.read import parse_case, read_case
+from stiction.studies.case.results import solve_case
+from stiction.studies.design import run as design_module
+from stiction.studies.design.plan import Limit
+from stiction.studies.design.run import _beyond, _front, _searched, design, plan_of_design, run_design
 
 STRENGTH, AREA, LOAD = 200e6, 1e-6, 1.0
 ROUGH = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
@@ -389,7 +389,7 @@ def test_the_command_writes_everything(tmp_path):
 
 
 def test_the_command_is_interrupted_and_keeps(tmp_path, monkeypatch):
-    from stiction.studies import design as module
+    from stiction.studies.design import run as module
 
     def interrupted(found, number, ceiling, tell):
         raise KeyboardInterrupt

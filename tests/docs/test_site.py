@@ -11,7 +11,7 @@ from pages import ROOT
 
 import stiction as st
 from stiction.laws.registry import KINDS, of_kind, records
-from stiction.studies.case import json_schema
+from stiction.studies.case.read import json_schema
 
 matplotlib.use("Agg")
 sys.path[:0] = [str(ROOT / "docs" / "site"), str(ROOT / "docs")]

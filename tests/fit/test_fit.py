@@ -16,15 +16,15 @@ from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.fit_tables import evidence_table, fit_notes
 from stiction.solving.solve import solve
-from stiction.studies import fit as fit_module
-from stiction.studies.case import parse_case, read_case
-from stiction.studies.case_results import solve_case
-from stiction.studies.case_text import case_text
-from stiction.studies.fit import fit, plan_of_fit, run_fit
-from stiction.studies.fit_answer import fitted
-from stiction.studies.fit_evidence import Rival, aicc_of, rank
-from stiction.studies.fit_model import forward_of
-from stiction.studies.fit_search import profiles, search
+from stiction.studies.case.read import parse_case, read_case
+from stiction.studies.case.results import solve_case
+from stiction.studies.case.text import case_text
+from stiction.studies.fit import run as fit_module
+from stiction.studies.fit.answer import fitted
+from stiction.studies.fit.evidence import Rival, aicc_of, rank
+from stiction.studies.fit.model import forward_of
+from stiction.studies.fit.run import fit, plan_of_fit, run_fit
+from stiction.studies.fit.search import profiles, search
 
 pytest.importorskip("lmfit")
 
@@ -552,7 +552,7 @@ def test_an_interruption_while_results_are_written_waits_for_them(series, tmp_pa
 
 
 def test_a_run_imports_nothing_of_it():
-    code = "import sys, stiction.studies.case_results, stiction.studies.case; sys.exit('lmfit' in sys.modules)"
+    code = "import sys, stiction.studies.case.results, stiction.studies.case.read; sys.exit('lmfit' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 

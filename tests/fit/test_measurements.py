@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from stiction.quantities.errors import InputError
-from stiction.studies.measurements import read_measurements
+from stiction.studies.fit.measurements import read_measurements
 
 CASE = {
     "contact": {

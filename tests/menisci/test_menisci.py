@@ -303,8 +303,8 @@ def test_case_file(tmp_path):
         },
         "solve": {"load": "1 mN", "model": PLAIN},
     }
-    from stiction.studies.case import parse_case
-    from stiction.studies.case_results import solve_case
+    from stiction.studies.case.read import parse_case
+    from stiction.studies.case.results import solve_case
 
     parsed = parse_case(case)
     found = solve_case(parsed, parsed.choice)

@@ -7,9 +7,9 @@ import pytest
 from stiction.contact.contact import Contact, Indices, Roughness
 from stiction.report import pictures as plot
 from stiction.solving.solve import solve
-from stiction.studies import paper_figures as figures
-from stiction.studies.case import read_case
-from stiction.studies.paper_claims import claim_map
+from stiction.studies.case.read import read_case
+from stiction.studies.paper import figures as figures
+from stiction.studies.paper.claims import claim_map
 
 
 @pytest.fixture(autouse=True)

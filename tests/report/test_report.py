@@ -20,7 +20,7 @@ from stiction.laws.sources import bibliography
 from stiction.quantities.errors import InputError
 from stiction.report import html_report
 from stiction.report.html_report import as_html, case_as_html, write_report
-from stiction.studies.findings import find_out
+from stiction.studies.comparison.findings import find_out
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 # Without a working load nothing is compared: the quickest report there is.

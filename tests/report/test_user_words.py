@@ -14,9 +14,9 @@ from stiction.report.sensitivity_tables import sensitivity_notes
 from stiction.report.several_pictures import several_figure
 from stiction.report.uncertainty_pictures import spread_figure
 from stiction.report.uncertainty_tables import uncertain_notes
-from stiction.studies.case import parse_case
-from stiction.studies.case_results import film_of_case
-from stiction.studies.spreads import with_spreads
+from stiction.studies.case.read import parse_case
+from stiction.studies.case.results import film_of_case
+from stiction.studies.uncertainty.spreads import with_spreads
 from stiction.web.first import first_case
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from stiction.studies.quantile_counts import PERCENTILES, counted, quantiles_of, sizes_of, values_at
+from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of, sizes_of, values_at
 
 # Sizes of every kind: of both signs, over many decades, few and many, equal, not numbers.
 CHANCE = np.random.default_rng(3)

@@ -18,10 +18,14 @@ from typer.testing import CliRunner
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
-from stiction.studies import sweep_blocks, sweep_guards, sweep_plan, sweep_store, sweep_workers
-from stiction.studies.sweep import sweep
-from stiction.studies.sweep_blocks import merged, statistics_of
-from stiction.studies.sweep_plan import make_plan
+from stiction.studies.sweep import blocks as sweep_blocks
+from stiction.studies.sweep import guards as sweep_guards
+from stiction.studies.sweep import plan as sweep_plan
+from stiction.studies.sweep import store as sweep_store
+from stiction.studies.sweep import workers as sweep_workers
+from stiction.studies.sweep.blocks import merged, statistics_of
+from stiction.studies.sweep.plan import make_plan
+from stiction.studies.sweep.run import sweep
 
 pytest.importorskip("zarr")
 
@@ -271,8 +275,8 @@ def test_processes_are_started_once_while_none_dies(monkeypatch):
 
 SCRIPT = """
 import os, signal, sys, json
-from stiction.studies import sweep_store
-from stiction.studies.sweep import sweep
+from stiction.studies.sweep import store as sweep_store
+from stiction.studies.sweep.run import sweep
 do, out = sweep_store.Store.do, sys.argv[2]
 def dies(store, block):
     points = do(store, block)

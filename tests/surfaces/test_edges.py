@@ -9,7 +9,7 @@ from scipy import stats
 
 from stiction.laws.finding import asperities
 from stiction.quantities.errors import InputError
-from stiction.studies.resolution import resolution_study
+from stiction.studies.scans.resolution import resolution_study
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.johnson import johnson

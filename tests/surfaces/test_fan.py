@@ -12,7 +12,7 @@ import stiction as st
 from stiction import InputError
 from stiction.laws.finding import asperities, methods
 from stiction.solving.choice import Choice
-from stiction.studies.resolution import default_cutoffs, resolution_study, thinned
+from stiction.studies.scans.resolution import default_cutoffs, resolution_study, thinned
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import filter_band

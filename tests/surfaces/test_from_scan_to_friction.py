@@ -12,8 +12,8 @@ from typer.testing import CliRunner
 
 import stiction as st
 from stiction.cli import app
-from stiction.studies.case import json_schema, read_content
-from stiction.studies.sweep_plan import make_plan
+from stiction.studies.case.read import json_schema, read_content
+from stiction.studies.sweep.plan import make_plan
 
 SIZE, PITCHES, AMPLITUDE = 20e-6, 256, 4e-9
 CASE = """

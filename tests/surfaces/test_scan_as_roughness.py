@@ -8,7 +8,7 @@ import pytest
 import xarray
 
 import stiction as st
-from stiction.studies.surface_analysis import prepared_period
+from stiction.studies.scans.analysis import prepared_period
 
 SIZE = 20e-6
 SPECTRUM = st.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=0.6e-6, deviation=30e-9)

@@ -15,12 +15,12 @@ from stiction.quantities.errors import InputError
 from stiction.report.uncertainty_pictures import COLOURS, spread_figure, uncertainty_figure
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
-from stiction.studies import bands
-from stiction.studies.bands import levels, quantiles
-from stiction.studies.case import parse_case
-from stiction.studies.case_results import compare_case, solve_case
-from stiction.studies.drawing import Variant, draw, scrambled
-from stiction.studies.spreads import ends_of_models, weights_of_models
+from stiction.studies.case.read import parse_case
+from stiction.studies.case.results import compare_case, solve_case
+from stiction.studies.uncertainty import bands
+from stiction.studies.uncertainty.bands import levels, quantiles
+from stiction.studies.uncertainty.drawing import Variant, draw, scrambled
+from stiction.studies.uncertainty.spreads import ends_of_models, weights_of_models
 
 # Exponential heights and elastic asperities: mu is tau_0 R^(1/2)/(E* sigma^(1/2)) times a number, at every load.
 POWER_LAW = {

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from stiction.studies.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
+from stiction.studies.uncertainty.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
 
 
 def ishigami(u, a=7.0, b=0.1):

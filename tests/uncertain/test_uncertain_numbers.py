@@ -9,11 +9,11 @@ import scipy.stats
 
 from cases import BARE
 from stiction.quantities.errors import InputError
-from stiction.studies.case import json_schema, parse_case, read_case
-from stiction.studies.case_results import solve_case
-from stiction.studies.case_text import as_toml
-from stiction.studies.sweep_plan import make_plan
-from stiction.studies.uncertain import read_distribution
+from stiction.studies.case.read import json_schema, parse_case, read_case
+from stiction.studies.case.results import solve_case
+from stiction.studies.case.text import as_toml
+from stiction.studies.case.uncertain import read_distribution
+from stiction.studies.sweep.plan import make_plan
 
 SHARES = np.array([0.02, 0.3, 0.5, 0.8, 0.99])
 

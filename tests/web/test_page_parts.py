@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 import stiction.web
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
-from stiction.studies.findings import find_out
+from stiction.studies.comparison.findings import find_out
 from stiction.web.asked import Question, solved
 from stiction.web.charts import chart, line
 from stiction.web.downloads import report_of

@@ -9,7 +9,7 @@ import xarray
 from typer.testing import CliRunner
 
 from stiction.cli import app
-from stiction.studies.case_text import as_toml
+from stiction.studies.case.text import as_toml
 from stiction.web.asked import Question, compared, solved
 from stiction.web.downloads import KINDS, content
 

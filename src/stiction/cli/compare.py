@@ -34,9 +34,9 @@ def compare(
         check_folder(out)
     with busy("Reading the case"):
         from stiction.report.comparison_rows import comparison
-        from stiction.studies.case import read_case
-        from stiction.studies.case_results import compare_case
-        from stiction.studies.comparison import working_load
+        from stiction.studies.case.read import read_case
+        from stiction.studies.case.results import compare_case
+        from stiction.studies.comparison.compare import working_load
 
         chosen = read_case(case, ranges=ranges)
         at = working_load(chosen, load)

@@ -11,7 +11,7 @@ from stiction.cli.program import Json, Out, app, busy, console, telling_how_far,
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.design import Designing
+    from stiction.studies.design.run import Designing
 
 
 @app.command()
@@ -33,7 +33,7 @@ def design(
     if out is not None:
         check_folder(out)
     with busy("Reading the case"):
-        from stiction.studies.design import plan_of_design, run_design
+        from stiction.studies.design.run import plan_of_design, run_design
 
         plan = plan_of_design(case)
     with telling_how_far("Designing") as tell:

@@ -12,8 +12,8 @@ from stiction.quantities.extras import require
 from stiction.quantities.table import QUANTITIES
 
 if TYPE_CHECKING:
-    from stiction.studies.paper_claims import ClaimMap
-    from stiction.studies.paper_figures import PanelCurves
+    from stiction.studies.paper.claims import ClaimMap
+    from stiction.studies.paper.figures import PanelCurves
 
 
 def _bounds(name: str) -> str:
@@ -48,10 +48,10 @@ def figures(
     require("figures", "matplotlib")
     check_folder(out)
     with solving():
-        from stiction.studies.paper_figures import PANELS, panel_curves
+        from stiction.studies.paper.figures import PANELS, panel_curves
 
         panels = [panel_curves(panel, theta, lam, reading or "corrected") for panel in PANELS]
-    from stiction.studies.paper_claims import claim_map, summary
+    from stiction.studies.paper.claims import claim_map, summary
 
     claims = claim_map(progress=bar("Judging the claims"))
     rows = summary(claims, theta, lam)
@@ -74,8 +74,8 @@ def _write_figures(out: Path, panels: "list[PanelCurves]", claims: "ClaimMap", h
 
     from stiction.report.files import write_folder, write_picture, write_rows
     from stiction.report.pictures import claims_figure, panel_figure
-    from stiction.studies.paper_claims import claim_rows
-    from stiction.studies.paper_figures import curve_rows
+    from stiction.studies.paper.claims import claim_rows
+    from stiction.studies.paper.figures import curve_rows
 
     def draw(make: Any, path: Path) -> None:
         write_picture(make(), path)

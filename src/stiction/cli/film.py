@@ -27,7 +27,7 @@ from stiction.cli.program import (
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case import Case
+    from stiction.studies.case.read import Case
 
 
 @app.command(cls=TakesOptionsOfRecords)
@@ -56,13 +56,13 @@ def film(
     if out is not None:
         check_folder(out)
     with busy("Reading the case"):
-        from stiction.studies.case import read_case
+        from stiction.studies.case.read import read_case
 
         chosen = read_case(case)
         chosen = chosen if load is None else chosen.at_load(load)
     laws = {"model": model, "asperity": asperity, "tangential": tangential, "film": "layered"}
     with solving():
-        from stiction.studies.case_results import film_of_case
+        from stiction.studies.case.results import film_of_case
 
         data = film_of_case(chosen, chosen.choice.with_changes(laws, options_of_records(context)))
     files = _write(out, chosen, data) if out is not None else []
@@ -102,8 +102,8 @@ def _write(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     """Write tables and the picture; returns their names."""
     with writing():
         from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
-        from stiction.studies.film_section import film_section
-        from stiction.studies.film_stress import middle_point
+        from stiction.studies.stresses.film_section import film_section
+        from stiction.studies.stresses.film_stress import middle_point
 
         point = middle_point(data)
         section = film_section(case.subject, point)

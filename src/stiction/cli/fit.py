@@ -11,7 +11,7 @@ from stiction.cli.program import Json, Out, app, bar, busy, console, writing, wr
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.fit import Fitting
+    from stiction.studies.fit.run import Fitting
 
 
 @app.command()
@@ -33,7 +33,7 @@ def fit(
     if out is not None:
         check_folder(out)
     with busy("Reading the case"):
-        from stiction.studies.fit import plan_of_fit, run_fit
+        from stiction.studies.fit.run import plan_of_fit, run_fit
 
         plan = plan_of_fit(case, data)
     found = run_fit(plan, bar)

@@ -241,7 +241,7 @@ def busy(text: str) -> Iterator[None]:
 @contextmanager
 def writing(text: str = "Writing the results") -> Iterator[None]:
     """The same while results are written. Ctrl-C waits until they are: what took long is not lost at its end."""
-    from stiction.studies.sweep_guards import uninterrupted
+    from stiction.studies.sweep.guards import uninterrupted
 
     with busy(text), uninterrupted():
         yield

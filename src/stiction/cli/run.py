@@ -32,7 +32,7 @@ from stiction.solving.choice import without_old_names
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case import Case
+    from stiction.studies.case.read import Case
 
 # Inputs of the Python interface that no case file has.
 _NOT_IN_CASES = ("interfacial_energy", "equilibrium_distance")
@@ -95,7 +95,7 @@ def run(
     if out is not None:
         check_folder(out)
     with busy("Reading the case"):
-        from stiction.studies.case import read_case
+        from stiction.studies.case.read import read_case
 
         chosen = read_case(case, ranges=ranges)
         chosen = chosen if load is None else chosen.at_load(load)
@@ -126,14 +126,14 @@ def run(
 
 def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str]) -> "xarray.Dataset":
     with solving():
-        from stiction.studies.case_results import solve_case
+        from stiction.studies.case.results import solve_case
 
         return solve_case(case, case.choice.with_changes(laws, options))
 
 
 def _slide(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str], kept: float) -> "xarray.Dataset":
     with solving():
-        from stiction.studies.case_results import slide_case
+        from stiction.studies.case.results import slide_case
 
         return slide_case(case, case.choice.with_changes(laws, options), kept)
 
@@ -171,7 +171,7 @@ def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
     with writing():
         from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
         from stiction.solving.method_spread import as_columns
-        from stiction.studies.bands import as_columns as with_quantiles
+        from stiction.studies.uncertainty.bands import as_columns as with_quantiles
 
         files = {
             "curve.csv": lambda path: write_csv(with_quantiles(as_columns(data)), path, comments_of(data)),

@@ -42,8 +42,8 @@ def sensitivity(
     if out is not None:
         check_folder(out)
     with busy("Reading the case"):
-        from stiction.studies.case import read_case
-        from stiction.studies.sensitivity import sensitivity as studied
+        from stiction.studies.case.read import read_case
+        from stiction.studies.uncertainty.sensitivity import sensitivity as studied
 
         chosen = read_case(case, ranges=ranges)
     names = None if models is None else [] if models.strip() == "none" else [one.strip() for one in models.split(",")]

@@ -14,9 +14,9 @@ from stiction.quantities.errors import InputError
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case import Case
-    from stiction.studies.map_contact import ContactOfMap
-    from stiction.studies.surface_analysis import Analysis
+    from stiction.studies.case.read import Case
+    from stiction.studies.scans.analysis import Analysis
+    from stiction.studies.scans.map_contact import ContactOfMap
     from stiction.surfaces.heightmap import HeightMap
 
 
@@ -65,7 +65,7 @@ def surface(
     pressures = _pressures(contact, hardness)
     given = {"size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel}
     with busy("Reading the scan"):
-        from stiction.studies.surface_analysis import analyse, prepared, prepared_period, summary
+        from stiction.studies.scans.analysis import analyse, prepared, prepared_period, summary
         from stiction.surfaces.read import read_scan
 
         chosen, at = _chosen(case, load)
@@ -112,13 +112,13 @@ def _pressures(contact: str | None, hardness: float | None) -> list[float]:
 
 def _contact(scan: "HeightMap", pressures: list[float], hardness: float | None) -> "ContactOfMap":
     with solving():
-        from stiction.studies.map_contact import contact_of_map
+        from stiction.studies.scans.map_contact import contact_of_map
 
         return contact_of_map(scan, pressures, hardness)
 
 
 def _contact_in_json(solved: "ContactOfMap") -> dict[str, Any]:
-    from stiction.studies.map_contact import summary_of_contact
+    from stiction.studies.scans.map_contact import summary_of_contact
 
     return summary_of_contact(solved)
 
@@ -130,8 +130,8 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
             raise InputError("--load", load, "together with --case: it is the load of that")
         return None, None
     from stiction.contact.contact import Contact
-    from stiction.studies.case import read_case
-    from stiction.studies.comparison import working_load
+    from stiction.studies.case.read import read_case
+    from stiction.studies.comparison.compare import working_load
 
     chosen = read_case(case)
     if not isinstance(chosen.subject, Contact):
@@ -145,7 +145,7 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
 def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any, solved: "ContactOfMap | None") -> list[str]:
     """Write pictures and tables; returns their names."""
     from stiction.report.files import as_json, write_csv, write_folder, write_netcdf, write_rows
-    from stiction.studies.surface_analysis import spectrum_rows, summary
+    from stiction.studies.scans.analysis import spectrum_rows, summary
 
     resolution = _resolution(analysis.surface, case, load)
     with busy("Drawing"):
@@ -185,7 +185,7 @@ def _pictures(analysis: "Analysis", resolution: "xarray.Dataset") -> dict[str, C
 
 
 def _resolution(scan: "HeightMap", case: "Case | None", load: Any) -> "xarray.Dataset":
-    from stiction.studies.resolution import resolution_study
+    from stiction.studies.scans.resolution import resolution_study
 
     contact = None if case is None else {"contact": case.subject, "load": load, "choice": case.choice}
     return resolution_study(scan, progress=bar("Studying the resolution"), **(contact or {}))

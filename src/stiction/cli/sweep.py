@@ -36,7 +36,7 @@ def sweep(
     if not _stderr().is_terminal:
         _stderr().print("Reading the case")  # at once: the first points take longer
     with busy("Reading the case"):
-        from stiction.studies.sweep import run_sweep
+        from stiction.studies.sweep.run import run_sweep
     begun = perf_counter()
     shown = _Shown()
     try:

@@ -29,8 +29,8 @@ def validate(
     if out is not None:
         check_folder(out)
     with busy("Reading the measured series"):
-        from stiction.studies.validation import entries_in, read_entry
-        from stiction.studies.validation import validate as validated
+        from stiction.studies.comparison.validation import entries_in, read_entry
+        from stiction.studies.comparison.validation import validate as validated
 
         paths = entries_in(entry) if entry.is_dir() else [entry]
         entries = [read_entry(path) for path in paths]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from stiction.laws.validity import read_doubts
-from stiction.studies.comparison import RESULTS
+from stiction.studies.comparison.compare import RESULTS
 
 if TYPE_CHECKING:
     import xarray

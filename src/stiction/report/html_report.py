@@ -21,9 +21,9 @@ from stiction.report.html_words import formula
 from stiction.report.printed_sources import entries, printed
 from stiction.report.report_answer import answer_in_words, beside_headline, best_of, doubts_here, headline, question, spreads
 from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
-from stiction.studies.case import Case, as_case
-from stiction.studies.case_text import as_toml
-from stiction.studies.findings import Findings, find_out, text_of_file
+from stiction.studies.case.read import Case, as_case
+from stiction.studies.case.text import as_toml
+from stiction.studies.comparison.findings import Findings, find_out, text_of_file
 
 __all__ = ["as_html", "case_as_html", "check_place", "report_record", "write_html", "write_report"]
 

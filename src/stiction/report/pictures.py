@@ -20,8 +20,8 @@ from stiction.report.files import unit_of
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.paper_claims import ClaimMap
-    from stiction.studies.paper_figures import PanelCurves
+    from stiction.studies.paper.claims import ClaimMap
+    from stiction.studies.paper.figures import PanelCurves
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
 BLUE, ORANGE, GREEN, RED, SKY, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777"
@@ -310,8 +310,8 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
     that are marked."""
     import matplotlib
 
-    from stiction.studies.paper_claims import CLAIMS, READINGS
-    from stiction.studies.paper_figures import in_words
+    from stiction.studies.paper.claims import CLAIMS, READINGS
+    from stiction.studies.paper.figures import in_words
 
     figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(READINGS)), layout="constrained")
     grid = figure.subplots(len(READINGS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)

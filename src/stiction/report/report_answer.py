@@ -13,7 +13,7 @@ from stiction.report.report_inputs import plain_name, with_powers
 from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
 from stiction.report.tables import shown
 from stiction.report.uncertainty_tables import MEANINGS
-from stiction.studies.findings import Findings
+from stiction.studies.comparison.findings import Findings
 
 if TYPE_CHECKING:
     import xarray

@@ -12,7 +12,7 @@ from stiction.report.inline_pictures import inline
 from stiction.report.pictures import panel_of_curve, panels
 from stiction.report.report_answer import value_in_words
 from stiction.report.several_tables import shown_quantity
-from stiction.studies.findings import Findings
+from stiction.studies.comparison.findings import Findings
 
 if TYPE_CHECKING:
     import xarray

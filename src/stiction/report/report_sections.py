@@ -23,12 +23,12 @@ from stiction.report.report_answer import Spread, best_of, doubts_here, spreads,
 from stiction.report.report_inputs import groups_of_inputs, with_powers
 from stiction.report.tables import comparison_table, curve_table, run_notes
 from stiction.report.uncertainty_tables import in_draws
-from stiction.studies.findings import Findings
+from stiction.studies.comparison.findings import Findings
 
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.uncertain import Uncertain
+    from stiction.studies.case.uncertain import Uncertain
 
 __all__ = ["compared", "comparison_lines", "curve_rows", "doubt_table", "here_table", "model_lines", "notes", "scan_parts",
            "spread_table_of", "uncertainty_lines", "versions"]  # fmt: skip

@@ -7,7 +7,7 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.report.tables import facts, shown
-from stiction.studies.surface_analysis import Analysis
+from stiction.studies.scans.analysis import Analysis
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spikes import SUSPICIOUS
 from stiction.surfaces.statistics import ProfileMoments
@@ -15,8 +15,8 @@ from stiction.surfaces.statistics import ProfileMoments
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.map_contact import ContactOfMap
-    from stiction.studies.measured import Measured
+    from stiction.studies.scans.map_contact import ContactOfMap
+    from stiction.studies.scans.measured import Measured
 
 
 def surface_summary(analysis: Analysis) -> Table:

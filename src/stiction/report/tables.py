@@ -24,7 +24,7 @@ from stiction.solving.unused import unused_of
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case import Case
+    from stiction.studies.case.read import Case
 
 _NOTED: tuple[type[Record], ...] = (RoughSurface, AsperityLaw, TangentialLaw, FilmLaw)
 _ROWS = 12

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from stiction.quantities.errors import InputError
-from stiction.studies.case_text import as_toml
+from stiction.studies.case.text import as_toml
 
 __all__ = ["files_named", "packed", "refuse_other_files", "unpacked"]
 

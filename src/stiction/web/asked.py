@@ -15,9 +15,9 @@ from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import candidates
 from stiction.solving.choice import LAWS
-from stiction.studies.case import Case, case_in
-from stiction.studies.case_results import compare_case, solve_case
-from stiction.studies.comparison import working_load
+from stiction.studies.case.read import Case, case_in
+from stiction.studies.case.results import compare_case, solve_case
+from stiction.studies.comparison.compare import working_load
 from stiction.web.address import refuse_other_files
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from nicegui import ui
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
-from stiction.studies.one_asperity import OneAsperity, one_asperity
+from stiction.studies.stresses.one_asperity import OneAsperity, one_asperity
 from stiction.web.charts import COLOURS, cells, chart, line
 from stiction.web.drawn import Picture
 from stiction.web.explorer import Explorer

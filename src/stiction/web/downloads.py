@@ -6,8 +6,8 @@ from pathlib import Path
 
 from stiction.report.files import comments_of, write_csv, write_netcdf
 from stiction.solving.method_spread import as_columns
-from stiction.studies.bands import as_columns as with_quantiles
-from stiction.studies.case_text import as_toml
+from stiction.studies.case.text import as_toml
+from stiction.studies.uncertainty.bands import as_columns as with_quantiles
 from stiction.web.asked import Answer
 from stiction.web.working import Progress
 

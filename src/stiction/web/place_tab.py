@@ -8,9 +8,9 @@ from nicegui import ui
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.studies.paper_claims import CLAIMS, LAM, READINGS, THETA, ClaimMap, claim_map
-from stiction.studies.paper_figures import PANELS, PanelCurves, panel_curves
-from stiction.studies.place import ADHESION_MATTERS, PLASTICITY, Place, place_of, plasticity_line
+from stiction.studies.paper.claims import CLAIMS, LAM, READINGS, THETA, ClaimMap, claim_map
+from stiction.studies.paper.figures import PANELS, PanelCurves, panel_curves
+from stiction.studies.paper.place import ADHESION_MATTERS, PLASTICITY, Place, place_of, plasticity_line
 from stiction.web.charts import COLOURS, axis_name, cells, chart, line
 from stiction.web.drawn import Picture
 from stiction.web.explorer import Explorer

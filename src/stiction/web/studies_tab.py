@@ -10,7 +10,7 @@ from nicegui import ui
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import require
-from stiction.studies.case import case_in
+from stiction.studies.case.read import case_in
 from stiction.web.asked import Question, case_asked
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
@@ -39,7 +39,7 @@ def how_sure(question: Question, ranges: bool, progress: Progress) -> Result:
     """The bands of what is uncertain, and what friction differs by. Raises InputError."""
     from stiction.report.uncertainty_pictures import spread_figure, uncertainty_figure
     from stiction.report.uncertainty_tables import band_table, spread_table, uncertain_notes
-    from stiction.studies.uncertainty import uncertainty
+    from stiction.studies.uncertainty.run import uncertainty
 
     data = uncertainty(_with_ranges(question, ranges), progress=progress)
     parts: list[Any] = []
@@ -58,7 +58,7 @@ def what_matters(question: Question, ranges: bool, progress: Progress) -> Result
     """Which input should be measured better. Raises InputError."""
     from stiction.report.sensitivity_pictures import sensitivity_figure
     from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes
-    from stiction.studies.sensitivity import sensitivity
+    from stiction.studies.uncertainty.sensitivity import sensitivity
 
     data = sensitivity(_with_ranges(question, ranges), progress=progress)
     tables = [indices_table(data)] if "input" in data.dims else []
@@ -80,8 +80,8 @@ def designed(
     """The numbers, between their ends, at which the friction coefficient is next to a wish at a load. Raises InputError."""
     from stiction.report.design_pictures import design_figure
     from stiction.report.design_tables import design_notes, design_table
-    from stiction.studies.design import run_design
-    from stiction.studies.design_plan import make_design_plan
+    from stiction.studies.design.plan import make_design_plan
+    from stiction.studies.design.run import run_design
 
     case_asked(question)
     if not 0.0 < wish < math.inf:
@@ -103,8 +103,8 @@ def calibrated(question: Question, data: Path, free: dict[tuple[str, ...], Any],
     """Numbers of the case, fitted to measured series. Raises InputError."""
     from stiction.report.fit_pictures import fit_figure
     from stiction.report.fit_tables import fit_notes, parameter_table
-    from stiction.studies.fit import run_fit
-    from stiction.studies.fit_plan import make_fit_plan
+    from stiction.studies.fit.plan import make_fit_plan
+    from stiction.studies.fit.run import run_fit
 
     case_asked(question)
     require("calibration", "lmfit")

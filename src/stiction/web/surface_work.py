@@ -9,8 +9,8 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
-from stiction.studies.resolution import resolution_study
-from stiction.studies.surface_analysis import Analysis, analyse, prepared
+from stiction.studies.scans.analysis import Analysis, analyse, prepared
+from stiction.studies.scans.resolution import resolution_study
 from stiction.surfaces.fill import fill_missing
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap

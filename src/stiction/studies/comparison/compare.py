@@ -1,0 +1,345 @@
+"""Every model that applies, on one contact: what they say of its friction, how far they differ, and which to trust."""
+
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.contact.subject import Subject, as_subject
+from stiction.engine.summation import FARTHEST
+from stiction.laws.registry import Criterion, of_kind
+from stiction.laws.validity import as_attributes
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import floats
+from stiction.quantities.table import QUANTITIES
+from stiction.solving import film_errors
+from stiction.solving.candidates import Candidate, candidates
+from stiction.solving.choice import Choice
+from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding
+from stiction.solving.inversion import Unreachable, separations_at
+from stiction.solving.measured_error import measured_errors
+from stiction.solving.method_spread import as_measured, with_range_over_methods
+from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
+from stiction.solving.results import labelled
+from stiction.solving.solve import solve
+from stiction.solving.state import state_of
+from stiction.studies.comparison.recommendation import FAMILIES, TOO_MUCH, Answer, recommend
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.case.read import Case
+
+# Mean separations over sigma at which the curves are computed: out of touch to pressed together.
+SEPARATIONS = np.linspace(5.0, -2.0, 80)
+RESULTS = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient")
+
+
+def compare(
+    contact: Subject,
+    *,
+    load: Any = None,
+    separations: Iterable[float] | None = None,
+    progress: Callable[[Iterable], Iterable] = iter,
+) -> "xarray.Dataset":
+    """Every applicable model at once on one contact.
+
+    contact: a Contact or Indices, of numbers (no arrays). load: the working load, above 0, N for a Contact (text with a unit is
+    fine), normalised for Indices; None: only curves. separations: mean separations of the curves, over the sigma that a model
+    takes, by default 80 from 5 to -2. progress: wraps the list of models while they are computed.
+
+    Where a model has no tangential law of its own and the contact states an interfacial shear strength, that law of the
+    interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
+    contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
+    working load, with grade, `outside_validity` in words, `doubts` as JSON, `family_of_curve`, what its friction rests on, and
+    `plastic_junctions_resist`, a word of stiction.laws.registry.YIELDED; `measured_area_error` (and `_rms`) and
+    `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number
+    where none was solved near; `measured_error` as JSON, `measured_error_in_words`. A theory that knows no separation has
+    none (not a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at
+    the working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
+    `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
+    which of the family count for nothing and why, and `advice` where none is recommended; `cost` of each model is over `model`;
+    `solved`, whether it is the contact of the map itself, converged; `doubtful` says of every point whether it is within what
+    its model claims, outside of it, or impossible (0, 1, 2);
+    `criteria` (is it sticky?), and `left_out`: model: why. Where the roughness was measured, there are also
+    friction_coefficient_at_load_by_method (asperity_method, model),
+    friction_coefficient_at_load_low and _high. Raises InputError for bad input.
+    """
+    _refuse_arrays(as_subject(contact))
+    data = _compared(contact, load, separations, progress)
+    if contact.measured is None:
+        return data
+    return as_measured(_over_methods(data, contact, load, progress), contact.measured)
+
+
+def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[[Iterable], Iterable]) -> "xarray.Dataset":
+    """What `compare` gives, without the spread over the methods of finding asperities."""
+    h = SEPARATIONS if separations is None else _separations(separations)
+    target = None if load is None else _pressing(contact, load, "load")
+    groups, _ = Groups.of(contact.indices())
+    plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
+    situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
+    answers = [_ask(situation, one) for one in progress(candidates(contact))]
+    known = any(one.measured is not None and one.measured.known for one in answers)
+    for one in answers:
+        one.beside_measured = known
+    return _dataset(contact, answers, target)
+
+
+def _refuse_arrays(subject: Subject) -> None:
+    for name, array in subject.arrays():
+        raise InputError(name, f"{array.size} numbers", "single numbers, where models are compared")
+
+
+def _over_methods(
+    data: "xarray.Dataset", contact: Subject, load: Any, progress: Callable[[Iterable], Iterable]
+) -> "xarray.Dataset":
+    """The comparison of a contact whose surface was measured, with what its models say at the working load by every method."""
+    contacts = contact.measured.contacts(contact)
+    name = "friction_coefficient_at_load"
+    if name not in data or len(contacts) < 2:
+        return data
+    each = [
+        data[name] if at == 0 else _compared(other, load, [0.0], iter)[name].reindex(model=data["model"])
+        for at, other in enumerate(progress(list(contacts.values())))
+    ]
+    return with_range_over_methods(data, list(contacts), np.array([one.values for one in each]), ("model",), name)
+
+
+def _separations(given: Iterable[float]) -> np.ndarray:
+    """The separations of the curves, over sigma."""
+    allowed = f"a row of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
+    try:
+        row = list(given)
+    except TypeError:
+        raise InputError("separations", given, allowed) from None
+    h = floats(row, "separations", allowed)
+    if h.ndim != 1 or not h.size or not (np.abs(h) <= FARTHEST).all():
+        raise InputError("separations", given, allowed)
+    return h
+
+
+@dataclass(frozen=True)
+class _Situation:
+    """What all candidates are asked: at the separations h, over their sigma, the loads (1, h) for those that know none, and
+    the working load or None, in the units of the contact."""
+
+    contact: Subject
+    h: np.ndarray
+    loads: np.ndarray
+    target: float | None
+
+
+def _ask(situation: _Situation, candidate: Candidate) -> Answer:
+    """What one candidate says, or why it does not."""
+    answer = Answer(candidate)
+    try:
+        problem = make_problem(situation.contact, candidate.choice)
+        curve = _curve(problem, situation)
+    except InputError as error:
+        answer.why_not = _reason(error)
+        return answer
+    records = problem.records()
+    answer.grade = max(record.grade for record in records)
+    answer.title = problem.record.title
+    answer.sources = list(dict.fromkeys(source.key for record in records for source in record.sources))
+    if not problem.friction:
+        answer.why_not = "of contact only: it needs an interfacial_shear_strength to say anything of friction"
+    at_load = None
+    if situation.target is not None:
+        at_load = _at_working_load(problem, situation.target, answer)
+    if at_load or situation.target is None:  # of a load that is not carried there is nothing to doubt
+        judged = at_load or {name: table[None, :] for name, table in curve.items()}
+        answer.outside = answer.outside + doubts_of_results(problem, judged)
+        answer.film_off = film_errors.off_by(problem, judged)
+        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_film_error"]
+        answer.adhesion = _largest(state_of(problem, at_load).get("adhesion_share")) if at_load else np.inf
+        if at_load:
+            answer.measured = measured_errors(problem, at_load)
+    answer.effects = problem.effects
+    answer.of_map = problem.record.of_map is not None
+    answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
+    answer.yielded = problem.chosen.yielded
+    answer.curve = _in_units(problem, curve)
+    answer.doubtful = doubtful_points(problem, {name: table[None, :] for name, table in curve.items()})
+    if at_load:
+        answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
+    return answer
+
+
+def _largest(values: np.ndarray | None) -> float:
+    """The largest that is a number; infinite where nothing is known."""
+    return np.inf if values is None or np.isnan(values).all() else float(np.nanmax(values))
+
+
+def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Normalised results in the units of the contact: each model normalises with the sigma, R and N that it takes."""
+    factors = problem.subject.scales().factors()
+    return {name: table * factors.get(QUANTITIES[name].scale, 1.0) for name, table in results.items()}
+
+
+def _reason(error: InputError) -> str:
+    """Why a model cannot be asked: what is missing, or what it wants in place of what there is."""
+    return f"{error.field} is not given: {error.allowed}" if error.value is None else error.allowed
+
+
+def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
+    """Normalised results (points,) along the separations, or the loads in their place."""
+    if problem.needs_load:
+        loads = problem.few_of(situation.loads / problem.subject.scales().factors()["N"])
+        return {name: table[0] for name, table in problem.at_load(loads).items()}
+    return {"mean_separation": situation.h} | {name: table[0] for name, table in problem.on_grid(situation.h).items()}
+
+
+def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[str, np.ndarray] | None:
+    """Normalised results (1, 1) at the working load; where it is not carried, nothing, and the answer says why."""
+    unit = problem.subject.scales().factors()["N"]
+    wanted = np.array([[target / unit]])
+    try:
+        if problem.needs_load:
+            return problem.at_load(wanted)
+        h = separations_at(problem, wanted).h
+        results = problem.at(h)
+        answer.outside = doubts_of_rounding(results["load"], wanted)
+        return {"mean_separation": h} | as_asked(results, wanted)
+    except Unreachable as error:
+        high, low = (problem.subject.show(load * unit, "load", 4) for load in (error.high, error.low))
+        answer.why_not = f"{TOO_MUCH} {high}" if wanted.item() > error.high else f"carries loads above {low}"
+    except InputError as error:
+        answer.why_not = _reason(error)
+    return None
+
+
+def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Dataset":
+    """Answers as a dataset over model and point; those that say nothing at all are left out, with the reason."""
+    shown = [one for one in answers if one.curve]
+    dims = {"model": len(shown), "point": max((one.curve["load"].size for one in shown), default=0)}
+    as_it_is: dict[str, Any] = {}  # results are in the units of the contact already
+    tables = {name: np.array([_or_nothing(one.curve.get(name), dims["point"]) for one in shown]) for name in RESULTS}
+    data = labelled(contact, tables, as_it_is, dims, {"model": [one.candidate.name for one in shown]})
+    if target is not None:
+        single = {name: np.array([(one.at_load or {}).get(name, np.nan) for one in shown]) for name in RESULTS}
+        found = labelled(contact, single, as_it_is, {"model": len(shown)}, {"model": data["model"]})
+        data = data.merge(found.rename({name: f"{name}_at_load" for name in RESULTS}))
+    texts = {
+        "grade": [one.grade for one in shown],
+        "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
+        "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
+        "measured_film_error": [one.film_errors for one in shown],
+        "why_not": [one.why_not for one in shown],
+        "plastic_junctions_resist": [one.yielded if "friction_coefficient" in one.curve else "" for one in shown],
+        "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
+    }
+    data = data.assign({name: ("model", np.array(values, dtype=object)) for name, values in texts.items()})
+    shape = (len(shown), dims["point"])
+    doubtful = np.full(shape, DOUBTFUL)
+    for row, one in zip(doubtful, shown, strict=True):
+        row[: one.doubtful.size] = one.doubtful
+    data = data.assign(doubtful=(("model", "point"), doubtful))
+    data = data.assign(solved=("model", np.array([one.solved for one in shown], dtype=bool)))
+    data = data.assign({name: ("model", values) for name, values in _measured(shown).items()})
+    data = data.assign(cost=("model", np.array([one.cost for one in shown]), {"long_name": "how ill founded a model is here"}))
+    return data.assign_attrs(_attributes(contact, answers, target))
+
+
+def _measured(answers: list[Answer]) -> dict[str, np.ndarray]:
+    """Of each model its measured error at the working load: of the area and of mu on average, root mean square of the area's,
+    relative, not a number where it was not measured near; and in words, and as JSON."""
+    every = [one.measured for one in answers]
+    numbers = {
+        "measured_area_error": [np.nan if one is None else np.expm1(one.area[0]) for one in every],
+        "measured_area_error_rms": [np.nan if one is None else one.relative[0] for one in every],
+        "measured_friction_error": [np.nan if one is None else np.expm1(one.friction[0]) for one in every],
+    }
+    words = ["" if one is None else one.words for one in every]
+    data = ["null" if one is None else json.dumps(one.as_data()) for one in every]
+    return {name: np.array(values) for name, values in numbers.items()} | {
+        "measured_error_in_words": np.array(words, dtype=object),
+        "measured_error": np.array(data, dtype=object),
+    }
+
+
+def _or_nothing(values: np.ndarray | None, points: int) -> np.ndarray:
+    """The values, and not a number for those that there are not."""
+    given = np.zeros(0) if values is None else values
+    return np.concatenate([given, np.full(points - given.size, np.nan)])
+
+
+def _attributes(contact, answers: list[Answer], target: float | None) -> dict[str, Any]:
+    """What goes with the dataset as a whole."""
+    used = dict.fromkeys(key for one in answers for key in one.sources)
+    left_out = [f"{one.candidate.name}: {one.why_not}" for one in answers if not one.curve]
+    attributes: dict[str, Any] = {
+        "sources": " ".join(used), "left_out": "\n".join(left_out), "criteria": "\n".join(criteria_of(contact)),
+    }  # fmt: skip
+    if target is None:
+        return attributes
+    found = recommend(answers)
+    inside = [one.mu for one in answers if not one.outside]
+    attributes |= {
+        "working_load": target,
+        "spread": _spread([one.mu for one in answers]),
+        "spread_within_validity": _spread(inside),
+        "recommended": found.best.candidate.name if found.best else "none",
+        "recommended_range": _spread([found.low, found.high]),
+        "reason": found.reason,
+        "family": found.family,
+        "advice": found.advice,
+        "set_aside": found.set_aside,
+    }
+    return attributes
+
+
+def criteria_of(contact: Subject) -> list[str]:
+    """What the criteria of the registry say of the surface of a contact, one line each; those that want what is not known
+    are left out."""
+    groups = Groups.of(contact.with_surface_moments().indices())[0].substrate()
+    lines = []
+    for one in of_kind(Criterion).values():
+        if all(groups.knows(name) for name in one.needs):
+            ratio = float(one.ratio(groups)[0])
+            lines.append(f"{one.key}: {one.below if ratio < 1.0 else one.above} (ratio {ratio:.3g}, the border is 1)")
+    return lines
+
+
+def _spread(values: list[float]) -> list[float]:
+    """Lowest and highest of those that are numbers; empty if none is."""
+    numbers = [one for one in values if np.isfinite(one)]
+    return [min(numbers), max(numbers)] if numbers else []
+
+
+def working_load(case: "Case", given: str | None) -> float | None:
+    """The load at which the models of a case are judged: that given, else the middle one of the case, or the compressive one
+    that is nearest to it in the list; where the case names separations, of the loads that its own model carries there. None
+    where none is compressive."""
+    _refuse_arrays(case.subject)
+    if given is not None:
+        return _pressing(case.subject, given, "--load")
+    loads = case.load
+    if loads is None:
+        loads = solve(case.subject.as_numbers(), separation=case.separation, **case.choice.arguments())["load"].values
+    pressing = np.flatnonzero(loads > 0.0)
+    if not pressing.size:
+        return None
+    middle = (len(loads) - 1) // 2
+    return float(loads[pressing[np.argmin(np.abs(pressing - middle))]])
+
+
+def _pressing(subject: Subject, given: Any, field: str) -> float:
+    """The load given, in N for a Contact and normalised for Indices; InputError where it does not press."""
+    unit = subject.attributes("load")["units"]
+    if not isinstance(given, str) and np.ndim(given) > 0:
+        one = f"one load > 0 {unit}".removesuffix(" 1")
+        raise InputError(field, given, f"{one}: models are judged at one; solve takes several, of one model")
+    try:
+        load = float(subject.read(given, "load"))
+    except InputError as error:
+        raise InputError(field, error.value, error.allowed) from None
+    except (TypeError, ValueError):
+        raise InputError(field, given, f"one load > 0 {unit}".removesuffix(" 1")) from None
+    if not 0.0 < load < np.inf:
+        raise InputError(field, given, f"> 0 {unit}".removesuffix(" 1"))
+    return load

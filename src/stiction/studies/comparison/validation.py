@@ -1,0 +1,236 @@
+"""Models against measured series: an entry says what was in contact, who measured what, and where that is printed.
+
+An entry is a TOML file with the tables [contact] of a case file and [measured], beside a CSV file of the values.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from stiction.contact.subject import Subject
+from stiction.laws.validity import Doubt, doubts_of
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input
+from stiction.quantities.table import QUANTITIES
+from stiction.solving.candidates import candidates
+from stiction.solving.solve import solve
+from stiction.studies.case.places import with_numbers
+from stiction.studies.case.read import case_of, opened, read_content
+from stiction.studies.fit.measurements import Measurements, read_measurements
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["Entry", "entries_in", "read_entry", "validate"]
+
+# What is compared by ratios: of a separation there is none.
+_NOT_COMPARED = ("mean_separation",)
+_TABLES = ("title", "materials", "contact", "indices", "measured")
+
+
+class Origin(Input):
+    """Who measured a series, and where it is printed.
+
+    file: the CSV file, from the folder of the entry. kind: synthetic values were made up, to show the format. source: authors,
+    title, where it appeared, year. place: page, and table, figure or section. read: how the values came into the file; values
+    read off a picture have the error of reading in theirs. Raises InputError.
+    """
+
+    file: str = Field(description="the CSV file with the values, from the folder of the entry")
+    kind: Literal["measured", "synthetic"] = Field(description="measured, or synthetic: made up to show the format")
+    source: str = Field(description="authors, title, where it appeared, year")
+    place: str = Field("", description='page, and table, figure or section: "p. 57, Table 3"')
+    doi: str = Field("", description="DOI of the source, if it has one")
+    read: Literal["printed", "digitised", "data file", "computed"] = Field(description="how the values came into the file")
+    note: str = Field("", description="what else a reader has to know: how it was prepared, what is assumed here")
+
+    @model_validator(mode="after")
+    def _says_where(self):
+        if not self.source.strip():
+            raise InputError("source", self.source, "authors, title, where it appeared, year")
+        if self.kind == "measured" and not self.place.strip():
+            raise InputError("place", self.place or None, 'page, and table, figure or section, e.g. "p. 57, Table 3"')
+        if (self.kind == "synthetic") != (self.read == "computed"):
+            raise InputError("read", self.read, '"computed" where the kind is "synthetic", and only there')
+        return self
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A measured series with its contact. content: the tables of a case, with scans and own materials read."""
+
+    title: str
+    origin: Origin
+    content: Mapping[str, Any]
+    values: Measurements
+
+    def subjects(self) -> list[tuple[Subject, np.ndarray]]:
+        """The contacts that the series are of, each with its rows: one, unless the file gives numbers that differ."""
+        known = [tuple(sorted(one.items())) for one in self.values.known]
+        found = []
+        for one in dict.fromkeys(known):
+            rows = np.array([at for at, other in enumerate(known) if other == one])
+            found.append((case_of(with_numbers(self.content, dict(one)), {}).subject, rows))
+        return found
+
+
+def read_entry(path: Any) -> Entry:
+    """The entry in a TOML file, with the values in the CSV file beside it. Raises InputError, one line."""
+    content = read_content(path)
+    table = content.get("measured")
+    if not isinstance(table, Mapping):
+        raise InputError("measured", table, f"a table [measured] that says who measured what, in {path}")
+    unknown = [name for name in content if name not in _TABLES]
+    if unknown:
+        raise InputError(unknown[0], "a table", f"{', '.join(_TABLES)}: loads are those of the measured values")
+    try:
+        origin = Origin(**table)
+    except InputError as error:
+        raise InputError(f"measured.{error.field}", error.value, error.allowed) from None
+    load = {"load": "1 N"} if "indices" not in content else {"load": 1.0}
+    tables = {name: value for name, value in content.items() if name != "measured"} | {"solve": load}
+    folder = Path(path).parent
+    asked, several = opened(tables, folder)
+    if several:
+        raise InputError(
+            ".".join(next(iter(several))), "several numbers", "one; what differs from row to row is a column of the file"
+        )
+    values = read_measurements(folder / origin.file, asked)
+    _check(values, origin.file)
+    entry = Entry(str(content.get("title", "")), origin, asked, values)
+    entry.subjects()  # so that a contact that is none is refused here
+    return entry
+
+
+def _check(values: Measurements, file: str) -> None:
+    for quantity, value, line in zip(values.quantity, values.value, values.line, strict=True):
+        if quantity in _NOT_COMPARED:
+            raise InputError(f"{file}, {quantity}", "a column", "a quantity above 0, of which a ratio can be taken")
+        if not value > 0.0:
+            raise InputError(f"{file}, line {line}, {quantity}", float(value), "above 0")
+
+
+def entries_in(folder: Any) -> list[Path]:
+    """The files of the entries in a folder: those with a table [measured], by name. Raises InputError."""
+    found = [path for path in sorted(Path(folder).glob("*.toml")) if "measured" in read_content(path)]
+    if not found:
+        raise InputError("entry", str(folder), "a TOML file with a table [measured], or a folder that has some")
+    return found
+
+
+def validate(entry: Any, *, progress: Callable[[Iterable], Iterable] = iter) -> "xarray.Dataset":
+    """Every model that applies, against one measured series.
+
+    entry: the path of its TOML file, or what `read_entry` gives. progress: wraps the list of models while they are computed.
+    Returns an xarray.Dataset over `model` and `row`, the measured values: measured, error, quantity, sample, load over the
+    rows; `predicted` over both, not a number where a model refuses; over the models `bias`, the geometric mean of predicted
+    over measured; `factor`, e to the root mean square of its logarithm: by what factor a prediction is off, as a rule;
+    `in_errors`, the root mean square of the difference over the standard error; `answered`, how many rows; grade,
+    `outside_validity` in words and `outside`, the symbols of the quantities. Models are in the order of how many rows they
+    answer, then of `factor`. Attributes: title, kind, source, place, doi, read, note, `left_out`: model: why, and `sources`.
+    Raises InputError for bad input.
+    """
+    one = entry if isinstance(entry, Entry) else read_entry(entry)
+    subjects = one.subjects()
+    answers, left_out = [], []
+    for candidate in progress(candidates(subjects[0][0])):
+        answer = _answer(candidate.name, one.values, subjects)
+        if answer.answered:
+            answers.append(answer)
+        else:
+            left_out.append(f"{candidate.name}: {answer.why_not}")
+    answers.sort(key=lambda each: (-each.answered, each.factor, each.name))
+    return _dataset(one, answers, left_out)
+
+
+@dataclass(frozen=True)
+class _Answer:
+    """What a model says of the measured values (n,)."""
+
+    name: str
+    predicted: np.ndarray
+    ratio: np.ndarray
+    grade: str
+    sources: tuple[str, ...]
+    doubts: tuple[Doubt, ...]
+    why_not: str
+
+    @property
+    def answered(self) -> int:
+        return int(np.isfinite(self.ratio).sum())
+
+    @property
+    def factor(self) -> float:
+        return float(np.exp(np.sqrt(np.nanmean(np.log(self.ratio) ** 2))))
+
+
+def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.ndarray]]) -> _Answer:
+    predicted = np.full(len(values), np.nan)
+    grades: set[str] = set()
+    sources: dict[str, None] = {}
+    doubts: dict[str, Doubt] = {}
+    why = "it says nothing of what was measured"
+    waiting = list(subjects)
+    while waiting:
+        subject, rows = waiting.pop()
+        try:
+            data = solve(subject, load=values.load[rows], model=name)
+        except InputError as error:
+            why = f"{error.field} is not given: {error.allowed}" if error.value is None else error.allowed
+            if len(rows) > 1 and error.field == "load":  # one that is not carried says nothing of the others
+                waiting += [(subject, rows[at : at + 1]) for at in range(len(rows))]
+            continue
+        for place, row in enumerate(rows):
+            if values.quantity[row] in data:
+                table = np.broadcast_to(data[values.quantity[row]].values, rows.shape)
+                predicted[row] = table[place]
+        grades.add(data.attrs["grade"])
+        sources |= dict.fromkeys(data.attrs["sources"].split())
+        doubts |= {doubt.rule: doubt for doubt in doubts_of(data)}
+    positive = predicted > 0.0
+    ratio = np.divide(predicted, values.value, where=positive, out=np.full(len(values), np.nan))
+    return _Answer(name, predicted, ratio, max(grades, default=""), tuple(sources), tuple(doubts.values()), why)
+
+
+def _dataset(entry: Entry, answers: list[_Answer], left_out: list[str]) -> "xarray.Dataset":
+    import xarray
+
+    values = entry.values
+    predicted = np.array([one.predicted for one in answers]).reshape(len(answers), len(values))
+    logarithms = np.log(np.array([one.ratio for one in answers]).reshape(predicted.shape))
+    off = (predicted - values.value) / values.error
+    over_models = {
+        "bias": np.exp([_mean(one) for one in logarithms]),
+        "factor": [one.factor for one in answers],
+        "in_errors": np.sqrt([_mean(one**2) for one in off]),
+        "answered": [one.answered for one in answers],
+        "grade": [one.grade for one in answers],
+        "outside_validity": ["; ".join(doubt.short for doubt in one.doubts) for one in answers],
+        "outside": [", ".join(_symbols(one.doubts)) for one in answers],
+    }
+    over_rows = {
+        "measured": values.value, "error": values.error, "load": values.load,
+        "quantity": list(values.quantity), "sample": list(values.sample), "line": list(values.line),
+    }  # fmt: skip
+    used = dict.fromkeys(key for one in answers for key in one.sources)
+    return xarray.Dataset(
+        {name: ("model", table) for name, table in over_models.items()}
+        | {name: ("row", table) for name, table in over_rows.items()}
+        | {"predicted": (("model", "row"), predicted)},
+        coords={"model": [one.name for one in answers]},
+        attrs={"title": entry.title, "left_out": "\n".join(left_out), "sources": " ".join(used)}
+        | entry.origin.model_dump(exclude={"file"}),
+    )
+
+
+def _symbols(doubts: Iterable[Doubt]) -> list[str]:
+    return list(dict.fromkeys(QUANTITIES[one.quantity].symbol for one in doubts if one.quantity))
+
+
+def _mean(values: np.ndarray) -> float:
+    known = values[np.isfinite(values)]
+    return float(known.mean()) if known.size else np.nan

@@ -1,0 +1,262 @@
+"""What a design is to be: the table [design] of a case, read and checked."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from stiction.contact.contact import Contact
+from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.inputs import Input, require_names
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
+from stiction.studies.case.free import Free, read_free
+from stiction.studies.case.places import as_numbers, flat, placed, read_end, subject_table
+from stiction.studies.case.uncertain import Uncertain
+from stiction.studies.fit.plan import without_studies
+
+__all__ = ["Design", "DesignPlan", "Limit", "Options", "Wish", "make_design_plan"]
+
+LOAD = ("solve", "load")
+_NAMED = ("material", "bodies", "first", "second")  # what may be chosen that is no number
+_MOST_FREE, _MOST_OPTIONS, _MOST_WAYS = 8, 100, 2000
+
+
+class Wish(Input):
+    """What is wished of a result: that it is least, most, or next to a value."""
+
+    minimise: str | None = Field(None, description="the name of a result")
+    maximise: str | None = Field(None, description="the name of a result")
+    target: str | None = Field(None, description="the name of a result")
+    value: str | float | None = Field(None, description="with target: the value, with its unit")
+
+    @model_validator(mode="after")
+    def _one_of_them(self):
+        given = [name for name in ("minimise", "maximise", "target") if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise InputError("", given or None, 'one of minimise, maximise, target, e.g. { minimise = "friction_coefficient" }')
+        if (self.target is None) != (self.value is None):
+            raise InputError("value", self.value, "a value beside target, and only there")
+        return self
+
+    @property
+    def quantity(self) -> str:
+        return str(self.minimise or self.maximise or self.target)
+
+    @property
+    def words(self) -> str:
+        return (
+            f"{self.quantity} next to {self.value}"
+            if self.target
+            else f"{'least' if self.minimise else 'most'} {self.quantity}"
+        )
+
+
+class Design(Input):
+    """What is chosen, and what is wished of it.
+
+    wish: one wish, or a list of two. choose: numbers of the contact and load with their ends, or lists of which one is taken.
+    limits: results with the ends between which they must be. validity: "claimed" where no range of validity may be left but
+    those that are about statistics, "possible" where none may be that makes a result impossible, "any".
+    """
+
+    wish: Any = Field(description='a wish, { minimise = "friction_coefficient" }, or a list of two')
+    choose: dict[str, Any] = Field(description="a table of numbers of the contact with their ends, or lists")
+    limits: dict[str, Any] = Field(default_factory=dict, description="a table of results, each with its low or high end")
+    validity: Literal["claimed", "possible", "any"] = Field("claimed", description="claimed, possible, any")
+    effort: int = Field(60, ge=1, le=10_000, strict=True, description="generations of the search, 1 to 10000")
+    seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
+
+
+@dataclass(frozen=True)
+class Options:
+    """A list of which one is taken: numbers in SI units, or what stands in a case file, tables and names."""
+
+    path: tuple[str, ...]
+    entries: tuple[Any, ...]
+    words: tuple[str, ...]
+    is_number: bool
+
+    @property
+    def name(self) -> str:
+        return ".".join(self.path[1:])
+
+    def index(self, share: np.ndarray) -> np.ndarray:
+        return np.minimum((np.asarray(share) * len(self.entries)).astype(int), len(self.entries) - 1)
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A result, and the ends between which it must be."""
+
+    quantity: str
+    low: float
+    high: float
+
+    @property
+    def words(self) -> str:
+        low, high = (show(end, self.quantity) for end in (self.low, self.high))
+        if not np.isfinite(self.low):
+            return f"{self.quantity} {high} at most"
+        return f"{self.quantity} {low} at least" if not np.isfinite(self.high) else f"{self.quantity} {low} to {high}"
+
+
+@dataclass(frozen=True)
+class DesignPlan:
+    """A design, ready to be searched. content: the tables of the case without studies; given: as they were written. wishes with
+    the value of a target in SI units. uncertain: numbers of the contact that are drawn."""
+
+    content: Mapping[str, Any]
+    given: Mapping[str, Any]
+    folder: Path
+    title: str
+    free: tuple[Free, ...]
+    options: tuple[Options, ...]
+    wishes: tuple[Wish, ...]
+    targets: tuple[float, ...]
+    limits: tuple[Limit, ...]
+    validity: str
+    effort: int
+    seed: int
+    uncertain: tuple[Uncertain, ...]
+
+    @property
+    def unknowns(self) -> tuple[Free | Options, ...]:
+        return (*self.options, *self.free)
+
+
+def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> DesignPlan:
+    """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
+    from stiction.studies.case.read import opened
+
+    require_names(content)
+    table = content.get("design")
+    if not isinstance(table, Mapping):
+        raise InputError(
+            "design", table, 'a table [design] with wish = { minimise = "friction_coefficient" } and [design.choose]'
+        )
+    try:
+        design = Design(**table)
+    except InputError as error:
+        raise InputError(f"design.{error.field}", error.value, error.allowed) from None
+    plain, several = opened(without_studies(content), folder)
+    for path, one in several.items():
+        if not isinstance(one, Uncertain):
+            allowed = "one number; of several one is chosen under [design.choose]"
+            raise InputError(".".join(path), f"{one.values.size} numbers", allowed)
+    plain = as_numbers(plain)
+    free, options = _unknowns(design, plain)
+    wishes, targets = _wishes(design)
+    return DesignPlan(
+        content=plain,
+        given=dict(content),
+        folder=folder,
+        title=str(content.get("title", "")),
+        free=free,
+        options=options,
+        wishes=wishes,
+        targets=targets,
+        limits=tuple(_limit(name, entry) for name, entry in design.limits.items()),
+        validity=design.validity,
+        effort=design.effort,
+        seed=design.seed,
+        uncertain=tuple(one for one in several.values() if isinstance(one, Uncertain)),
+    )
+
+
+def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple[Options, ...]]:
+    free: list[Free] = []
+    options: list[Options] = []
+    for name, entry in flat(design.choose, "design.choose", lambda table: bool(table.keys() & {"low", "high"})):
+        where = f"design.choose.{name}"
+        path = _path(name, content, where)
+        if path in [one.path for one in free] + [one.path for one in options]:
+            raise InputError(where, name, "each once")
+        if isinstance(entry, list):
+            options.append(_options(path, entry, where))
+        elif path[-1] in _NAMED:
+            raise InputError(where, entry, "a list, of which one is taken")
+        else:
+            free.append(read_free(path, entry, where))
+            if free[-1].each_sample:
+                raise InputError(f"{where}.each_sample", True, "not here: a design has no samples")
+    if not free and not options:
+        raise InputError(
+            "design.choose", None, 'something to choose, e.g. coating.thickness = { low = "50 nm", high = "1 um" }'
+        )
+    if len(free) > _MOST_FREE:
+        raise InputError("design.choose", f"{len(free)} numbers with ends", f"{_MOST_FREE} at most")
+    ways = int(np.prod([float(len(one.entries)) for one in options if not one.is_number] or [1.0]))
+    if ways > _MOST_WAYS:
+        raise InputError("design.choose", f"{ways} combinations of what is no number", f"{_MOST_WAYS} at most")
+    return tuple(free), tuple(options)
+
+
+def _path(name: str, content: Mapping, where: str) -> tuple[str, ...]:
+    if name == "load":
+        return LOAD
+    last = name.rpartition(".")[2]
+    if last not in _NAMED:
+        return placed(name, content, where)
+    table = subject_table(content)
+    contact: Any = content.get("contact", {})
+    named = {"coating.material", "coating.bodies", "material", "bodies", "first", "second"}
+    film = isinstance(contact, Mapping) and "coating" in contact
+    if table != "contact" or name not in named or (last in ("material", "bodies") and not film):
+        raise InputError(
+            where, name, f"a number of the contact, first, second{', coating.material, coating.bodies' if film else ''}"
+        )
+    return (table, "coating", last) if last in ("material", "bodies") else (table, last)
+
+
+def _options(path: tuple[str, ...], entries: list, where: str) -> Options:
+    if not 1 <= len(entries) <= _MOST_OPTIONS:
+        raise InputError(where, f"{len(entries)} entries", f"a list of 1 to {_MOST_OPTIONS}")
+    if path[-1] not in _NAMED:
+        numbers = tuple(read_end(one, path[-1], where) for one in entries)
+        return Options(path, numbers, tuple(str(one) for one in entries), True)
+    words = tuple(str(one.get("preset", one.get("name", "table"))) if isinstance(one, Mapping) else str(one) for one in entries)
+    words = tuple(f"{word} ({at + 1})" if words.count(word) > 1 else word for at, word in enumerate(words))
+    return Options(path, tuple(entries), words, False)
+
+
+def _wishes(design: Design) -> tuple[tuple[Wish, ...], tuple[float, ...]]:
+    given = design.wish if isinstance(design.wish, list) else [design.wish]
+    if not 1 <= len(given) <= 2:
+        raise InputError("design.wish", f"{len(given)} wishes", "one or two")
+    wishes, targets = [], []
+    for at, one in enumerate(given):
+        where = "design.wish" + (f"[{at}]" if len(given) > 1 else "")
+        if not isinstance(one, Mapping):
+            raise InputError(where, one, 'a table, e.g. { minimise = "friction_coefficient" }')
+        try:
+            wish = Wish(**one)
+        except InputError as error:
+            raise InputError(f"{where}.{error.field}".rstrip("."), error.value, error.allowed) from None
+        _check_quantity(wish.quantity, where)
+        wishes.append(wish)
+        targets.append(read_end(wish.value, wish.quantity, f"{where}.value") if wish.target else float("nan"))
+    return tuple(wishes), tuple(targets)
+
+
+def _check_quantity(name: str, where: str) -> None:
+    if name not in QUANTITIES or (name in Contact.model_fields):
+        results = [one.name for one in QUANTITIES.values() if not one.example or one.name in ("load", "mean_separation")]
+        raise InputError(where, name, "a result or a group of the contact: " + nearest(name, results))
+
+
+def _limit(name: str, entry: Any) -> Limit:
+    where = f"design.limits.{name}"
+    _check_quantity(name, where)
+    if not isinstance(entry, Mapping) or not entry or entry.keys() - {"low", "high"}:
+        unit = QUANTITIES[name].unit
+        raise InputError(
+            where, entry, f'a table with low, high or both, e.g. {{ high = "1 {unit}" }}' if unit else "low, high or both"
+        )
+    low, high = (read_end(entry[end], name, f"{where}.{end}") if end in entry else np.nan for end in ("low", "high"))
+    if np.isfinite(low) and np.isfinite(high) and low > high:
+        raise InputError(where, [entry["low"], entry["high"]], "the low end first")
+    return Limit(name, -np.inf if np.isnan(low) else low, np.inf if np.isnan(high) else high)

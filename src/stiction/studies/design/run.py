@@ -1,0 +1,381 @@
+"""Design: the coating, thickness, roughness and load that come nearest to what is wished, and keep all limits."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction import __version__
+from stiction.quantities.inputs import require_callable
+from stiction.quantities.table import QUANTITIES
+from stiction.studies.case.read import wants_ranges
+from stiction.studies.case.text import case_text, show_exactly, with_written
+from stiction.studies.design.plan import LOAD, DesignPlan, Options, make_design_plan
+from stiction.studies.design.space import TOLERANCE, Answers, Space
+from stiction.studies.fit.plan import without_studies
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["Archive", "Designing", "design", "plan_of_design", "run_design"]
+
+# Told how many designs were asked, and the best so far in words.
+Tell = Callable[[int, str], None]
+_FRONT = 12  # designs between the two ends of a front that are searched
+_POPULATION = 24
+_WAYS = 12  # ways to choose from lists that are searched side by side
+_QUIET, _ALIKE = 8, 1e-10  # generations without gain, and spread of a population, at which a search ends
+_SHOWN = 200  # designs of a front at most
+_REFINED = 3  # ways to choose from lists whose numbers are refined
+
+
+@dataclass
+class Archive:
+    """Every design that was asked for: shares (n, d), wishes (n, w), how far beyond its limits each is (n,), and what is
+    known."""
+
+    shares: list[np.ndarray] = field(default_factory=list)
+    wishes: list[np.ndarray] = field(default_factory=list)
+    worst: list[np.ndarray] = field(default_factory=list)
+    known: list[dict[str, np.ndarray]] = field(default_factory=list)
+    count: int = 0
+
+    def table(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, dict[str, np.ndarray]]:
+        """All of them as arrays."""
+        names = self.known[0] if self.known else {}
+        known = {name: np.concatenate([one[name] for one in self.known]) for name in names}
+        return np.concatenate(self.shares), np.concatenate(self.wishes), np.concatenate(self.worst), known
+
+
+@dataclass
+class Designing:
+    """A search as far as it is done; stopped: whether it was interrupted."""
+
+    plan: DesignPlan
+    space: Space
+    archive: Archive = field(default_factory=Archive)
+    stopped: bool = False
+
+    def best(self) -> np.ndarray:
+        """Numbers in the archive of the designs worth showing: of each way to choose from lists the one that is nearest to the
+        first wish, the best first; where none keeps the limits those that break them least."""
+        shares, wishes, worst, _ = self.archive.table()
+        order = np.lexsort((wishes[:, 0], np.maximum(worst - TOLERANCE, 0.0)))
+        way = self.space.way(shares[order])
+        _, first = np.unique(way, axis=0, return_index=True)
+        return order[np.sort(first)]
+
+    def front(self) -> np.ndarray:
+        """Numbers in the archive of the designs that keep the limits and of which none is better in both wishes."""
+        _, wishes, worst, _ = self.archive.table()
+        return _front(wishes, worst)
+
+    def data(self) -> "xarray.Dataset":
+        return _dataset(self)
+
+    def case_text(self, out: Path) -> str:
+        """The case with the best design, as text of a file in a folder: `stiction run` reads it."""
+        return _designed_case(self, out)
+
+
+def design(case: Any, *, tell: Tell = lambda count, text: None) -> "xarray.Dataset":
+    """Search the design of a case that comes nearest to what is wished, under its limits.
+
+    case: path of a case file with a table [design], or its tables as a dict. tell: told how many designs were asked, and the
+    best so far.
+
+    Returns a labelled dataset: over `design` the best one for each way to choose from lists, the best of all first, with what
+    is chosen, what is wished and limited, `broken`, by how much the limits are broken, over their size, and `kept`; with two
+    wishes also over `front` the designs of which none is better in both. Raises InputError.
+    """
+    require_callable(tell, "tell")
+    return run_design(plan_of_design(case), tell, keep_on_interrupt=False).data()
+
+
+def plan_of_design(case: Any) -> DesignPlan:
+    """What is searched. Raises InputError."""
+    from stiction.studies.case.read import read_content
+
+    if isinstance(case, Mapping):
+        return make_design_plan(case)
+    return make_design_plan(read_content(case), Path(case).parent)
+
+
+def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> Designing:
+    """As `design`; where it is interrupted, with what is done by then."""
+    found = Designing(plan, Space(plan))
+    try:
+        _ask(found, _drawn(found), tell)
+        for number in range(len(plan.wishes)):
+            _searched(found, number, None, tell)
+            _refined(found, number, tell)
+        if len(plan.wishes) == 2:
+            _search_front(found, tell)
+    except KeyboardInterrupt:
+        if not keep_on_interrupt or not found.archive.count:
+            raise
+        found.stopped = True
+    return found
+
+
+def _ask(found: Designing, shares: np.ndarray, tell: Tell) -> Answers:
+    """What is known of designs (n, d); it is kept."""
+    answers, archive = found.space.answers(shares), found.archive
+    archive.shares.append(shares.copy())
+    archive.wishes.append(answers.wishes)
+    archive.worst.append(answers.worst)
+    archive.known.append(answers.known)
+    archive.count += len(shares)
+    tell(archive.count, "")
+    return answers
+
+
+def _drawn(found: Designing) -> np.ndarray:
+    """Sobol points, enough for every way to choose from lists; each of these alone, where nothing else is chosen."""
+    from scipy.stats import qmc
+
+    plan = found.plan
+    counts = [len(one.entries) for one in plan.options]
+    if not counts:
+        return qmc.Sobol(len(plan.free), rng=plan.seed).random(256)
+    centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(
+        -1, len(counts)
+    )
+    ways = len(centres)
+    if not plan.free:
+        return centres
+    each = 2 ** max(2, int(np.ceil(np.log2(max(4.0, 256.0 / ways)))))
+    points = qmc.Sobol(len(plan.free), rng=plan.seed).random(each)
+    some = centres[:: max(1, ways // 512)]
+    return np.column_stack([np.repeat(some, each, axis=0), np.tile(points, (len(some), 1))])
+
+
+def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
+    """Differential evolution (Storn & Price 1997) of one wish, designs that keep the limits before all that do not (Deb
+    2000), on from the best that are known: for the best ways to choose from lists side by side. ceiling: of the other wish."""
+    if not found.plan.free and found.archive.count:
+        return  # every design was asked
+    rng = np.random.default_rng([found.plan.seed, found.archive.count])
+    members = _seeds(found, number, ceiling, rng)
+    goal, broken = _judged(found, number, ceiling, members, tell)
+    quiet = 0
+    for _ in range(found.plan.effort if ceiling is None else max(1, found.plan.effort // 3)):
+        trial = _trials(members, goal, broken, rng)
+        trial[..., found.space.named] = members[..., found.space.named]
+        now, beyond = _judged(found, number, ceiling, trial, tell)
+        better = (beyond < broken) | ((beyond == broken) & (now <= goal))
+        gain = bool(((beyond < broken) | (now < goal - 1e-9 * np.abs(goal)))[better].any())
+        members[better], goal[better], broken[better] = trial[better], now[better], beyond[better]
+        quiet = 0 if gain else quiet + 1
+        if quiet > _QUIET or (broken.max() <= 0.0 and (np.ptp(goal, axis=1) <= _ALIKE * np.abs(goal).max(axis=1)).all()):
+            break
+
+
+def _trials(members: np.ndarray, goal: np.ndarray, broken: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """New designs (ways, size, d) from differences of old ones, about the best of their way or any other."""
+    ways, size, d = members.shape
+    one, two, three = (rng.permuted(np.tile(np.arange(size), (ways, 1)), axis=1) for _ in range(3))
+    one, two, three = (np.take_along_axis(members, at[..., None], axis=1) for at in (one, two, three))
+    leader = np.array([np.lexsort((g, b))[0] for g, b in zip(goal, broken, strict=True)])
+    best = members[np.arange(ways), leader][:, None, :]
+    base = np.where(rng.random((ways, size, 1)) < 0.5, best, three)
+    mutant = base + rng.uniform(0.4, 0.9, (ways, size, 1)) * (one - two)
+    mutant = np.where(mutant < 0.0, 0.5 * base, np.where(mutant > 1.0, 0.5 * (1.0 + base), mutant))
+    cross = (rng.random(members.shape) < 0.8) | (np.arange(d) == rng.integers(0, d, (ways, size, 1)))
+    return np.where(cross, mutant, members)
+
+
+def _judged(
+    found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell
+) -> tuple[np.ndarray, np.ndarray]:
+    """Of designs (ways, size, d) the wish, and how far beyond limits and ceiling they are (ways, size)."""
+    answers = _ask(found, shares.reshape(-1, shares.shape[-1]), tell)
+    broken = _beyond(answers.wishes, answers.worst, number, ceiling)
+    goal = answers.wishes[:, number].reshape(shares.shape[:2]).copy()  # which changes, unlike what is kept
+    return goal, broken.reshape(shares.shape[:2])
+
+
+def _beyond(wishes: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
+    """How far beyond the limits, and the ceiling of the other wish; 0 within the tolerance."""
+    over = np.zeros(len(worst)) if ceiling is None else np.maximum(wishes[:, 1 - number] - ceiling, 0.0) / (abs(ceiling) or 1.0)
+    total = np.maximum(worst, over)
+    return np.where(total <= 0.5 * TOLERANCE, 0.0, total)
+
+
+def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> np.ndarray:
+    """For the best ways to choose from lists the best designs that are known, and some at random (ways, size, d)."""
+    shares, wishes, worst, _ = found.archive.table()
+    order = np.lexsort((wishes[:, number], _beyond(wishes, worst, number, ceiling)))
+    size = max(_POPULATION, 6 * found.space.dimension)
+    _, first, which = np.unique(found.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
+    members = []
+    for way in np.argsort(first)[:_WAYS]:
+        known = shares[order[which.ravel() == way][: size // 2]]
+        some = rng.random((size - len(known), found.space.dimension))
+        some[:, found.space.named] = known[0, found.space.named]
+        members.append(np.concatenate([known, some]))
+    return np.array(members)
+
+
+def _refined(found: Designing, number: int, tell: Tell) -> None:
+    """The numbers between ends of the best designs, by a model of their neighbourhood (COBYQA: Ragonneau 2022): where a
+    limit or an end decides, to its last digit."""
+    if not found.plan.free:
+        return
+    shares = found.archive.table()[0]
+    for at in _best_ways(found, number)[:_REFINED]:
+        _refine(found, number, shares[at], tell)
+
+
+def _refine(found: Designing, number: int, start: np.ndarray, tell: Tell) -> None:
+    from scipy.optimize import NonlinearConstraint, minimize
+
+    first, known = len(found.plan.options), dict[bytes, Answers]()
+
+    def at(x: np.ndarray) -> Answers:
+        whole = np.concatenate([start[:first], np.clip(x, 0.0, 1.0)])
+        if whole.tobytes() not in known:  # the wish and the limits are asked for one after the other
+            known[whole.tobytes()] = _ask(found, whole[None, :], tell)
+        return known[whole.tobytes()]
+
+    size = abs(float(at(start[first:]).wishes[0, number])) or 1.0
+    minimize(
+        lambda x: float(at(x).wishes[0, number]) / size,
+        start[first:],
+        method="COBYQA",
+        bounds=[(0.0, 1.0)] * (len(start) - first),
+        constraints=NonlinearConstraint(lambda x: np.clip(at(x).broken[0], -1e3, 1e3), -np.inf, 0.0),
+        options={"maxfev": 60 * (1 + len(found.plan.free)), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
+    )
+
+
+def _best_ways(found: Designing, number: int) -> list[int]:
+    shares, wishes, worst, _ = found.archive.table()
+    order = np.lexsort((wishes[:, number], np.maximum(worst - TOLERANCE, 0.0)))
+    _, first = np.unique(found.space.way(shares[order]), axis=0, return_index=True)
+    return [int(order[at]) for at in np.sort(first)]
+
+
+def _search_front(found: Designing, tell: Tell) -> None:
+    """Designs between the best for either wish: the first wish, where the other is held below a ceiling (Haimes, Lasdon &
+    Wismer 1971), for a row of ceilings."""
+    front = found.front()
+    if not front.size or not found.plan.free:
+        return
+    _, wishes, _, _ = found.archive.table()
+    low, high = wishes[front, 1].min(), wishes[front, 1].max()
+    ends = np.geomspace(low, high, _FRONT + 2) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, _FRONT + 2)
+    for ceiling in ends[1:-1]:
+        _searched(found, 0, float(ceiling), tell)
+
+
+def _front(wishes: np.ndarray, worst: np.ndarray) -> np.ndarray:
+    """Numbers of those within the tolerance of which none is at least as good in both wishes and better in one, by the
+    first."""
+    kept = np.flatnonzero((worst <= TOLERANCE) & np.isfinite(wishes).all(axis=1))
+    order = kept[np.lexsort((wishes[kept, -1], wishes[kept, 0]))]
+    lowest = np.minimum.accumulate(np.concatenate([[np.inf], wishes[order, -1]]))[:-1]
+    return order[wishes[order, -1] < lowest]
+
+
+def _dataset(found: Designing) -> "xarray.Dataset":
+    import xarray
+
+    best = found.best()
+    data = xarray.Dataset(_columns(found, best, "design"), coords={"design": np.arange(len(best))})
+    if len(found.plan.wishes) == 2:
+        front = found.front()
+        chosen = (
+            front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))]
+            if front.size
+            else front
+        )
+        more = {f"front_{name}": column for name, column in _columns(found, chosen, "front").items()}
+        data = data.merge(xarray.Dataset(more, coords={"front": np.arange(len(chosen))}))
+    _, wishes, worst, _ = found.archive.table()
+    good = np.where(worst <= TOLERANCE, wishes[:, 0], np.inf)
+    data["best_so_far"] = ("asked", np.minimum.accumulate(good), {"long_name": "first wish of the best design, less is better"})
+    return data.assign_attrs(_attributes(found, best))
+
+
+def _columns(found: Designing, rows: np.ndarray, along: str) -> dict[str, tuple]:
+    """What was chosen and what it gives, of some of the archive."""
+    shares, _, worst, known = found.archive.table()
+    shares, worst = shares[rows], worst[rows]
+    columns: dict[str, tuple] = {}
+    for at, one in enumerate(found.plan.unknowns):
+        name = "load" if one.path == LOAD else one.name
+        if isinstance(one, Options):
+            index = one.index(shares[:, at])
+            entries = one.entries if one.is_number else one.words
+            values = np.array([entries[int(i)] for i in index])
+            said: dict[str, Any] = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
+        else:
+            ends = {"searched_from": one.low, "searched_to": one.high, "spacing": "log" if one.log else "linear"}
+            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes) | ends
+        columns[name] = (along, values, said)
+    for name, values in known.items():
+        if name not in columns:
+            columns[name] = (along, values[rows], dict(QUANTITIES[name].attributes))
+    columns["broken"] = (along, worst, {"long_name": "how far beyond its limits, over their size"})
+    columns["kept"] = (along, worst <= TOLERANCE, {"long_name": "whether all limits are kept"})
+    return columns
+
+
+def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
+    _, _, worst, _ = found.archive.table()
+    plan = found.plan
+    unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
+    said = (
+        ""
+        if worst[best[0]] <= TOLERANCE
+        else f"no design keeps the limits; the nearest is beyond them by {worst[best[0]]:.3g} times their size"
+    )
+    return {
+        **({"case": plan.title} if plan.title else {}),
+        "program": f"stiction {__version__}",
+        "model": found.space.choice.model,
+        "wishes": "\n".join(one.words for one in plan.wishes),
+        "chosen": unknown,
+        "limits": "\n".join(one.words for one in plan.limits),
+        "validity": plan.validity,
+        "asked": found.archive.count,
+        "tolerance": TOLERANCE,
+        "uncertain": _uncertain(plan),
+        "verdict": said,
+        "stopped": int(found.stopped),
+    }
+
+
+def _uncertain(plan: DesignPlan) -> str:
+    ranges = ["numbers of materials within their ranges"] if wants_ranges(plan.given) else []
+    bodies = ("first", "second", "coating") if ranges else ()
+    own = [".".join(one.path[1:]) for one in plan.uncertain if not (len(one.path) > 2 and one.path[1] in bodies)]
+    return ", ".join([*own, *ranges])
+
+
+def _designed_case(found: Designing, out: Path) -> str:
+    plan = found.plan
+    best = int(found.best()[0])
+    shares, _, worst, _ = found.archive.table()
+    comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.wishes)}."]
+    if worst[best] > TOLERANCE:
+        comments.append(f"It breaks its limits, by {worst[best]:.3g} times their size.")
+    content: Any = without_studies(plan.given)
+    numbers = found.space.numbers(shares[best])
+    for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # a material before numbers of it
+        if path == LOAD:
+            text = show_exactly(entry, "load") if "contact" in plan.content else float(entry)
+            solve = {key: value for key, value in content["solve"].items() if key != "separation"}
+            content = {**content, "solve": {**solve, "load": text}}
+        elif path[-1] in QUANTITIES:
+            content = with_written(content, {path: entry})
+        else:
+            content = _placed(content, path, entry)
+    return case_text(content, comments, plan.folder, out)
+
+
+def _placed(content: Any, path: tuple[str, ...], entry: Any) -> Any:
+    return {**content, path[0]: _placed(content.get(path[0], {}), path[1:], entry)} if path else entry

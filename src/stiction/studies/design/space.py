@@ -1,0 +1,283 @@
+"""Many designs at once: what is wished of each, and by how much it breaks what it must keep."""
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from stiction.laws.claims import Validity
+from stiction.quantities.errors import InputDoubt, InputError
+from stiction.solving.candidates import choice_of
+from stiction.solving.choice import Choice
+from stiction.solving.pointwise import WHY_NOT, Pointwise, solve_pointwise
+from stiction.solving.problem import make_problem
+from stiction.solving.yielded import YIELDED, yielded_shares
+from stiction.studies.case.places import with_numbers
+from stiction.studies.case.read import case_of, wants_ranges
+from stiction.studies.case.uncertain import with_ranges
+from stiction.studies.design.plan import LOAD, DesignPlan
+
+__all__ = ["TOLERANCE", "Answers", "Space"]
+
+TOLERANCE = 1e-6  # of a limit: by so much, times its size, it may be broken
+_REFUSED = 1e6  # how far beyond all limits a design is that is refused
+_DESIGN, _SAMPLE = "design", "sample"
+_SURE = 0.95  # with which probability limits hold, and wishes are met, where numbers are uncertain
+_SAMPLES = 32
+
+
+@dataclass(frozen=True)
+class Answers:
+    """Of designs (n,): wishes (n, 1 or 2), less is better; broken (n, limits and one for validity), how far beyond each limit,
+    over its size, 0 or below where it is kept; known: name -> what is shown of each (n,)."""
+
+    wishes: np.ndarray
+    broken: np.ndarray
+    known: dict[str, np.ndarray]
+
+    @property
+    def worst(self) -> np.ndarray:
+        """How far beyond its limits each design is (n,), 0 where it keeps all."""
+        return np.maximum(self.broken, 0.0).max(axis=1, initial=0.0)
+
+
+@dataclass
+class Space:
+    """All designs of a plan, as shares (n, d) of what is unknown: first what is taken from lists, then numbers between ends."""
+
+    plan: DesignPlan
+    choice: Choice = field(init=False)
+    names: list[str] = field(init=False)
+
+    def __post_init__(self):
+        wanted = [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]
+        self.names = list(dict.fromkeys([*wanted, "friction_coefficient"]))
+        self.choice = self._choice()
+
+    @property
+    def dimension(self) -> int:
+        return len(self.plan.unknowns)
+
+    def _choice(self) -> Choice:
+        """The model, asked for the first design. Raises InputError where it does not know what is wished or limited."""
+        shares = np.full((1, self.dimension), 0.5)
+        subject, load = self._contacts(shares, np.arange(1))
+        case = case_of(self.plan.content, {})
+        given = {name: value for name, value in case.choice.arguments().items() if name != "model"}
+        choice = choice_of(case.choice.model, given, subject)
+        solved = solve_pointwise(subject, choice, load=float(load.values.flat[0]))
+        for name in [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]:
+            if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
+                raise InputError("design", name, f"a result that {choice.model} gives here, or a group of the contact")
+        return choice
+
+    def words(self, shares: np.ndarray) -> list[str]:
+        """Of one design (d,) what is chosen, as text."""
+        found = [one.words[int(one.index(np.asarray(share)))] for one, share in zip(self.plan.options, shares, strict=False)]
+        rest = shares[len(self.plan.options) :]
+        return found + [one.show(float(one.at(np.asarray(share))), 5) for one, share in zip(self.plan.free, rest, strict=True)]
+
+    def numbers(self, shares: np.ndarray) -> dict[tuple[str, ...], Any]:
+        """Of one design (d,) what stands where in the case: SI floats, and entries of lists."""
+        found: dict[tuple[str, ...], Any] = {}
+        for one, share in zip(self.plan.options, shares, strict=False):
+            found[one.path] = one.entries[int(one.index(np.asarray(share)))]
+        for free, share in zip(self.plan.free, shares[len(self.plan.options) :], strict=True):
+            found[free.path] = float(free.at(np.asarray(share)))
+        return found
+
+    @property
+    def named(self) -> list[int]:
+        """Which of the unknowns are taken from lists of what is no number."""
+        return [at for at, one in enumerate(self.plan.options) if not one.is_number]
+
+    def way(self, shares: np.ndarray) -> np.ndarray:
+        """Which entries of the lists designs (n, d) take (n, lists): of the lists of what is no number, or where there are none
+        of all."""
+        some = self.named or range(len(self.plan.options))
+        columns = [self.plan.options[at].index(shares[:, at]) for at in some]
+        return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
+
+    def answers(self, shares: np.ndarray) -> Answers:
+        """What is known of designs (n, d). Those that are refused are far beyond all limits."""
+        shares = np.atleast_2d(shares)
+        count, limits = len(shares), len(self.plan.limits) + 1
+        wishes, broken = np.full((count, len(self.plan.wishes)), _REFUSED), np.full((count, limits), _REFUSED)
+        known = {name: np.full(count, np.nan) for name in self.names}
+        waiting = [np.flatnonzero(same) for same in self._alike(shares)]
+        while waiting:
+            some = waiting.pop()
+            try:
+                part = self._solved(shares, some)
+            except (InputError, ArithmeticError):
+                if len(some) > 1:
+                    waiting += [some[: len(some) // 2], some[len(some) // 2 :]]
+                continue
+            wishes[some], broken[some] = part.wishes, part.broken
+            for name, values in part.known.items():
+                known[name][some] = values
+        return Answers(wishes, broken, known)
+
+    def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
+        """Masks of designs that take the same of what is no number."""
+        if not self.named:
+            return [np.ones(len(shares), dtype=bool)]
+        _, group = np.unique(self.way(shares), axis=0, return_inverse=True)
+        return [group.ravel() == at for at in range(group.max() + 1)]
+
+    def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[Any, Any]:
+        """The contacts of some designs, which take the same of what is no number, and their loads."""
+        import xarray
+
+        content = dict(self.plan.content)
+        numbers: dict[tuple[str, ...], Any] = {}
+        for at, one in enumerate(self.plan.options):
+            index = one.index(shares[some, at])
+            if one.is_number:
+                numbers[one.path] = xarray.DataArray(np.array(one.entries)[index], dims=(_DESIGN,))
+            else:
+                content = _replaced(content, one.path, one.entries[int(index[0])])
+        for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
+            numbers[free.path] = xarray.DataArray(free.at(shares[some, at]), dims=(_DESIGN,))
+        for path, values in self._sampled(content, list(numbers)).items():
+            numbers[path] = xarray.DataArray(values, dims=(_SAMPLE,))
+        load = numbers.pop(LOAD, None)
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore", InputDoubt)
+            case = case_of(with_numbers(content, numbers), {})
+        if load is None:
+            if case.load is None:
+                raise InputError("solve.separation", case.separation, "a load in its place, or one that is chosen")
+            load = xarray.DataArray(case.load, dims=("load",))
+        return case.subject, load
+
+    def _sampled(self, content: Mapping, chosen: list[tuple[str, ...]]) -> dict[tuple[str, ...], np.ndarray]:
+        """Values of what is uncertain and not chosen (samples,), the same for every design of the same materials. Of a material
+        that is chosen its own ranges count."""
+        from scipy.stats import qmc
+
+        replaced = [one.path for one in self.plan.options if not one.is_number]
+        kept = [one for one in self.plan.uncertain if not any(one.path[: len(path)] == path for path in replaced)]
+        if wants_ranges(self.plan.given):
+            kept += [one for one in with_ranges(content, [*chosen, *(one.path for one in kept)])]
+        kept = [one for one in kept if one.path not in chosen]
+        together = list(dict.fromkeys(one.dimension for one in kept))
+        if not kept:
+            return {}
+        shares = qmc.Sobol(len(together), rng=self.plan.seed).random(_SAMPLES)
+        return {one.path: one.at(shares[:, together.index(one.dimension)]) for one in kept}
+
+    def _solved(self, shares: np.ndarray, some: np.ndarray) -> Answers:
+        subject, load = self._contacts(shares, some)
+        keep = {*self.names, "mean_separation"} - set(YIELDED)
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore", InputDoubt)
+            solved = solve_pointwise(subject, self.choice, load=load, keep=sorted(keep))
+        samples = next((array.sizes[_SAMPLE] for _, array in subject.arrays() if _SAMPLE in array.dims), 1)
+        shape = (len(some), samples, load.sizes.get("load", 1))
+        groups = subject.all_groups()
+        tables = {name: self._table(name, solved, groups, shape, subject) for name in self.names}
+        wishes = [
+            _wished(wish, tables[wish.quantity], target)
+            for wish, target in zip(self.plan.wishes, self.plan.targets, strict=True)
+        ]
+        broken = [_beyond(limit.low, limit.high, tables[limit.quantity]) for limit in self.plan.limits]
+        broken.append(_as_table(solved.doubts[0], _outside(solved, self.plan.validity), shape))
+        return Answers(
+            np.column_stack([_worst(one) for one in wishes]),
+            np.column_stack([_worst(one) for one in broken]),
+            self._shown(tables, wishes, broken),
+        )
+
+    def _shown(self, tables: Mapping, wishes: list[np.ndarray], broken: list[np.ndarray]) -> dict[str, np.ndarray]:
+        """What is shown of each result (designs,): where a limit or a wish of it is kept worst; else in the middle."""
+        found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
+        names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.wishes)]
+        for name, worst in zip(names, [*broken[: len(self.plan.limits)], *wishes], strict=True):
+            rows, sample, load = _place_of_worst(worst)
+            found[name] = tables[name][rows, sample, load]
+        return found
+
+    def _table(self, name: str, solved: Pointwise, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
+        """A result or a group (designs, samples, loads)."""
+        if name in solved.variables:
+            dims, values, _ = solved.variables[name]
+            return _as_table(dims, values, shape)
+        if name in YIELDED:
+            return self._yielded(name, solved, shape, subject)
+        value = groups[name] if name in groups else subject.known(name)
+        if value is None:
+            return np.full(shape, np.nan)
+        return _as_table(getattr(value, "dims", ()), np.asarray(value, dtype=float), shape)
+
+    def _yielded(self, name: str, solved: Pointwise, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
+        problem = make_problem(subject, self.choice)
+        dims, separation, _ = solved.variables["mean_separation"]
+        sigma = problem.subject.scales().separation
+        over = _as_table(dims, separation, shape) / _as_table(getattr(sigma, "dims", ()), np.asarray(sigma, dtype=float), shape)
+        axes = [(_DESIGN, _SAMPLE).index(dim) for dim in problem.dims]
+        order = axes + [at for at in range(3) if at not in axes]
+        turned = over.transpose(order)
+        rows = np.nan_to_num(turned.reshape(len(problem.groups), -1))
+        found = yielded_shares(problem, rows, name).reshape(turned.shape).transpose(np.argsort(order))
+        return np.where(np.isfinite(over), found, np.nan)
+
+
+def _replaced(content: Any, path: tuple[str, ...], entry: Any) -> Any:
+    if not path:
+        return entry
+    if not isinstance(content, Mapping):
+        return content.replace(**{path[0]: entry})
+    return {**content, path[0]: _replaced(content.get(path[0], {}), path[1:], entry)}
+
+
+def _as_table(dims: Any, values: np.ndarray, shape: tuple[int, int, int]) -> np.ndarray:
+    dims = list(dims)
+    known = [dim for dim in (_DESIGN, _SAMPLE, "load") if dim in dims]
+    ordered = np.transpose(values, [dims.index(dim) for dim in known])
+    sizes = [shape[at] if dim in known else 1 for at, dim in enumerate((_DESIGN, _SAMPLE, "load"))]
+    return np.broadcast_to(ordered.reshape(sizes), shape)
+
+
+def _wished(wish: Any, table: np.ndarray, target: float) -> np.ndarray:
+    """What is to be least."""
+    return np.abs(table - target) if wish.target else -table if wish.maximise else table
+
+
+def _beyond(low: float, high: float, table: np.ndarray) -> np.ndarray:
+    """How far beyond an end, over the size of that end; below 0 inside."""
+    over = (table - high) / (abs(high) or 1.0) if np.isfinite(high) else np.full(table.shape, -np.inf)
+    under = (low - table) / (abs(low) or 1.0) if np.isfinite(low) else np.full(table.shape, -np.inf)
+    return np.maximum(over, under)
+
+
+def _outside(solved: Pointwise, validity: str) -> np.ndarray:
+    """How many ranges of validity are left that must not be."""
+    bits = solved.doubts[1]
+    counted = [np.uint32(1 << at) for at in range(len(WHY_NOT))]
+    counted += [np.uint32(1 << at) for at, rule in enumerate(solved.rules, start=len(WHY_NOT)) if _counts(rule, validity)]
+    return np.sum([(bits & one) > 0 for one in counted], axis=0).astype(float)
+
+
+def _counts(rule: Validity, validity: str) -> bool:
+    return rule.kind == "impossible" if validity == "possible" else validity == "claimed" and rule.kind != "statistics"
+
+
+def _worst(table: np.ndarray) -> np.ndarray:
+    """Of the loads the worst, and of what is uncertain all but the worst 5 %: (designs,)."""
+    return np.maximum(_refused_as_far(table)[_place_of_worst(table)], -_REFUSED)
+
+
+def _place_of_worst(table: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Where that stands: designs, samples and loads (designs,)."""
+    numbers = _refused_as_far(table)
+    rows, loads = np.arange(len(table)), numbers.argmax(axis=2)
+    order = np.argsort(numbers.max(axis=2), axis=1, kind="stable")
+    sample = order[:, int(np.ceil(_SURE * (table.shape[1] - 1)))]
+    return rows, sample, loads[rows, sample]
+
+
+def _refused_as_far(table: np.ndarray) -> np.ndarray:
+    return np.where(np.isfinite(table) | (table == -np.inf), table, _REFUSED)

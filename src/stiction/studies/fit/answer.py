@@ -1,0 +1,278 @@
+"""One model fitted to measured values: its intervals, and what the data cannot tell."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.units import show
+from stiction.studies.fit.measurements import Measurements
+from stiction.studies.fit.model import Forward, Parameter
+from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
+
+__all__ = ["Fitted", "fitted", "refitted", "verdicts"]
+
+_BELIEVED = 0.99  # quantile of chi square up to which stated errors are believed
+_HIDES = 5.0  # how many times farther a number may go if another goes with it, for the two not to be told apart
+_LIKE = 0.25  # of the rate at which one goes, at which the other does, in their logarithms
+_WIDE = 3.0  # interval of a number that is badly determined: high over low
+_AT_END = 1e-3  # of the way between the ends
+_SMALL = 1e-3  # of the largest value: errors that are smaller are made larger for the search
+_FAR_OFF = 0.5  # of the size of the values: a scatter, where no errors were given, that says that the model is not near them
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A model and its best free numbers. scale: what the errors were multiplied by, where none were given or the scatter is
+    larger, which `found` says; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers that
+    the model asks for. profiles: of each number, none where they were not asked for."""
+
+    name: str
+    forward: Forward
+    best: Best
+    errors: np.ndarray
+    stated: bool
+    scale: float
+    threshold: float
+    freedom: int
+    found: bool
+    profiles: tuple[Profile, ...] = ()
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        return self.forward.parameters
+
+    @property
+    def values(self) -> np.ndarray:
+        """Best values (k,), SI."""
+        return self.at(self.best.shares)
+
+    @property
+    def correlation(self) -> np.ndarray:
+        size = np.sqrt(np.diag(self.best.bounded))
+        return self.best.bounded / np.outer(size, size)
+
+    def at(self, shares: np.ndarray) -> np.ndarray:
+        return np.array([one.free.at(np.asarray(share)) for one, share in zip(self.parameters, shares, strict=True)])
+
+    def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
+        """Of sets that are so far above the least chi square, over that of the best. Where the size of the errors is found from
+        the same values it is integrated over (Gelman et al. 2013, section 14.2: Student's t where the model is linear)."""
+        rise = np.maximum(rise, 0.0)
+        return -0.5 * len(self.errors) * np.log1p(rise / self.freedom) if self.found else -0.5 * rise
+
+    def residuals(self) -> Residuals:
+        """Residuals over the errors as they were taken in the end."""
+        return _residuals(self.forward, self.errors)
+
+
+def _residuals(forward: Forward, errors: np.ndarray) -> Residuals:
+    return lambda shares: (forward.values(shares) - forward.data.value) / errors
+
+
+def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
+    """The best fit of a model. Raises InputError where nothing between the ends gives what was measured."""
+    errors, stated = _errors(forward.data)
+    best = _searched(forward, errors, _start(forward))
+    refused = np.flatnonzero(~np.isfinite(forward.values(best.shares)[0]))
+    if refused.size:
+        line, load = forward.data.line[refused[0]], float(forward.data.load[refused[0]])
+        allowed = f"what {forward.choice.model} carries with numbers between the ends of [fit.free]"
+        raise InputError(f"line {line}, load", show(load, "load"), allowed)
+    return _scaled(name, forward, best, (errors, stated), with_profiles)
+
+
+def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
+    """The best fit. Where errors are far smaller than the values it is found with larger ones in the same proportion, which
+    give the same numbers: over the errors themselves all that is not next to the best would be equally far off."""
+    sizes = {
+        name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities
+    }
+    share = errors / np.array([sizes[name] or 1.0 for name in forward.data.quantity])
+    larger = max(1.0, _SMALL / float(share.min()))
+    best = search(_residuals(forward, larger * errors), start)
+    if larger == 1.0:
+        return best
+    if larger * np.abs(best.residuals).max() < FAR:
+        return search(_residuals(forward, errors), best.shares)
+    return _over(best, 1.0 / larger)
+
+
+def _over(best: Best, factor: float) -> Best:
+    """The same with errors times a factor."""
+    table = best.jacobian / factor
+    return replace(
+        best,
+        chi_square=best.chi_square / factor**2,
+        residuals=best.residuals / factor,
+        jacobian=table,
+        bounded=np.linalg.inv(table.T @ table + 12.0 * np.eye(table.shape[1])),
+        covariance=None if best.covariance is None else best.covariance * factor**2,
+    )
+
+
+def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
+    """With errors as large as the scatter, where they were not stated, or stated smaller than it can be by chance."""
+    from scipy.stats import chi2, f
+
+    errors, stated = given
+    freedom = len(errors) - int(best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
+    scale = 1.0
+    found = freedom > 0 and (not stated or best.chi_square > chi2.ppf(_BELIEVED, freedom))
+    if found:
+        scale = max(np.sqrt(best.chi_square / freedom), 1e-12)
+    threshold = float(f.ppf(CONFIDENCE, 1, freedom) if found else chi2.ppf(CONFIDENCE, 1))
+    best = _over(best, float(scale))
+    one = Fitted(name, forward, best, errors * scale, stated, float(scale), threshold, freedom, found)
+    return replace(one, profiles=tuple(profiles(one.residuals(), best, threshold))) if with_profiles else one
+
+
+def refitted(one: Fitted, forward: Forward) -> Fitted:
+    """The same model fitted to other values, from where it was best."""
+    errors, stated = _errors(forward.data)
+    best = _searched(forward, errors, one.best.shares)
+    return _scaled(one.name, forward, best, (errors, stated), False)
+
+
+def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
+    """Standard errors, and whether they were stated. Where they were not all values have one, found from their scatter."""
+    there = np.isfinite(data.error)
+    if there.all():
+        return data.error, True
+    if len(data.quantities) > 1:
+        missing = data.quantity[int(np.flatnonzero(~there)[0])]
+        raise InputError(
+            "--data", f"{missing} without errors", f"a column {missing}_error, where several quantities were measured"
+        )
+    size = np.abs(data.value).max()
+    return np.full(len(data), 0.05 * size if size > 0.0 else 1.0), False
+
+
+def _start(forward: Forward) -> np.ndarray:
+    """What the case says, where it says something between the ends; else the middle."""
+    shares = []
+    for one in forward.parameters:
+        value = _given(forward.plan.content, one.free.path)
+        share = float(one.free.share(value)) if isinstance(value, float) and (value > 0.0 or not one.free.log) else 0.5
+        shares.append(share if 0.0 <= share <= 1.0 else 0.5)
+    return np.array(shares)
+
+
+def _given(content, path):
+    from stiction.studies.case.places import subject_table
+    from stiction.studies.case.read import case_of
+
+    try:
+        found: Any = case_of(content, {}).subject
+    except InputError:
+        return None
+    for name in path[1:] if path[0] == subject_table(content) else ("",):
+        found = getattr(found, name, None)
+    return float(found) if isinstance(found, int | float) else None
+
+
+def verdicts(one: Fitted) -> list[str]:
+    """What these data say badly, or cannot say, in words."""
+    found = []
+    groups = _not_told_apart(one)
+    for group in groups:
+        names = [one.parameters[at].name for at in group]
+        told = f"{names[0]} from {names[1]}" if len(names) == 2 else f"{', '.join(names[:-1])} and {names[-1]} apart"
+        found.append(f"these data cannot tell {told}: {_ways(one, group)} fit as well")
+    entangled = {at for group in groups for at in group}
+    for at, profile in enumerate(one.profiles):
+        if at not in entangled:
+            found += _of_one(one, at, profile)
+    size = float(np.sqrt(np.mean(one.forward.data.value**2)))
+    if not one.stated and one.errors[0] > _FAR_OFF * size:
+        found.append(f"the model is not near the data: what is left is {one.errors[0] / size:.0%} of the values")
+    named = one.forward.plan.uncertain
+    if named:
+        found.append(f"{', '.join(named)}: uncertain, and taken as the nominal value; the intervals do not hold what that adds")
+    return found
+
+
+def _of_one(one: Fitted, at: int, profile: Profile) -> list[str]:
+    name, free = one.parameters[at].name, one.parameters[at].free
+    low, high = (free.show(float(free.at(np.asarray(end)))) for end in (profile.low, profile.high))
+    if profile.open_low and profile.open_high:
+        return [f"these data say nothing of {name}: every value from {low} to {high} fits"]
+    if profile.open_low:
+        return [f"these data say of {name} only that it is below {high}; down to {low}, its low end, every value fits"]
+    if profile.open_high:
+        return [f"these data say of {name} only that it is above {low}; up to {high}, its high end, every value fits"]
+    if min(one.best.shares[at], 1.0 - one.best.shares[at]) < _AT_END:
+        return [f"{name} is best at its end {free.show(float(one.values[at]))}: give it wider ends"]
+    return [f"{name} is badly determined: from {low} to {high}"] if _is_wide(one, at) else []
+
+
+def _is_wide(one: Fitted, at: int) -> bool:
+    profile, free = one.profiles[at], one.parameters[at].free
+    if profile.open_low or profile.open_high:
+        return True
+    low, high = (float(free.at(np.asarray(end))) for end in (profile.low, profile.high))
+    return high > _WIDE * low if free.log else high - low > abs(float(one.values[at]))
+
+
+def _not_told_apart(one: Fitted) -> list[list[int]]:
+    """Groups of numbers of which some are badly determined because the others may go with them: along the profile of one the
+    other goes several times as far as it could go alone."""
+    k = len(one.parameters)
+    linked = [[_carries(one, i, j) and _carries(one, j, i) for j in range(k)] for i in range(k)]
+    groups: list[list[int]] = []
+    for at in range(k):
+        if any(at in group for group in groups):
+            continue
+        group, waiting = [], [at]
+        while waiting:
+            here = waiting.pop()
+            if here not in group:
+                group.append(here)
+                waiting += [other for other in range(k) if linked[here][other]]
+        if len(group) > 1:
+            groups.append(sorted(group))
+    return groups
+
+
+def _carries(one: Fitted, at: int, other: int) -> bool:
+    """Whether the other number goes far with this one, all along the sets that fit as well."""
+    if at == other or not _is_traded(one, at, other):
+        return False
+    alone = 2.0 * np.sqrt(one.threshold / (one.best.jacobian[:, other] @ one.best.jacobian[:, other] + 12.0))
+    return _span(one, at, other) > min(_HIDES * alone, 0.8)
+
+
+def _is_traded(one: Fitted, at: int, other: int) -> bool:
+    """Whether both are badly determined; or one as far as its ends, and they go along with each other at a like rate."""
+    if _is_wide(one, at) and _is_wide(one, other):
+        return True
+    if not any(one.profiles[i].open_low or one.profiles[i].open_high for i in (at, other)):
+        return False
+    rates = [_span(one, at, i) * _size(one, i) for i in (at, other)]
+    return min(rates) > _LIKE * max(rates)
+
+
+def _span(one: Fitted, at: int, other: int) -> float:
+    """How far a share goes along the profile of one number."""
+    path = one.profiles[at].others[one.profiles[at].rise <= one.threshold, other]
+    return float(np.ptp(path)) if path.size else 0.0
+
+
+def _size(one: Fitted, at: int) -> float:
+    free = one.parameters[at].free
+    return float(np.log(free.high / free.low)) if free.log else 1.0
+
+
+def _ways(one: Fitted, group: Sequence[int]) -> str:
+    """Two sets that fit as well, far from each other: the ends of a profile."""
+    profile = one.profiles[group[0]]
+    inside = np.flatnonzero(profile.rise <= one.threshold)
+    ways = []
+    for place in (inside[0], inside[-1]):
+        values = one.at(profile.others[place])
+        ways.append(
+            ", ".join(f"{one.parameters[at].name} = {one.parameters[at].free.show(float(values[at]), 3)}" for at in group)
+        )
+    return " and ".join(f"({way})" for way in ways)

@@ -1,0 +1,185 @@
+"""What a fitted model predicts, with what the data leave open of its numbers."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.solving.pointwise import Pointwise, solve_pointwise
+from stiction.studies.case.places import with_numbers
+from stiction.studies.fit.answer import Fitted
+from stiction.studies.fit.model import Parameter
+from stiction.studies.fit.plan import RESISTANCE, FitPlan
+from stiction.studies.fit.search import CONFIDENCE, finite
+
+__all__ = ["Bands", "check_predicted", "draws_of", "predicted"]
+
+_DRAWS, _TRIED = 1024, 4096
+_AT_ONCE = 256  # sets of trials at a time
+_MOST = 50_000  # predicted points at a time
+_MOST_PREDICTED = 20_000  # each for all draws
+_SET = "set"
+
+
+@dataclass(frozen=True)
+class Bands:
+    """Predictions by quantity: dimensions, best, low and high arrays; coords: of what the numbers are over; effective: how many
+    sets the bands are worth."""
+
+    tables: dict[str, tuple[tuple[str, ...], np.ndarray, np.ndarray, np.ndarray]]
+    coords: dict[str, Any]
+    sample: str | None
+    effective: float
+
+
+def draws_of(one: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
+    """Sets of shares (m, k) with the probability that the data give them between the ends, and how many of them are worth one
+    each: importance sampling from a wide normal about the best fit, and evenly, by Sobol points."""
+    from scipy.stats import qmc
+
+    k = len(one.parameters)
+    points = qmc.Sobol(k + 1, rng=seed).random(_TRIED)
+    root = np.linalg.cholesky(one.best.bounded) * 1.5
+    narrow = points[:, -1] < 0.75
+    inner = one.best.shares + _student(np.clip(points[:, :k], 1e-9, 1.0 - 1e-9)) @ root.T
+    sets = np.where(narrow[:, None], inner, points[:, :k])
+    sets = sets[((sets >= 0.0) & (sets <= 1.0)).all(axis=1)]
+    residuals = one.residuals()
+    parts = [finite(residuals(sets[at : at + _AT_ONCE])) for at in range(0, len(sets), _AT_ONCE)]
+    rise = (np.concatenate(parts) ** 2).sum(axis=1) - one.best.chi_square
+    density = 0.75 * _density(np.linalg.solve(root, (sets - one.best.shares).T).T, root) + 0.25
+    weights = np.exp(one.log_likelihood(rise)) / density
+    weights /= weights.sum()
+    effective = float(1.0 / (weights**2).sum())
+    at = (np.arange(_DRAWS) + 0.5) / _DRAWS
+    mixed = np.random.default_rng(seed).permutation(len(sets))  # every eighth Sobol point is from the same corner
+    chosen = np.searchsorted(np.cumsum(weights[mixed]), at, side="right")
+    return sets[mixed[np.minimum(chosen, len(sets) - 1)]], effective
+
+
+_DEGREES = 4.0  # of freedom of Student's distribution: its tails are wider than those of any likelihood
+
+
+def _student(uniform: np.ndarray) -> np.ndarray:
+    from scipy.stats import t
+
+    return t.ppf(uniform, _DEGREES)
+
+
+def _density(standard: np.ndarray, root: np.ndarray) -> np.ndarray:
+    from scipy.stats import t
+
+    return np.exp(t.logpdf(standard, _DEGREES).sum(axis=1)) / abs(np.linalg.det(root))
+
+
+def predicted(plan: FitPlan, one: Fitted) -> Bands:
+    """The measured quantities at the points of [solve], for the numbers of [fit.predict], with bands that hold what the data
+    leave with a probability of 95 %. Where samples have numbers of their own, of the first sample. Raises InputError."""
+    sample = plan.data.samples[0] if any(x.sample is not None for x in one.parameters) else None
+    columns = [at for at, x in enumerate(one.parameters) if x.sample in (None, sample)]
+    sets, effective = draws_of(one)
+    sets = np.concatenate([one.best.shares[None, :], sets])[:, columns]
+    named = [one.parameters[at] for at in columns]
+    arrays = _predicted_numbers(plan)
+    names = [name for name in plan.data.quantities if name != "pull_off_force"] or list(plan.data.quantities)
+    found: dict[str, list[np.ndarray]] = {name: [] for name in names}
+    dims: dict[str, tuple[str, ...]] = {}
+    at, step = 0, 1
+    while at < len(sets):
+        numbers = _numbers(named, sets[at : at + step], {path for path in arrays})
+        solved, coords = _solved(plan, one, plan.content, arrays, numbers, names)
+        for name in names:
+            dims[name], values = _of(solved, name, numbers.get(RESISTANCE, plan.resistance), len(sets[at : at + step]))
+            found[name].append(values)
+        at += step
+        step = max(1, min(128, _MOST // values[0].size))
+    tail = 0.5 * (1.0 - CONFIDENCE)
+    tables = {}
+    for name, parts in found.items():
+        values = np.concatenate(parts)
+        low, high = np.nanquantile(values[1:], [tail, 1.0 - tail], axis=0) if np.isfinite(values).any() else values[:2]
+        tables[name] = (dims[name], values[0], low, high)
+    return Bands(tables, coords, sample, effective)
+
+
+def check_predicted(plan: FitPlan) -> None:
+    """InputError where what is to be predicted is no number of the contact, or far too much."""
+    arrays = _predicted_numbers(plan)
+    solve = plan.content.get("solve", {})
+    given = (solve.get("load") or solve.get("separation")) if isinstance(solve, Mapping) else None
+    points = given.get("count", 1) if isinstance(given, Mapping) else len(given) if isinstance(given, list) else 1
+    sizes = {dim: size for array in arrays.values() for dim, size in getattr(array, "sizes", {}).items()}
+    count = math.prod(sizes.values()) * (points if isinstance(points, int) else 1)
+    if count > _MOST_PREDICTED:
+        raise InputError("fit.predict", f"{count} points with those of [solve]", f"{_MOST_PREDICTED} at most")
+
+
+def _predicted_numbers(plan: FitPlan) -> dict[tuple[str, ...], Any]:
+    """The numbers of [fit.predict], those that are several as labelled arrays."""
+    from stiction.studies.case.places import flat, placed, read_end
+    from stiction.studies.case.several import several_numbers
+
+    arrays: dict[tuple[str, ...], Any] = {}
+    leaf = {"start", "stop", "values", "along", "count"}
+    for name, entry in flat(plan.predict, "fit.predict", lambda table: bool(table.keys() & leaf)):
+        where = f"fit.predict.{name}"
+        path = placed(name, plan.content, where)
+        if isinstance(entry, list | Mapping):
+            nested: Any = entry
+            for key in reversed(path):
+                nested = {key: nested}
+            try:
+                one = several_numbers(nested)[path]
+            except InputError as error:
+                raise InputError(error.field.replace(path[0], "fit.predict", 1), error.value, error.allowed) from None
+            arrays[path] = one.array(one.numbers())
+        else:
+            arrays[path] = read_end(entry, path[-1], where)
+    return arrays
+
+
+def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[tuple[str, ...]]) -> dict[tuple[str, ...], Any]:
+    """The free numbers as arrays along the sets, but for what [fit.predict] says."""
+    return {x.free.path: x.free.at(sets[:, at]) for at, x in enumerate(named) if x.free.path not in taken}
+
+
+def _solved(plan, one, content, arrays, numbers, names) -> tuple[Pointwise, dict[str, Any]]:
+    import warnings
+
+    import xarray
+
+    from stiction.quantities.errors import InputDoubt
+    from stiction.studies.case.read import case_of
+
+    along = {path: xarray.DataArray(v, dims=(_SET,)) for path, v in numbers.items() if path != RESISTANCE}
+    first = plan.data.known[0]
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore", InputDoubt)
+        case = case_of(with_numbers(content, {**first, **along, **arrays}), {})
+        keep = ["contact_area" if name == "contact_resistance" else name for name in names]
+        solved = solve_pointwise(
+            case.subject, one.forward.choice, separation=case.separation, load=case.load, keep=[*keep, "load"]
+        )
+    coords = {}
+    for array in arrays.values():
+        for name, value in getattr(array, "coords", {}).items():
+            coords[str(name)] = (value.dims, value.values, dict(value.attrs))
+    point = ("load", case.load) if case.load is not None else ("mean_separation", case.separation)
+    if not hasattr(point[1], "dims"):
+        coords[point[0]] = ((point[0],), np.asarray(point[1], dtype=float), case.subject.attributes(point[0]))
+    return solved, coords
+
+
+def _of(solved: Pointwise, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
+    """A measured quantity as a table (sets, its other dimensions)."""
+    dims, values, _ = solved.variables["contact_area" if name == "contact_resistance" else name]
+    order = [dim for dim in dims if dim != _SET]
+    ordered = values.transpose([dims.index(dim) for dim in ([_SET] if _SET in dims else []) + order])
+    ordered = ordered if _SET in dims else np.broadcast_to(ordered, (sets, *ordered.shape))
+    if name == "contact_resistance":
+        size = np.broadcast_to(np.asarray(resistance, dtype=float).reshape(-1), (sets,)).reshape(-1, *[1] * len(order))
+        ordered = np.divide(size, ordered, where=ordered > 0.0, out=np.full(ordered.shape, np.nan))
+    return tuple(order), ordered

@@ -1,0 +1,102 @@
+"""Which of several models the data are for: Akaike's criterion, and what each says of values that it was not fitted to."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.studies.fit.answer import Fitted, fitted, refitted
+from stiction.studies.fit.model import forward_of
+from stiction.studies.fit.plan import FitPlan
+
+__all__ = ["Rival", "aicc_of", "rank", "rival"]
+
+_FOLDS = 5
+
+
+@dataclass(frozen=True)
+class Rival:
+    """A model among others: its fit, or why it has none; aicc: Akaike's criterion, small is good; left_out: root mean square of
+    the errors of values that were left out, over their standard errors as stated, or else over the largest of all values."""
+
+    name: str
+    fit: Fitted | None
+    aicc: float = np.inf
+    left_out: float = np.inf
+    why_not: str = ""
+
+
+def rival(plan: FitPlan, name: str, fit: Fitted | None = None) -> Rival:
+    """A model of this name, fitted and cross-validated."""
+    try:
+        one = fit or fitted(name, forward_of(plan, name), with_profiles=False)
+        return Rival(name, one, aicc_of(one), _left_out(plan, one))
+    except InputError as error:
+        return Rival(name, None, why_not=f"{error.field}: {error.allowed}")
+
+
+def aicc_of(one: Fitted) -> float:
+    """Akaike's criterion, corrected for few values (Hurvich & Tsai 1989), of Gaussian errors: chi square + 2k with errors that
+    are stated, n ln(sum of squares/n) + 2k with an error that is found, which counts among the k; and 2k(k+1)/(n-k-1)."""
+    n, k = len(one.errors), int(one.best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
+    chi_square = one.best.chi_square * one.scale**2  # of errors as they were given, not as they were enlarged
+    if one.stated:
+        value = chi_square + 2 * k
+    else:
+        k += 1
+        value = n * np.log(max(chi_square, 1e-300) / n) + 2 * k
+    return float(value + 2 * k * (k + 1) / (n - k - 1)) if n > k + 1 else float("inf")
+
+
+def _left_out(plan: FitPlan, one: Fitted) -> float:
+    """Cross-validated: every fold of the data by a fit to all others."""
+    data = plan.data
+    folds = _folds(plan)
+    if len(folds) < 2:
+        return float("nan")
+    errors = one.errors / one.scale if one.stated else (np.abs(data.value).max() or 1.0)
+    total = np.empty(len(data))
+    for fold in folds:
+        rest = np.setdiff1d(np.arange(len(data)), fold)
+        try:
+            other = refitted(one, forward_of(plan, _model(plan, one), data.some(rest)))
+            said = forward_of(plan, _model(plan, one), data.some(fold)).values(other.best.shares)[0]
+        except InputError:
+            return float("inf")
+        total[fold] = said - data.value[fold]
+    total /= errors
+    return float(np.sqrt(np.mean(total**2))) if np.isfinite(total).all() else float("inf")
+
+
+def _model(plan: FitPlan, one: Fitted) -> str | None:
+    return one.name or None
+
+
+def _folds(plan: FitPlan) -> list[np.ndarray]:
+    """Whole samples where there are three or more and none has numbers of its own; else every fifth value in the order of the
+    loads, so that each fold has the whole range."""
+    data, each = plan.data, any(one.each_sample for one in plan.free)
+    if len(data.samples) >= 3 and not each:
+        return [np.array([at for at, name in enumerate(data.sample) if name == one]) for one in data.samples]
+    order = np.lexsort((np.nan_to_num(data.load), np.unique(data.sample, return_inverse=True)[1]))
+    count = min(_FOLDS, len(data))
+    folds = [np.sort(order[at::count]) for at in range(count)]
+    return folds if all(_is_enough(plan, np.setdiff1d(np.arange(len(data)), fold)) for fold in folds) else []
+
+
+def _is_enough(plan: FitPlan, rest: np.ndarray) -> bool:
+    """Whether these values are more than the free numbers, and all samples are among them that have numbers of their own."""
+    each = sum(one.each_sample for one in plan.free)
+    samples = {plan.data.sample[at] for at in rest}
+    count = len(plan.free) + each * (len(plan.data.samples) - 1)
+    return len(rest) > count and (not each or len(samples) == len(plan.data.samples))
+
+
+def rank(rivals: list[Rival]) -> list[tuple[Rival, float]]:
+    """By Akaike's criterion, with the weight of each (Burnham & Anderson 2002, eq. 2.9); those without a fit last."""
+    ordered = sorted(rivals, key=lambda one: (one.fit is None, one.aicc))
+    values = np.array([one.aicc for one in ordered])
+    if not np.isfinite(values).any():
+        return [(one, float("nan")) for one in ordered]
+    weights = np.exp(-0.5 * (values - values.min()))
+    return [(one, float(weight)) for one, weight in zip(ordered, weights / weights.sum(), strict=True)]

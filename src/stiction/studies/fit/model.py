@@ -1,0 +1,201 @@
+"""What a model says of measured values: for many sets of its free numbers at once."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.solving.candidates import choice_of
+from stiction.solving.choice import Choice
+from stiction.solving.pointwise import solve_pointwise
+from stiction.studies.case.free import Free
+from stiction.studies.case.places import with_numbers
+from stiction.studies.fit.measurements import Measurements
+from stiction.studies.fit.plan import RESISTANCE, FitPlan
+
+if TYPE_CHECKING:
+    from stiction.studies.case.read import Case
+
+__all__ = ["Forward", "Parameter", "check_models", "derived", "forward_of", "solved_sets"]
+
+_SET, _ROW = "set", "row"
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A free number as it is fitted: of all samples, or of one."""
+
+    free: Free
+    sample: str | None = None
+
+    @property
+    def name(self) -> str:
+        return self.free.name if self.sample is None else f"{self.free.name} ({self.sample})"
+
+
+@dataclass(frozen=True)
+class _Group:
+    """Measured values (rows) that are asked for together: the numbers of the contact that the data give of each (rows,), and
+    which parameters (columns) they have."""
+
+    rows: np.ndarray
+    known: Mapping[tuple[str, ...], np.ndarray]
+    columns: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Forward:
+    """A model with free numbers, asked for what was measured."""
+
+    plan: FitPlan
+    choice: Choice
+    parameters: tuple[Parameter, ...]
+    data: Measurements
+    groups: tuple[_Group, ...]
+
+    def values(self, shares: np.ndarray) -> np.ndarray:
+        """What the model says (sets, n) for sets of shares (sets, k) of the free numbers; not a number where it refuses."""
+        shares = np.atleast_2d(shares)
+        numbers = [one.free.at(shares[:, at]) for at, one in enumerate(self.parameters)]
+        found = np.full((len(shares), len(self.data)), np.nan)
+        for group in self.groups:
+            of = {self.parameters[at].free.path: numbers[at] for at in group.columns}
+            found[:, group.rows] = self._of_group(group, of)
+        return found
+
+    def _of_group(self, group: _Group, numbers: Mapping[tuple[str, ...], np.ndarray]) -> np.ndarray:
+        some = self.data.some(group.rows)
+        names = {"contact_area" if name == "contact_resistance" else name for name in some.quantity}
+        contact = {path: values for path, values in numbers.items() if path != RESISTANCE}
+        tables = solved_sets(self.plan.content, self.choice, contact, group.known, some.load, sorted(names))
+        resistance = numbers.get(RESISTANCE, self.plan.resistance)
+        columns = [derived(tables, name, resistance)[:, at] for at, name in enumerate(some.quantity)]
+        return np.column_stack(columns)
+
+
+def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.ndarray:
+    """A measurable quantity (sets, points) from results: the resistance of a contact is that of its interface over its area
+    (Holm 1967: the resistance of a film, sigma/A)."""
+    if name != "contact_resistance":
+        return tables[name]
+    area = tables["contact_area"]
+    return np.divide(np.reshape(resistance, (-1, 1)), area, where=area > 0.0, out=np.full(area.shape, np.nan))
+
+
+def solved_sets(
+    content: Mapping[str, Any],
+    choice: Choice,
+    numbers: Mapping[tuple[str, ...], np.ndarray],
+    known: Mapping[tuple[str, ...], np.ndarray],
+    load: np.ndarray,
+    keep: Sequence[str],
+) -> dict[str, np.ndarray]:
+    """Results (sets, rows), by name, of contacts with these numbers (sets,) and those that are known (rows,), at the loads
+    (rows,), or at any separation where these are no numbers; not a number for what is refused, set by set."""
+    sets = len(next(iter(numbers.values()))) if numbers else 1
+    found = {name: np.full((sets, len(load)), np.nan) for name in keep}
+    waiting = [np.arange(sets)]
+    while waiting:
+        some = waiting.pop()
+        try:
+            part = _solved(content, choice, {path: all_[some] for path, all_ in numbers.items()}, known, load, keep)
+        except (InputError, ArithmeticError):
+            if len(some) > 1:
+                waiting += [some[: len(some) // 2], some[len(some) // 2 :]]
+            continue
+        for name, table in part.items():
+            found[name][some] = table
+    return found
+
+
+def _solved(content, choice, numbers, known, load, keep) -> dict[str, np.ndarray]:
+    import warnings
+
+    import xarray
+
+    from stiction.quantities.errors import InputDoubt
+    from stiction.studies.case.read import case_of
+
+    arrays = {path: xarray.DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
+    arrays |= {path: float(v[0]) if (v == v[0]).all() else xarray.DataArray(v, dims=(_ROW,)) for path, v in known.items()}
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore", InputDoubt)
+        subject = case_of(with_numbers(content, arrays), {}).subject
+        pressed = bool(np.isfinite(load).all())
+        points: dict[str, Any] = {"load": xarray.DataArray(load, dims=(_ROW,))} if pressed else {"separation": 0.0}
+        solved = solve_pointwise(subject, choice, **points, keep=keep)
+    shape = (len(next(iter(numbers.values()))) if numbers else 1, len(load))
+    return {name: _as_table(solved.variables[name], shape) for name in keep if name in solved.variables}
+
+
+def _as_table(variable: tuple, shape: tuple[int, int]) -> np.ndarray:
+    dims, values, _ = variable
+    wanted = [dim for dim in (_SET, _ROW) if dim in dims]
+    ordered = values.transpose([dims.index(dim) for dim in wanted])
+    return np.broadcast_to(ordered.reshape(shape[0] if _SET in dims else 1, shape[1] if _ROW in dims else 1), shape)
+
+
+def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> Forward:
+    """The model of a plan, or another by its name, asked for the data, or for some of them. Raises InputError where it knows
+    nothing of what was measured."""
+    data = plan.data if data is None else data
+    parameters = _parameters(plan)
+    case = _case_between_the_ends(plan, data)
+    given = {name: value for name, value in case.choice.arguments().items() if name != "model"} if model is None else {}
+    choice = choice_of(model or case.choice.model, given, case.subject)
+    forward = Forward(plan, choice, parameters, data, _groups(data, parameters))
+    _check_answers(forward, case.subject)
+    return forward
+
+
+def _case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
+    from stiction.studies.case.read import case_of
+
+    middle = {one.path: float(one.at(np.array(0.5))) for one in plan.free if one.path != RESISTANCE}
+    return case_of(with_numbers(plan.content, {**data.known[0], **middle}), {})
+
+
+def check_models(plan: FitPlan) -> None:
+    """InputError for a name among those that are compared that no model has: what a model cannot answer is said in the end."""
+    if not plan.models:
+        return
+    subject = _case_between_the_ends(plan, plan.data).subject
+    for name in plan.models:
+        try:
+            choice_of(name, {}, subject)
+        except InputError as error:
+            raise InputError("fit.models", name, error.allowed) from None
+
+
+def _parameters(plan: FitPlan) -> tuple[Parameter, ...]:
+    each = [plan.data.samples if one.each_sample else [None] for one in plan.free]
+    return tuple(Parameter(one, sample) for one, samples in zip(plan.free, each, strict=True) for sample in samples)
+
+
+def _groups(data: Measurements, parameters: Sequence[Parameter]) -> tuple[_Group, ...]:
+    """The measured values by which numbers the data give of them, whose parameters they have, and whether there is a load."""
+    found: dict[tuple, list[int]] = {}
+    own = any(one.sample is not None for one in parameters)
+    for at in range(len(data)):
+        key = (tuple(sorted(data.known[at])), data.sample[at] if own else None, bool(np.isfinite(data.load[at])))
+        found.setdefault(key, []).append(at)
+    return tuple(
+        _Group(
+            np.array(rows),
+            {path: np.array([data.known[at][path] for at in rows]) for path in paths},
+            tuple(at for at, one in enumerate(parameters) if one.sample is None or one.sample == sample),
+        )
+        for (paths, sample, _), rows in found.items()
+    )
+
+
+def _check_answers(forward: Forward, subject: Any) -> None:
+    """InputError where the model has nothing to say of what was measured."""
+    load = forward.data.load[np.isfinite(forward.data.load)]
+    point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}
+    known = set(solve_pointwise(subject, forward.choice, **point).variables)
+    for name in forward.data.quantities:
+        if name not in known and not (name == "contact_resistance" and "contact_area" in known):
+            raise InputError("model", forward.choice.model, f"a model that knows {name}, which was measured")

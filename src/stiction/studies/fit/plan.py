@@ -1,0 +1,135 @@
+"""What a fit is of: the table [fit] of a case, read and checked against the measured series."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import Field
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input, require_names
+from stiction.studies.case.free import Free, read_free
+from stiction.studies.case.places import as_numbers, flat, placed, read_end
+from stiction.studies.case.uncertain import Uncertain
+from stiction.studies.fit.measurements import Measurements, read_measurements
+
+__all__ = ["RESISTANCE", "Fit", "FitPlan", "make_fit_plan"]
+
+RESISTANCE = ("fit", "specific_contact_resistance")
+_MOST_FREE = 8
+
+
+class Fit(Input):
+    """What is fitted to measured series.
+
+    free: numbers of the case by their names, each with its ends. models: names of models that are compared, besides that of
+    [solve]. predict: numbers of the contact, one or several, for which the fitted model predicts at the points of [solve].
+    specific_contact_resistance: contact resistance times real area, where resistance was measured and this is not free.
+    """
+
+    free: dict[str, Any] = Field(description="a table of numbers of the case, each with its low and high end")
+    models: list[str] = Field(default_factory=list, description="a list of names of models, as `stiction compare` shows them")
+    predict: dict[str, Any] = Field(default_factory=dict, description="a table of numbers of the contact, one or several")
+    specific_contact_resistance: str | None = Field(None, description='text with a unit, e.g. "1e-12 ohm m^2"')
+
+
+@dataclass(frozen=True)
+class FitPlan:
+    """A fit, ready to be computed. content: the tables of the case without [fit], its scans and own materials read; given: the
+    tables as they were written. predict: tables of the contact with the numbers asked for. uncertain: numbers that are
+    uncertain and not free."""
+
+    content: Mapping[str, Any]
+    given: Mapping[str, Any]
+    folder: Path
+    title: str
+    free: tuple[Free, ...]
+    models: tuple[str, ...]
+    predict: Mapping[str, Any]
+    resistance: float | None
+    data: Measurements
+    uncertain: tuple[str, ...] = ()
+
+
+def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
+    """The plan of the tables of a case file and a file of measured series; folder: from which scans are named. Raises
+    InputError."""
+    from stiction.studies.case.read import opened
+
+    require_names(content)
+    given = dict(content)
+    table = given.get("fit")
+    if not isinstance(table, Mapping):
+        example = '[fit.free] with e.g. work_of_adhesion = { low = "1 mJ/m^2", high = "1 J/m^2" }'
+        raise InputError("fit", table, f"a table {example}")
+    try:
+        fit = Fit(**table)
+    except InputError as error:
+        raise InputError(f"fit.{error.field}", error.value, error.allowed) from None
+    plain, several = opened(without_studies(given), folder)
+    for path, one in several.items():
+        if isinstance(one, Uncertain):
+            continue  # its nominal value stands for it, which is said
+        raise InputError(
+            ".".join(path), f"{one.values.size} numbers", "one number in [contact]; several go under [fit.predict]"
+        )
+    plain = as_numbers(plain)
+    free = _free(fit, plain)
+    measured = read_measurements(data, plain)
+    resistance = None
+    if fit.specific_contact_resistance is not None:
+        resistance = read_end(fit.specific_contact_resistance, RESISTANCE[1], ".".join(RESISTANCE))
+    plan = FitPlan(
+        plain, given, folder, str(given.get("title", "")), free, tuple(fit.models), fit.predict, resistance, measured
+    )
+    _check(plan)
+    taken = {one.path for one in free} | {path for row in measured.known for path in row}
+    names = tuple(".".join(path[1:]) for path, one in several.items() if isinstance(one, Uncertain) and path not in taken)
+    return replace(plan, uncertain=names)
+
+
+def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables without those of studies of many contacts."""
+    return {key: value for key, value in content.items() if key not in ("fit", "design", "sweep")}
+
+
+def _free(fit: Fit, content: Mapping) -> tuple[Free, ...]:
+    found: dict[tuple[str, ...], Free] = {}
+    for name, entry in flat(fit.free, "fit.free", lambda table: "low" in table or "high" in table):
+        where = f"fit.free.{name}"
+        path = RESISTANCE if name == RESISTANCE[1] else placed(name, content, where)
+        if path in found:
+            raise InputError(where, name, "each number once")
+        found[path] = read_free(path, entry, where)
+    if not 1 <= len(found) <= _MOST_FREE:
+        raise InputError("fit.free", f"{len(found)} numbers", f"1 to {_MOST_FREE} numbers of the case, each with its ends")
+    return tuple(found.values())
+
+
+def _check(plan: FitPlan) -> None:
+    """InputError where free numbers and measured ones do not go together."""
+    known = {path for row in plan.data.known for path in row}
+    for one in plan.free:
+        if one.path in known:
+            raise InputError(f"fit.free.{one.name}", "free", f"not free: the data give {one.name} in a column")
+        if one.path[:2] == ("contact", "roughness") and _has_scans(plan.given):
+            raise InputError(f"fit.free.{one.name}", "free", "not free: scans say the roughness")
+    resistance = "contact_resistance" in plan.data.quantities
+    has = plan.resistance is not None or any(one.path == RESISTANCE for one in plan.free)
+    if resistance and not has:
+        raise InputError(".".join(RESISTANCE), None, "a number with its unit, or a free one, where resistance was measured")
+    if not resistance and has:
+        raise InputError(".".join(RESISTANCE), "given", "nothing: no contact_resistance was measured")
+    count = sum(len(plan.data.samples) if one.each_sample else 1 for one in plan.free)
+    if len(plan.data) < count:
+        raise InputError("--data", f"{len(plan.data)} values", f"at least {count}, as many as there are free numbers")
+    if len(plan.data) == count and not np.isfinite(plan.data.error).all():
+        allowed = f"at least {count + 1}, one more than there are free numbers, or a column of their errors"
+        raise InputError("--data", f"{count} values without errors", allowed)
+
+
+def _has_scans(given: Mapping) -> bool:
+    rough = given.get("contact", {}).get("roughness") if isinstance(given.get("contact"), Mapping) else None
+    return isinstance(rough, Mapping) and bool(rough.keys() & {"first", "second"})

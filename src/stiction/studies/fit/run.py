@@ -1,0 +1,255 @@
+"""Calibration: numbers of a case fitted to measured series, with what the data cannot tell."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction import __version__
+from stiction.quantities.extras import require
+from stiction.quantities.inputs import require_callable
+from stiction.quantities.table import QUANTITIES
+from stiction.studies.case.text import case_text, with_written
+from stiction.studies.fit.answer import Fitted, fitted, verdicts
+from stiction.studies.fit.bands import Bands, check_predicted, predicted
+from stiction.studies.fit.evidence import Rival, rank, rival
+from stiction.studies.fit.model import check_models, forward_of
+from stiction.studies.fit.plan import RESISTANCE, FitPlan, make_fit_plan, without_studies
+from stiction.studies.fit.search import CONFIDENCE
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["Fitting", "fit", "plan_of_fit", "run_fit"]
+
+_FEW = 100  # independent sets, below which a 95 % band is rough
+# From a text, what wraps a list of steps.
+Progress = Callable[[str], Callable[[Iterable], Iterable]]
+
+
+@dataclass
+class Fitting:
+    """A fit as far as it is done: the model of the case, its predictions, and the models that it is compared with; stopped:
+    whether it was interrupted before its end."""
+
+    plan: FitPlan
+    best: Fitted
+    bands: Bands | None = None
+    rivals: list[Rival] = field(default_factory=list)
+    stopped: bool = False
+
+    def data(self) -> "xarray.Dataset":
+        """As a labelled dataset."""
+        return _dataset(self)
+
+    def case_text(self, out: Path) -> str:
+        """The case with the fitted numbers, as text of a file in a folder: `stiction run` reads it."""
+        return _fitted_case(self, out)
+
+
+def fit(case: Any, data: Any, *, progress: Progress = lambda text: iter) -> "xarray.Dataset":
+    """Fit numbers of a case to measured series.
+
+    case: path of a case file with a table [fit], or its tables as a dict. data: path of a CSV file, see
+    `stiction.studies.fit.measurements.read_measurements`. progress: from a text, what wraps a list of steps.
+
+    Returns a labelled dataset: over `parameter` the best value, the 95 % interval `low`, `high` by the profile of the
+    likelihood, whether it is open at an end, `standard_error`, and `correlation`; `profile_value` and `profile_rise` of chi
+    square; over `row` what was measured, what the model says, and residuals; over `model` Akaike's criterion, weights, and
+    errors of values left out; and predictions with bands, `predicted_...`, `..._low`, `..._high`, over the points of [solve]
+    and the numbers of [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Raises
+    InputError.
+    """
+    require_callable(progress, "progress")
+    return run_fit(plan_of_fit(case, data), progress, keep_on_interrupt=False).data()
+
+
+def plan_of_fit(case: Any, data: Any) -> FitPlan:
+    """What is fitted. Raises InputError."""
+    from stiction.studies.case.read import read_content
+
+    require("fit", "lmfit")
+    plan = (
+        make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)
+    )
+    check_models(plan)
+    check_predicted(plan)
+    return plan
+
+
+def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -> Fitting:
+    """As `fit`; where it is interrupted, with what is done by then if the model of the case is fitted."""
+    name = forward_of(plan).choice.model
+    for _ in progress("Fitting")([name]):
+        found = Fitting(plan, fitted("", forward_of(plan)))
+    try:
+        for _ in progress("Predicting")([name]):
+            found.bands = predicted(plan, found.best)
+        others = [one for one in dict.fromkeys(plan.models) if one != name]
+        if others:
+            for one in progress("Asking other models")([name, *others]):
+                found.rivals.append(rival(plan, one, found.best if one == name else None))
+    except KeyboardInterrupt:
+        if not keep_on_interrupt:
+            raise
+        found.stopped = True
+    return found
+
+
+def _dataset(found: Fitting) -> "xarray.Dataset":
+    import xarray
+
+    plan, one = found.plan, found.best
+    data = xarray.Dataset(_parameters(one) | _rows(one), coords={"parameter": [x.name for x in one.parameters]})
+    data = data.assign_coords(row=np.arange(len(plan.data)), other_parameter=[x.name for x in one.parameters])
+    if found.bands is not None:
+        data = data.merge(_predictions(found.bands))
+    if found.rivals:
+        data = data.merge(_evidence(found.rivals))
+    return data.assign_attrs(_attributes(found))
+
+
+def _parameters(one: Fitted) -> dict[str, tuple]:
+    along = ("parameter",)
+    free = [x.free for x in one.parameters]
+    ends = np.array(
+        [[float(f.at(np.asarray(end))) for end in (p.low, p.high)] for f, p in zip(free, one.profiles, strict=True)]
+    )
+    points = max(len(p.shares) for p in one.profiles)
+    rise, value = np.full((2, len(free), points), np.nan)
+    for at, (f, p) in enumerate(zip(free, one.profiles, strict=True)):
+        rise[at, : len(p.shares)], value[at, : len(p.shares)] = p.rise, f.at(p.shares)
+    return {
+        "unit": (along, [QUANTITIES[f.quantity].unit or "1" for f in free]),
+        "value": (along, one.values, {"long_name": "best value, in SI units"}),
+        "low": (along, ends[:, 0], {"long_name": "low end of the 95 % interval"}),
+        "high": (along, ends[:, 1], {"long_name": "high end of the 95 % interval"}),
+        "open_low": (along, [p.open_low for p in one.profiles], {"long_name": "no value down to the low end is excluded"}),
+        "open_high": (along, [p.open_high for p in one.profiles], {"long_name": "no value up to the high end is excluded"}),
+        "standard_error": (along, _standard_errors(one), {"long_name": "standard error from the curvature (lmfit)"}),
+        "least": (along, [f.low for f in free], {"long_name": "low end of what is searched"}),
+        "most": (along, [f.high for f in free], {"long_name": "high end of what is searched"}),
+        "correlation": (("parameter", "other_parameter"), one.correlation, {"long_name": "correlation"}),
+        "profile_value": (("parameter", "profile"), value, {"long_name": "values along the profile of the likelihood"}),
+        "profile_rise": (("parameter", "profile"), rise, {"long_name": "rise of chi square"}),
+    }
+
+
+def _standard_errors(one: Fitted) -> np.ndarray:
+    """Of the values, from lmfit's covariance of the shares; not a number where it has none."""
+    if one.best.covariance is None:
+        return np.full(len(one.parameters), np.nan)
+    slope = [
+        float(value) * np.log(x.free.high / x.free.low) if x.free.log else x.free.high - x.free.low
+        for x, value in zip(one.parameters, one.values, strict=True)
+    ]
+    return np.sqrt(np.diag(one.best.covariance)) * np.array(slope)
+
+
+def _rows(one: Fitted) -> dict[str, tuple]:
+    data = one.forward.data
+    said = one.forward.values(one.best.shares)[0]
+    return {
+        "quantity": ("row", list(data.quantity)),
+        "sample": ("row", list(data.sample)),
+        "measured_load": ("row", data.load, {"units": "N", "long_name": "load"}),
+        "measured": ("row", data.value, {"long_name": "measured, in SI units"}),
+        "error": ("row", one.errors, {"long_name": "standard error as it was taken"}),
+        "fitted": ("row", said, {"long_name": "fitted, in SI units"}),
+        "residual": ("row", (data.value - said) / one.errors, {"long_name": "measured less fitted, over the standard error"}),
+    }
+
+
+def _predictions(bands: Bands) -> "xarray.Dataset":
+    import xarray
+
+    variables = {}
+    for name, (dims, best, low, high) in bands.tables.items():
+        said = QUANTITIES[name].attributes
+        for end, values in (("", best), ("_low", low), ("_high", high)):
+            variables[f"predicted_{name}{end}"] = (dims, values, said)
+    return xarray.Dataset(variables, coords=bands.coords)
+
+
+def _evidence(rivals: list[Rival]) -> "xarray.Dataset":
+    import xarray
+
+    ranked = rank(rivals)
+    along = "model"
+    stated = any(one.fit is not None and one.fit.stated for one in rivals)
+    over = "their standard errors" if stated else "the largest of all values"
+    return xarray.Dataset(
+        {
+            "aicc": (along, [one.aicc for one, _ in ranked], {"long_name": "Akaike's criterion, corrected"}),
+            "weight": (along, [weight for _, weight in ranked], {"long_name": "Akaike weight"}),
+            "left_out": (along, [one.left_out for one, _ in ranked], {"long_name": f"error of values left out, over {over}"}),
+            **_left_over([one.fit for one, _ in ranked], stated),
+            "why_not": (along, [one.why_not for one, _ in ranked]),
+        },
+        coords={"model": [one.name for one, _ in ranked]},
+    )
+
+
+def _left_over(fits: Sequence[Fitted | None], stated: bool) -> dict[str, tuple]:
+    """Chi square of each model; its scatter where no errors were given, of which there is no chi square."""
+    if stated:
+        chi = [np.nan if one is None else one.best.chi_square * one.scale**2 for one in fits]
+        return {"chi_square": ("model", chi, {"long_name": "sum of squared residuals"})}
+    scatter = [np.nan if one is None else float(one.errors[0]) for one in fits]
+    return {"scatter": ("model", scatter, {"long_name": "standard deviation of values about the fit, in SI units"})}
+
+
+def _attributes(found: Fitting) -> dict[str, Any]:
+    one, plan = found.best, found.plan
+    bands = {} if found.bands is None else {"band_draws": found.bands.effective, "band_sample": found.bands.sample or ""}
+    return {
+        **({"case": plan.title} if plan.title else {}),
+        "program": f"stiction {__version__}",
+        "model": one.forward.choice.model,
+        "values": len(plan.data),
+        "free": len(one.parameters),
+        "degrees_of_freedom": one.freedom,
+        **({"chi_square": one.best.chi_square * one.scale**2} if one.stated else {}),
+        "confidence": CONFIDENCE,
+        "errors": _errors_said(one),
+        "errors_stated": int(one.stated),
+        "verdict": "\n".join([*verdicts(one), *_unsure(found)]),
+        "stopped": int(found.stopped),
+        **bands,
+    }
+
+
+def _unsure(found: Fitting) -> list[str]:
+    """Where the numbers of the answer are not what they should be."""
+    said = [] if found.best.best.fit.success else [f"the search did not end at a minimum: {found.best.best.fit.message}"]
+    if found.bands is not None and found.bands.effective < _FEW:
+        said.append(f"the bands rest on {found.bands.effective:.0f} independent sets of numbers: they are rough")
+    return said
+
+
+def _errors_said(one: Fitted) -> str:
+    if not one.stated:
+        return f"no errors were given: all values have one, {one.errors[0]:.3g} in SI units, by their scatter about the fit"
+    if one.scale > 1.0:
+        return (
+            f"the scatter about the fit is {one.scale:.2g} times the errors that were given, more than chance allows: the "
+            "model or the errors are wrong; intervals are for errors so much larger"
+        )
+    return "as they were given; the scatter about the fit agrees with them"
+
+
+def _fitted_case(found: Fitting, out: Path) -> str:
+    one, plan = found.best, found.plan
+    numbers, comments = {}, [f"Fitted by stiction {__version__} to {len(plan.data)} measured values. 95 % intervals:"]
+    for x, value, p in zip(one.parameters, one.values, one.profiles, strict=True):
+        ends = [x.free.show(float(x.free.at(np.asarray(end)))) for end in (p.low, p.high)]
+        how = " (open)" if p.open_low or p.open_high else ""
+        comments.append(f"{x.name} = {x.free.show(float(value))}, {ends[0]} to {ends[1]}{how}")
+        if x.free.path != RESISTANCE and x.free.path not in numbers:
+            numbers[x.free.path] = float(value)
+    if any(x.sample is not None for x in one.parameters):
+        comments.append(f"Of numbers that every sample has for itself, those of {plan.data.samples[0]} stand here.")
+    comments += [f"Note: {text}" for text in verdicts(one)]
+    return case_text(with_written(without_studies(plan.given), numbers), comments, plan.folder, out)

@@ -1,0 +1,304 @@
+"""Where in the plane of the adhesion indices each claim of the 2015 paper holds (docs/theory.md, "What the paper claims").
+
+A claim is made precise as a number for each film it speaks of and a bound on it. Coated and uncoated surface are compared
+at the same load, as in the paper's figures, over its films and its separations h = 4 to -4:
+
+- The reference load is what the uncoated surface carries at h = -4. *Light load* is 1/1000 of it (h about 2, where under
+  3 % of the asperities touch), *moderate load* 1/100 (h about 1).
+- A curve is followed on approach, from its largest tension; a load is taken where it is met first.
+- A film is not comparable where a surface does not carry that load within the range of h, and not where the uncoated
+  surface has no friction.
+
+Claim (d) fails nearly everywhere: what looks level on linear axes is friction that has become small and goes on falling.
+The paper prints no contact area; that of its reading, for (e), is the analogue of its eq. (1).
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from stiction.studies.paper.figures import FILM_VALUES, H_RANGE
+
+# The paper's two readings, and its asperities on a film that is solved.
+READINGS = ("corrected", "published", "layered")
+THETA = np.geomspace(1.0, 1e4, 25)
+LAM = np.geomspace(1e-3, 1e4, 25)
+LIGHT, MODERATE = 1e-3, 1e-2  # over the reference load
+_FEW = 0.03  # a share of the plane that is not worth words
+_TELLS = 1.0 / 3.0  # of the points that a rule without bounds gets wrong, the share that bounds have to get right
+_H = np.linspace(*H_RANGE, 161)
+_N_E, _N_H, _TAU = (np.array(values) for values in FILM_VALUES.values())
+_STIFF = _N_E > 1.0
+
+
+@dataclass(frozen=True)
+class Curves:
+    """Load, contact area and friction force, normalised, (..., separations) in order of approach."""
+
+    load: np.ndarray
+    contact_area: np.ndarray
+    friction_force: np.ndarray
+
+    def at(self, load: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Contact area and friction force where `load` (broadcast to ...) is first carried on approach; NaN if nowhere.
+
+        Linear between two separations: at steps of 0.05 this is good to about 1e-3.
+        """
+        after_tension = np.arange(_H.size) > np.argmin(self.load, axis=-1, keepdims=True)
+        reached = after_tension & (self.load >= load[..., None])
+        last = np.argmax(reached, axis=-1)[..., None]
+        first = np.maximum(last - 1, 0)
+        below, above = (np.take_along_axis(self.load, at, -1)[..., 0] for at in (first, last))
+        carried = reached.any(axis=-1) & (above > below) & (load > 0.0)
+        share = np.where(carried, (load - below) / np.where(carried, above - below, 1.0), np.nan)
+        return self._between(self.contact_area, first, last, share), self._between(self.friction_force, first, last, share)
+
+    @staticmethod
+    def _between(values: np.ndarray, first: np.ndarray, last: np.ndarray, share: np.ndarray) -> np.ndarray:
+        start, stop = (np.take_along_axis(values, at, -1)[..., 0] for at in (first, last))
+        return start + share * (stop - start)
+
+
+@dataclass(frozen=True)
+class Surfaces:
+    """The uncoated surface (n, 1, 1, 1, H) and all films (n, n_E, n_H, tau, H) at n pairs of indices."""
+
+    bare: Curves
+    films: Curves
+
+    def ratio(self, over_reference: float, quantity: int) -> np.ndarray:
+        """Coated over uncoated at a load; quantity 0: contact area, 1: friction, which at one load is the ratio of mu."""
+        load = over_reference * self.bare.load[..., -1]
+        bare, coated = self.bare.at(load)[quantity], self.films.at(np.broadcast_to(load, self.films.load.shape[:-1]))[quantity]
+        return np.divide(coated, bare, out=np.full(coated.shape, np.nan), where=bare > 0.0)
+
+
+def _stiff_film_friction(surfaces: Surfaces) -> np.ndarray:
+    ratios = [surfaces.ratio(load, 1)[:, _STIFF] for load in (LIGHT, MODERATE)]
+    return np.maximum(*ratios)
+
+
+def _stiff_film_spread(surfaces: Surfaces) -> np.ndarray:
+    ratios = surfaces.ratio(LIGHT, 1)[:, _STIFF]
+    return ratios.max(axis=(2, 3)) - ratios.min(axis=(2, 3))
+
+
+def _compliant_film_friction(surfaces: Surfaces) -> np.ndarray:
+    chosen = np.ix_(_N_E == 0.5, _N_H == 0.8)
+    ratios = [surfaces.ratio(load, 1)[:, chosen[0], chosen[1]] for load in (LIGHT, MODERATE)]
+    return np.minimum(*ratios)
+
+
+def _change_at_high_load(surfaces: Surfaces) -> np.ndarray:
+    columns = []
+    for curves in (surfaces.bare, surfaces.films):
+        end = curves.load[..., -1:]
+        late = (curves.load >= end / 2.0) & (end > 0.0) & (curves.friction_force > 0.0)
+        mu = np.divide(curves.friction_force, curves.load, out=np.full(late.shape, np.nan), where=late)
+        highest = np.where(late, mu, -np.inf).max(axis=-1)
+        lowest = np.where(late, mu, np.inf).min(axis=-1)
+        change = np.divide(highest, lowest, out=np.full(lowest.shape, np.nan), where=np.isfinite(lowest))
+        columns.append(change.reshape(len(change), -1))
+    return np.concatenate(columns, axis=1)
+
+
+def _thin_film_area(surfaces: Surfaces) -> np.ndarray:
+    return surfaces.ratio(LIGHT, 0)[..., _TAU == _TAU.min()]
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One claim of the paper: what it says, the number that decides it for each case, and the bound on that number."""
+
+    key: str
+    says: str
+    number: str
+    cases: str
+    measure: Callable[[Surfaces], np.ndarray]
+    bound: float
+    below: bool  # whether the claim holds below the bound, or above it
+
+    @property
+    def definition(self) -> str:
+        """The claim made precise, as one line."""
+        return f"{self.number} {'<' if self.below else '>'} {self.bound:g}, for {self.cases}"
+
+    def judge(self, surfaces: Surfaces) -> tuple[np.ndarray, np.ndarray]:
+        """Share of the comparable cases for which it holds, and the number of the worst one, (n,); NaN if none compares."""
+        numbers = self.measure(surfaces).reshape(len(surfaces.bare.load), -1)
+        known = np.isfinite(numbers)
+        count = known.sum(axis=1)
+        holds = known & (numbers < self.bound if self.below else numbers > self.bound)
+        share = np.divide(holds.sum(axis=1), count, out=np.full(len(count), np.nan), where=count > 0)
+        worst = np.where(known, numbers, -np.inf).max(axis=1) if self.below else np.where(known, numbers, np.inf).min(axis=1)
+        return share, np.where(count > 0, worst, np.nan)
+
+
+CLAIMS = (
+    Claim(
+        "a",
+        "a film stiffer than its substrate lowers friction to less than half",
+        "largest mu coated / mu uncoated at light and moderate load",
+        "n_E = 1.5, 2.5 and every n_H, tau",
+        _stiff_film_friction,
+        0.5,
+        True,
+    ),
+    Claim(
+        "b",
+        "under a stiffer film, friction at light load hardly depends on its thickness or hardness",
+        "(largest - smallest mu over n_H and tau) / mu uncoated at light load",
+        "n_E = 1.5, 2.5",
+        _stiff_film_spread,
+        0.2,
+        True,
+    ),
+    Claim(
+        "c",
+        "a film more compliant than its substrate raises friction (figure 3)",
+        "smallest mu coated / mu uncoated at light and moderate load",
+        "n_E = 0.5, n_H = 0.8 and every tau",
+        _compliant_film_friction,
+        1.0,
+        False,
+    ),
+    Claim(
+        "d",
+        "friction levels off at high load",
+        "largest / smallest mu over the upper half of the loads that a surface carries down to h = -4",
+        "the uncoated surface and every film",
+        _change_at_high_load,
+        1.1,
+        True,
+    ),
+    Claim(
+        "e",
+        "a thin soft film raises the real contact area at light load",
+        "area coated / area uncoated at light load",
+        "tau = 2 and every n_E, n_H",
+        _thin_film_area,
+        1.0,
+        False,
+    ),
+)
+
+
+@dataclass(frozen=True)
+class ClaimMap:
+    """share and worst (claims, readings, theta, lambda): see Claim.judge; theta, lam: the points."""
+
+    theta: np.ndarray
+    lam: np.ndarray
+    share: np.ndarray
+    worst: np.ndarray
+
+
+def surfaces_at(theta: float, lam: np.ndarray, reading: str) -> Surfaces:
+    """Every surface of the paper at one theta and each of lam (n,)."""
+    from stiction.solving.evaluate import evaluate
+    from stiction.studies.paper.layered import LAYERED
+
+    if reading == LAYERED:
+        return _layered_surfaces(theta, np.asarray(lam, dtype=float))
+    lam = np.asarray(lam, dtype=float).reshape(-1, 1, 1, 1, 1)
+    film: dict[str, Any] = {"n_E": _N_E[:, None, None, None], "n_H": _N_H[:, None, None], "tau": _TAU[:, None]}
+    bare = evaluate(_H, theta, lam, reading=reading)
+    return Surfaces(Curves(*bare), Curves(*evaluate(_H, theta, lam, **film, reading=reading)))
+
+
+def _layered_surfaces(theta: float, lam: np.ndarray) -> Surfaces:
+    from stiction.studies.paper.layered import totals
+
+    shape = len(lam), _N_E.size, _N_H.size, _TAU.size
+    each, *films = (one.ravel() for one in np.meshgrid(lam, _N_E, _N_H, _TAU, indexing="ij"))
+    bare = (one.reshape(-1, 1, 1, 1, _H.size) for one in totals(theta, lam, _H))
+    coated = (one.reshape(*shape, _H.size) for one in totals(theta, each, _H, tuple(films)))
+    return Surfaces(Curves(*bare), Curves(*coated))
+
+
+def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callable[[list], Iterable] = iter) -> ClaimMap:
+    """Judge every claim at every pair of theta and lam, in both readings and with a film that is solved. progress: wraps the
+    loop, to show how far it is."""
+    results = np.empty((2, len(CLAIMS), len(READINGS), len(theta), len(lam)))
+    steps = [(row, column) for row in range(len(READINGS)) for column in range(len(theta))]
+    for row, column in progress(steps):
+        surfaces = surfaces_at(float(theta[column]), lam, READINGS[row])
+        for at, claim in enumerate(CLAIMS):
+            results[:, at, row, column] = claim.judge(surfaces)
+    return ClaimMap(np.asarray(theta), np.asarray(lam), *results)
+
+
+def where(claims: ClaimMap, chosen: np.ndarray) -> str:
+    """In words where the chosen points (theta, lambda) are: the bound on theta, lambda or the hardness group eta, or the two
+    bounds, that tell them best from the others, with the share of all points that this puts on the right side."""
+    share = float(np.mean(chosen))
+    if share in (0.0, 1.0):
+        return "everywhere" if share else "nowhere"
+    if min(share, 1.0 - share) < _FEW:
+        return "almost everywhere" if share > 0.5 else "almost nowhere"
+    names, sides = _bounds(claims)
+    wanted = np.where(chosen.ravel(), 1, -1)
+    # Right are the chosen points inside both bounds, and the others outside; bound 0 leaves nothing out.
+    right = np.sum(wanted < 0) + (sides * wanted) @ sides.T
+    one, two = np.argmax(right[0]), np.unravel_index(np.argmax(right), right.shape)
+    blind = max(right[0, 0], wanted.size - right[0, 0])  # without any bound: all the points, or none
+    if right[two] - blind < _TELLS * (wanted.size - blind):
+        return "scattered"
+    best = {int(one)} if right[two] - right[0, one] < _FEW * wanted.size else {int(at) for at in two}
+    accuracy = right[two if len(best) > 1 else (0, one)] / wanted.size
+    return f"{', '.join(names[at] for at in sorted(best))} (true of {accuracy:.0%})"
+
+
+def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
+    """Every bound between two points on one of the indices, and which points it lets in (bounds, points) as 0 and 1."""
+    theta, lam = (grid.ravel() for grid in np.meshgrid(claims.theta, claims.lam, indexing="ij"))
+    eta = np.sqrt(np.pi) * 18.0**0.25 * lam**0.25 * theta**-0.5  # theory, section 2
+    names, sides = [""], [np.ones(theta.size, dtype=int)]
+    for name, values in (("theta", theta), ("lambda", lam), ("eta", eta)):
+        steps = np.unique(np.round(np.log(values), 9))
+        for edge in np.exp((steps[:-1] + steps[1:]) / 2.0):
+            bound = f"{float(f'{edge:.2g}'):g}"
+            names += [f"{name} > {bound}", f"{name} < {bound}"]
+            sides += [(values > edge).astype(int), (values < edge).astype(int)]
+    return names, np.array(sides)
+
+
+def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
+    """One record for each claim and reading: shares of the plane where it holds for all, some and none of its cases or is
+    not comparable; where it holds for all and for none; and how it stands at the given theta and lam."""
+    rows = []
+    here = [surfaces_at(theta, np.array([lam]), reading) for reading in READINGS]
+    for at, claim in enumerate(CLAIMS):
+        for row, reading in enumerate(READINGS):
+            share = claims.share[at, row]
+            share_here, worst_here = (None if np.isnan(value[0]) else float(value[0]) for value in claim.judge(here[row]))
+            rows.append(
+                {
+                    "claim": claim.key,
+                    "says": claim.says,
+                    "definition": claim.definition,
+                    "reading": reading,
+                    "holds_for_all": float(np.mean(share == 1.0)),
+                    "holds_for_some": float(np.mean((share > 0.0) & (share < 1.0))),
+                    "holds_for_none": float(np.mean(share == 0.0)),
+                    "not_comparable": float(np.mean(np.isnan(share))),
+                    "where_all": where(claims, share == 1.0),
+                    "where_none": where(claims, share == 0.0),
+                    "share_here": share_here,
+                    "worst_here": worst_here,
+                }
+            )
+    return rows
+
+
+def claim_rows(claims: ClaimMap) -> tuple[list[str], list[list]]:
+    """Heads and rows of the map as a table; nan where nothing compares."""
+    heads = ["claim", "reading", "theta", "lambda", "share_holding", "worst"]
+    rows = []
+    for (at, row, i, j), share in np.ndenumerate(claims.share):
+        claim, worst = CLAIMS[at], claims.worst[at, row, i, j]
+        place = [float(claims.theta[i]), float(claims.lam[j])]
+        rows.append([claim.key, READINGS[row], *place, float(share), float(worst)])
+    return heads, rows

@@ -1,0 +1,101 @@
+"""The curves behind figures 1 to 3 of the 2015 paper: friction coefficient against load, coated beside uncoated.
+
+Source: soft_coating_2015, section 4. The paper prints the film's n_E, n_H and tau and the range of h, but neither the theta
+and lambda of its figures nor the film values that a panel holds fixed: those here are chosen.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import xarray
+
+# Section 4 of the paper: its films (t of 100 to 300 nm over sigma of 48 nm gives tau of 2 to 6), and its separations h.
+FILM_VALUES: dict[str, tuple[float, ...]] = {"n_E": (0.5, 1.5, 2.5), "n_H": (0.2, 0.5, 0.8), "tau": (2.0, 3.0, 4.0, 5.0, 6.0)}
+H_RANGE = (4.0, -4.0)
+_POINTS = 161
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One picture: name of the file, of the paper's figure, the film group that varies, its values, and the fixed groups."""
+
+    name: str
+    figure: str
+    along: str
+    values: tuple[float, ...]
+    fixed: Mapping[str, float]
+
+
+PANELS = (
+    Panel("fig1a", "Figure 1(a)", "n_E", FILM_VALUES["n_E"], {"n_H": 0.5, "tau": 2.0}),
+    Panel("fig1b", "Figure 1(b)", "n_E", FILM_VALUES["n_E"], {"n_H": 0.5, "tau": 6.0}),
+    Panel("fig2a", "Figure 2(a)", "n_H", FILM_VALUES["n_H"], {"n_E": 1.5, "tau": 2.0}),
+    Panel("fig2b", "Figure 2(b)", "n_H", FILM_VALUES["n_H"], {"n_E": 1.5, "tau": 6.0}),
+    Panel("fig3", "Figure 3", "tau", (2.0, 4.0, 6.0), {"n_E": 0.5, "n_H": 0.8}),
+)
+
+
+@dataclass(frozen=True)
+class PanelCurves:
+    """A panel's results: coated has the dimensions (along, mean_separation), bare has mean_separation; normalised."""
+
+    panel: Panel
+    coated: "xarray.Dataset"
+    bare: "xarray.Dataset"
+
+    @property
+    def caption(self) -> str:
+        """What was printed in the paper and what was chosen, on two lines of plain text."""
+        groups = self.bare.attrs
+        fixed = ", ".join(f"{name} = {value:g}" for name, value in self.panel.fixed.items())
+        chosen = f"theta = {groups['theta']:g}, lambda = {groups['lam']:g} (not printed in the paper)"
+        return f"{self.panel.figure} of the 2015 paper, {in_words(groups['reading'])}: {fixed}\n{chosen}, h = 4 to -4"
+
+
+def in_words(reading: str) -> str:
+    """What a reading of the paper is called in pictures."""
+    from stiction.studies.paper.layered import LAYERED
+
+    return "its film solved" if reading == LAYERED else f"{reading} reading"
+
+
+def panel_curves(panel: Panel, theta: float, lam: float, reading: str) -> PanelCurves:
+    """Solve one panel. theta, lam > 0; reading "corrected", "published" or "layered" (`paper_layered`). Raises InputError."""
+    from stiction.contact.contact import Indices
+    from stiction.quantities.units import axis
+    from stiction.solving.solve import solve
+    from stiction.studies.paper.layered import LAYERED, choice, film_groups
+
+    h = np.linspace(*H_RANGE, _POINTS)
+    film = {**panel.fixed, panel.along: axis(panel.along, panel.values)}
+    if reading == LAYERED:
+        contacts = {
+            True: Indices(theta=theta, lam=lam, **film | film_groups(film["tau"])),
+            False: Indices(theta=theta, lam=lam),
+        }
+        coated, bare = (solve(contacts[one], separation=h, **choice(one).arguments()) for one in (True, False))
+        return PanelCurves(panel, coated, bare.assign_attrs(theta=theta, lam=lam, reading=reading))
+    coated = solve(Indices(theta=theta, lam=lam, **film), separation=h, reading=reading)
+    bare = solve(Indices(theta=theta, lam=lam), separation=h, reading=reading)
+    return PanelCurves(panel, coated, bare.assign_attrs(theta=theta, lam=lam))
+
+
+def curve_rows(panels: Iterable[PanelCurves]) -> tuple[list[str], Iterator[list]]:
+    """Heads and rows of a table of all curves, normalised; n_E, n_H and tau are empty for the uncoated surface."""
+    names = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient")
+    return ["figure", "reading", "theta", "lambda", *FILM_VALUES, *names], _rows_of(panels, names)
+
+
+def _rows_of(panels: Iterable[PanelCurves], names: Iterable[str]) -> Iterator[list]:
+    for curves in panels:
+        panel, used = curves.panel, curves.bare.attrs
+        head = [panel.name, used["reading"], used["theta"], used["lam"]]
+        films = [({**panel.fixed, panel.along: value}, curves.coated.sel({panel.along: value})) for value in panel.values]
+        for film, data in [({}, curves.bare), *films]:
+            groups = [film.get(name, "") for name in FILM_VALUES]
+            for values in zip(*(data[name].values.tolist() for name in names), strict=True):
+                yield [*head, *groups, *values]

@@ -1,0 +1,264 @@
+"""The resolution study: how sigma, R, N, and the friction that follows from them, change with the method and with the
+cutoff."""
+
+import math
+import warnings
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from numbers import Real
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+
+import numpy as np
+
+from stiction.contact.contact import Contact
+from stiction.contact.indices import Groups
+from stiction.laws.finding import Asperities, asperities, method_of_moments, methods_for
+from stiction.laws.registry import RoughSurface, find
+from stiction.quantities.errors import InputError
+from stiction.quantities.units import to_si
+from stiction.solving.candidates import with_interface
+from stiction.solving.choice import Choice
+from stiction.solving.method_spread import METHOD
+from stiction.solving.problem import takes_surface_moments
+from stiction.solving.solve import solve
+from stiction.studies.scans.measured import of_one_map
+from stiction.surfaces.height_model import HeightModel, height_model, roughness
+from stiction.surfaces.heightmap import HeightMap, in_metres
+from stiction.surfaces.held import as_height_map
+from stiction.surfaces.prepare import filter_band, filter_period
+from stiction.surfaces.spectrum import POINTS_PER_WAVE
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["default_cutoffs", "fan", "resolution_study"]
+
+# What is kept of each set of asperities: (name of the field, meaning, unit).
+_KEPT = {
+    "sigma": ("deviation", "asperity deviation", "m"),
+    "R": ("radius", "asperity radius", "m"),
+    "N": ("density", "asperities per area", "1/m^2"),
+    "mean_height": ("mean_height", "mean asperity height", "m"),
+    "skewness": ("skewness", "asperity skewness", "1"),
+    "count": ("count", "asperities found", "1"),
+}
+_FRICTION = "mu"
+
+# Of default_cutoffs: how many beside 0, and how many of the longest are to go into the size: with fewer there are too few
+# asperities on the map to count.
+_CUTOFFS = 7
+_WAVES_IN_SIZE = 10
+
+
+def default_cutoffs(surface: HeightMap) -> np.ndarray:
+    """0, for the map as it is, and wavelengths [m] in equal ratios from the shortest that is reliable to a tenth of the size.
+
+    The shortest: spectrum.POINTS_PER_WAVE of the larger pitch. On a map with fewer than ten of these along a side, 0 alone.
+    """
+    sizes = surface.size[1:] if surface.is_profile else surface.size
+    shortest, longest = POINTS_PER_WAVE * surface.coarsest_pitch, min(sizes) / _WAVES_IN_SIZE
+    if shortest > longest:
+        return np.zeros(1)
+    return np.concatenate([[0.0], np.geomspace(shortest, longest, _CUTOFFS)])
+
+
+class Asked(TypedDict, total=False):
+    """What of friction may be asked of a resolution study."""
+
+    contact: Contact | None
+    load: Any
+    choice: Choice | None
+
+
+@dataclass(frozen=True)
+class _Friction:
+    """The contact whose friction is wanted, at which load, by which model; nothing is where there is no contact. InputError for
+    what no asperities could make good."""
+
+    contact: Contact | None = None
+    load: Any = None
+    choice: Choice | None = None
+
+    def __post_init__(self) -> None:
+        if self.choice is not None and not isinstance(self.choice, Choice):
+            raise InputError("choice", self.choice, "a stiction.solving.choice.Choice, e.g. Choice(model=...)")
+        if (self.contact is None) != (self.load is None):
+            missing, given = ("load", "contact") if self.load is None else ("contact", "load")
+            raise InputError(missing, None, f"both contact and load, for friction too, or neither ({given} is given)")
+        if self.contact is None:
+            return
+        if not isinstance(self.contact, Contact):
+            raise InputError("contact", type(self.contact).__name__, "a stiction.Contact")
+        groups, _ = Groups.of(self.contact.indices())
+        tangential = with_interface(self.chosen, groups).tangential or find(self.chosen.model, RoughSurface).tangential
+        if tangential == "none":
+            raise InputError("model", self.chosen.model, "a model of friction, or a tangential law beside it")
+        for name, array in self.contact.arrays():
+            raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
+        asked = to_si(self.load, "load")
+        if np.ndim(asked) or not asked > 0.0:
+            raise InputError("load", self.load, "one load > 0 N")
+
+    @property
+    def chosen(self) -> Choice:
+        """The model and laws that answer."""
+        return self.choice or Choice()
+
+    @property
+    def of_map(self) -> bool:
+        """Whether the map is solved, and no asperities are asked."""
+        return find(self.chosen.model, RoughSurface).of_map is not None
+
+    def coefficient(
+        self, seen: HeightMap, to_solve: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]
+    ) -> float:
+        """Static friction coefficient of the contact with these asperities for its rough surface. Theories of the whole surface
+        take its moments, whatever was found, and what solves a map takes that; options: of the methods."""
+        assert self.contact is not None
+        if takes_surface_moments(self.chosen.model):
+            key = method_of_moments()
+            found = asperities(seen, key, **options.get(key, {}))
+            heights = height_model(found)
+        one = roughness(found, heights)
+        if self.of_map:
+            one = one.as_measured(of_one_map(one, found, to_solve))
+        other = self.contact.model_copy(update={"roughness": one})
+        return float(solve(other, load=self.load, **self.chosen.arguments())["friction_coefficient"])
+
+
+def resolution_study(
+    surface: HeightMap,
+    cutoffs: Iterable[float] | None = None,
+    methods: Iterable[str] | None = None,
+    *,
+    options: dict[str, dict[str, Any]] | None = None,
+    points_per_cutoff: float | None = None,
+    progress: Callable[[Iterable], Iterable] = iter,
+    **friction: Unpack[Asked],
+) -> "xarray.Dataset":
+    """sigma, R, N and, with a contact, mu, for each method and each shortest wavelength that is left in the map.
+
+    surface: a levelled map, or what `as_height_map` takes for one.
+    cutoffs: wavelengths [m], or text with a unit, at which the Gaussian low-pass of
+    prepare.filter_band lets half the amplitude through; 0 leaves the map as it is; by default `default_cutoffs`. methods: keys,
+    by default all that the map allows. contact: whose rough surface is replaced by what is found, all its numbers single ones;
+    load: of it, one number [N] or text, > 0; choice: model and laws that answer, by default those of `solve`; theories of the
+    whole surface take its moments, boundary_elements the map, and give the same mu after every method. options: of each method
+    by its key. points_per_cutoff: take only every k-th point, with at least this many to a cutoff (>= 2); by default all are
+    kept.
+    progress: wraps the list of cutoffs.
+
+    Returns an xarray.Dataset over (asperity_method, cutoff): sigma, R, N, mean_height, skewness, count, height_distribution,
+    mu, and `failure`, the reason why numbers are not there (NaN), else empty: the map is too smooth for the method, or the
+    contact cannot carry the load. Raises InputError for cutoffs, methods, options, or a contact, load or choice that will not
+    do.
+    """
+    import xarray
+
+    unknown = [name for name in friction if name not in Asked.__annotations__]
+    if unknown:
+        known = "cutoffs, methods, options, points_per_cutoff, progress, contact, load and choice"
+        raise InputError(unknown[0], friction[unknown[0]], f"no argument of that name; a resolution study takes {known}")  # type: ignore[literal-required]
+    surface = as_height_map(surface, "surface")
+    wanted = _cutoffs(default_cutoffs(surface) if cutoffs is None else cutoffs)
+    keys = _methods(surface, methods)
+    asked = _Friction(**friction)
+    given = options or {}
+    if set(given) - set(keys):
+        raise InputError("options", tuple(given), f"of the methods {', '.join(keys)}")
+    names = [*_KEPT, _FRICTION] if asked.contact is not None else [*_KEPT]
+    numbers = {name: np.full((len(keys), len(wanted)), math.nan) for name in names}
+    words = {name: np.full((len(keys), len(wanted)), "", dtype=object) for name in ("height_distribution", "failure")}
+    for j, cutoff in enumerate(progress(wanted.tolist())):
+        seen = _seen(surface, cutoff, points_per_cutoff)
+        to_solve = seen if not asked.of_map else _to_solve(surface, seen, cutoff)
+        for i, key in enumerate(keys):
+            try:
+                found = asperities(seen, key, **given.get(key, {}))
+                for name, (attribute, _, _) in _KEPT.items():
+                    numbers[name][i, j] = getattr(found, attribute)
+                heights = height_model(found)
+                words["height_distribution"][i, j] = heights.name
+                if asked.contact is not None:
+                    numbers[_FRICTION][i, j] = asked.coefficient(seen, to_solve, found, heights, given)
+            except InputError as error:
+                if error.field in (*given.get(key, {}), *asked.chosen.arguments()):
+                    raise  # what was asked for, not what was found
+                words["failure"][i, j] = str(error)
+    return _labelled(xarray, surface, keys, wanted, numbers, words)
+
+
+def fan(*arguments: Any, **keywords: Any) -> "xarray.Dataset":
+    """The old name of `resolution_study`; gone in the next release."""
+    warnings.warn("stiction.fan is now stiction.resolution_study", FutureWarning, stacklevel=2)
+    return resolution_study(*arguments, **keywords)
+
+
+def _cutoffs(cutoffs: Iterable[float]) -> np.ndarray:
+    if isinstance(cutoffs, str | Real) and not isinstance(cutoffs, bool):
+        cutoffs = [cutoffs]  # type: ignore[list-item]
+    try:
+        wanted = np.asarray([in_metres(cutoff, "cutoffs") for cutoff in cutoffs], dtype=float)
+    except (TypeError, ValueError):
+        wanted = np.zeros(0)
+    if wanted.ndim != 1 or not len(wanted) or not (np.isfinite(wanted) & (wanted >= 0.0)).all():
+        raise InputError("cutoffs", cutoffs, "one or more wavelengths >= 0 m")
+    return wanted
+
+
+def _methods(surface: HeightMap, methods: Iterable[str] | None) -> tuple[str, ...]:
+    allowed = methods_for(surface)
+    if methods is None:
+        return allowed
+    keys = () if not isinstance(methods, Iterable) else (methods,) if isinstance(methods, str) else tuple(methods)
+    if not keys or any(key not in allowed for key in keys):
+        raise InputError("methods", methods, f"one or more of {', '.join(allowed)}")
+    return keys
+
+
+def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) -> HeightMap:
+    """The map without the waves below the cutoff, with fewer points if so asked."""
+    if cutoff == 0.0:
+        return surface
+    smooth = filter_band(surface, shortest=cutoff)
+    return smooth if points_per_cutoff is None else thinned(smooth, cutoff, points_per_cutoff)
+
+
+def _to_solve(surface: HeightMap, seen: HeightMap, cutoff: float) -> HeightMap:
+    """The map whose contact is solved: of one period the waves are taken off over its ends, so that it stays one."""
+    if not surface.periodic or not surface.complete:
+        return seen
+    return surface if cutoff == 0.0 else filter_period(surface, shortest=cutoff)
+
+
+def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> HeightMap:
+    """Every k-th point along either axis, k as large as leaves `points_per_cutoff` >= 2 points to a cutoff [m]."""
+    if not points_per_cutoff >= 2.0:
+        raise InputError("points_per_cutoff", points_per_cutoff, ">= 2")
+    # The tolerance is for a cutoff that is a whole number of pitches, to rounding.
+    steps = [max(int(cutoff / (points_per_cutoff * pitch) * (1.0 + 1e-9)), 1) for pitch in surface.pitch]
+    if surface.is_profile:
+        steps[0] = 1
+    heights = np.ascontiguousarray(surface.heights[:: steps[0], :: steps[1]])
+    size = tuple(n * k * pitch for n, k, pitch in zip(heights.shape, steps, surface.pitch, strict=True))
+    fewer = surface.with_heights(heights, f"every {steps[0]}th row and {steps[1]}th column", (size[0], size[1]))
+    whole = not any(count % step for count, step in zip(surface.heights.shape, steps, strict=True))
+    return fewer if whole else fewer.alone()
+
+
+def _labelled(xarray, surface, keys, cutoffs, numbers, words) -> "xarray.Dataset":
+    dims = (METHOD, "cutoff")
+    meanings = {name: {"long_name": meaning, "units": unit} for name, (_, meaning, unit) in _KEPT.items()}
+    meanings |= {
+        _FRICTION: {"long_name": "friction coefficient", "units": "1"},
+        "height_distribution": {"long_name": "height distribution taken"},
+        "failure": {"long_name": "why there are no numbers"},
+    }
+    data = {name: (dims, table, meanings[name]) for name, table in numbers.items()}
+    data |= {name: (dims, table.astype(str), meanings[name]) for name, table in words.items()}
+    coords = {
+        METHOD: list(keys),
+        "cutoff": ("cutoff", cutoffs, {"long_name": "cutoff wavelength", "units": "m"}),
+    }
+    attributes = {"title": "The resolution study", "surface": surface.name, "history": "; ".join(surface.history)}
+    return xarray.Dataset(data, coords=coords, attrs=attributes)

@@ -1,0 +1,118 @@
+"""The mean touching asperity of a coated contact in section: stresses in film and body, and along their interface.
+
+The fields of `contact.layered.stresses`, at the radius, mean pressure and friction force that `film_stresses` has for the mean
+asperity. They are elastic: where the von Mises stress is above the yield stress, they say by how much, and no more.
+"""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.contact.contact import Contact
+from stiction.contact.indices import Groups
+from stiction.contact.layered.bodies import Bodies, bodies_of
+from stiction.contact.layered.first_yield import Yield, first_yield
+from stiction.contact.layered.stresses import Stresses, cartesian
+from stiction.contact.subject import Subject, as_subject
+from stiction.quantities.errors import InputError
+from stiction.studies.stresses.film_stress import LEAST, MOST, contact_over_thickness, pressure_over_yield
+from stiction.studies.stresses.one_asperity import section
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["film_section"]
+
+_X = np.linspace(-2.0, 2.0, 81)
+_ROWS, _SHALLOW, _DEEP = 61, 1.8, 4.0  # depths; over the contact radius, down to where at least, and at most for a film's sake
+_ASIDE = 1e-9  # of the thickness, how far above the interface is in the film
+
+
+def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
+    """Stresses in section under the mean touching asperity of one point of a result of `film_stresses`.
+
+    contact: the same Contact or Indices with a film. Returns a dataset over z, depth, and x, in the direction of the tangential
+    force, both over the contact radius: stress_over_yield, the von Mises stress over the yield stress of what is there; over x,
+    interface_normal_stress (tension above 0) and interface_shear_stress along x, in the middle plane: in Pa of a Contact, over
+    the mean pressure of Indices. Attributes: contact_radius and film_thickness [m] and mean_pressure [Pa] of a Contact;
+    thickness_over_radius, largest, largest_x, largest_z and where: "film", "interface" or "body". Raises InputError where
+    nothing presses, and for a contact out of proportion to the film.
+    """
+    subject = as_subject(contact)
+    groups, _ = Groups.of(subject.indices())
+    radius, pressure, traction, in_si = _asperity(subject, groups, point)
+    (bodies,), _ = bodies_of(groups.resolved())
+    strength = float(groups.n_H[0])
+    stresses, worst = _worst(bodies, radius, traction, strength)
+    thickness = stresses.thickness
+    deepest = min(1.3 * thickness, _DEEP) if _SHALLOW < 1.3 * thickness < 1.3 * _DEEP else _SHALLOW
+    both_sides = np.array([1.0 - _ASIDE, 1.0]) * thickness  # stresses along the interface jump there
+    z = np.union1d(np.linspace(0.0, deepest, _ROWS), both_sides[both_sides < deepest])
+    field = pressure * section(stresses, traction, strength, _X, z)
+    normal, shear = _along_interface(stresses, traction)
+    attrs = in_si | {
+        "thickness_over_radius": thickness, "largest": pressure * worst.excess, "largest_x": worst.x, "largest_z": worst.z,
+        "where": worst.where,
+    }  # fmt: skip
+    return _dataset(z, field, normal, shear, attrs)
+
+
+def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tuple[float, float, float, dict[str, Any]]:
+    """Of the mean asperity: contact radius over the thickness of one film, mean pressure over the body's yield stress, friction
+    over load; and its sizes in SI, of a Contact."""
+    count, area, load = (float(point[name]) for name in ("touching_asperities", "contact_area", "load"))
+    if not (count > 0.0 and load > 0.0 and math.isfinite(float(point["stress_over_yield"]))):
+        raise InputError("load", load, "a load or separation at which asperities press: nothing is stressed here")
+    factors = subject.scales().factors()
+    one, force = area / count / factors["m^2"] * factors["count"], load / count / factors["N"] * factors["count"]
+    radius = contact_over_thickness(groups, one)
+    if not LEAST <= radius <= MOST:
+        raise InputError("thickness", f"a/t = {radius:.3g}", f"{LEAST:g} to {MOST:g} times as wide a contact")
+    pressure = pressure_over_yield(groups, one, force)
+    traction = float(point["friction_force"]) / load if "friction_force" in point else 0.0
+    if not isinstance(subject, Contact):
+        return radius, pressure, traction, {}
+    width = math.sqrt(area / (math.pi * count))
+    return radius, pressure, traction, {
+        "contact_radius": width, "film_thickness": width / radius, "mean_pressure": load / area,
+    }  # fmt: skip
+
+
+def _worst(bodies: Bodies, radius: float, traction: float, strength: float) -> tuple[Stresses, Yield]:
+    """Of the coated bodies that which comes nearer to yield."""
+    each = [Stresses(bodies.pair, body, radius) for body in dict.fromkeys(bodies.coated)]
+    return max(((one, first_yield(one, traction, strength)) for one in each), key=lambda pair: pair[1].excess)
+
+
+def _along_interface(stresses: Stresses, traction: float) -> tuple[np.ndarray, np.ndarray]:
+    """Stress across the interface, and shear on it along x, at _X (m,), over the mean pressure."""
+    radial = stresses.in_film(np.abs(_X), np.array([stresses.thickness]))
+    six = cartesian(radial, np.where(_X < 0.0, math.pi, 0.0), traction)
+    return six[2][0], six[5][0]
+
+
+def _dataset(
+    z: np.ndarray, field: np.ndarray, normal: np.ndarray, shear: np.ndarray, attrs: dict[str, Any]
+) -> "xarray.Dataset":
+    import xarray
+
+    unit, scale = ("Pa", attrs["mean_pressure"]) if "mean_pressure" in attrs else ("1", 1.0)
+    over = {} if unit == "Pa" else {"normalised_by": "mean pressure"}
+
+    def told(words: str, **more: str) -> dict[str, str]:
+        return {"long_name": words, "units": "1"} | more
+
+    along = {"units": unit} | over
+    return xarray.Dataset(
+        {
+            "stress_over_yield": (("z", "x"), field, told("von Mises stress over the yield stress of what is there")),
+            "interface_normal_stress": ("x", scale * normal, told("stress across the interface, tension above 0", **along)),
+            "interface_shear_stress": ("x", scale * shear, told("shear stress on the interface along x", **along)),
+        },
+        coords={
+            "x": ("x", _X, told("place in the direction of the tangential force", normalised_by="contact radius")),
+            "z": ("z", z, told("depth", normalised_by="contact radius")),
+        },
+        attrs=attrs,
+    )

@@ -1,0 +1,251 @@
+"""What a sweep computes: which contacts, in which blocks, and what is kept of them."""
+
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from stiction.contact.contact import Roughness
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input, nearest, require_names
+from stiction.studies.case.several import Several, with_values
+from stiction.studies.case.uncertain import SAMPLE, Uncertain, expanded
+from stiction.studies.sweep.quantile_counts import PERCENTILES
+
+__all__ = ["AT_ONCE", "MOMENTS", "STATISTICS", "Plan", "Sweep", "make_plan"]
+
+_METHODS = ("grid", "list", "sobol", "latin_hypercube")
+_MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
+AT_ONCE = 131_072  # points of a block: half a second of work; and of what is solved together, of larger ones
+_LARGEST_BLOCK, _MOST_BLOCKS = 2**24, 50_000_000  # 10^12 points in blocks of the usual size are 7.6 million
+_BITS = 32  # of the coordinates of Sobol points: as many as can be skipped quickly
+MOMENTS = ("count", "mean", "standard_deviation", "least", "most")
+STATISTICS = (*MOMENTS, *PERCENTILES)
+
+
+class Sample(Input):
+    """Which contacts. grid: every combination; list: the values point by point; sobol, latin_hypercube: so many points drawn
+    between start and stop of each range, evenly in it or in its logarithm."""
+
+    method: Literal["grid", "list", "sobol", "latin_hypercube"] = Field("grid", description=", ".join(_METHODS))
+    count: int | None = Field(None, ge=1, le=_MOST_SOBOL, strict=True, description="a whole number, 1 or more")
+    seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
+
+    @model_validator(mode="after")
+    def _count_is_needed(self):
+        drawn = self.method in ("sobol", "latin_hypercube")
+        if drawn and self.count is None:
+            raise InputError("count", None, "a whole number, 1 or more: how many points are drawn")
+        if not drawn and self.count is not None:
+            raise InputError("count", self.count, f"nothing: a {self.method} has as many points as there are values")
+        if self.method == "latin_hypercube" and (self.count or 0) > _MOST_HYPERCUBE:
+            raise InputError("count", self.count, f"{_MOST_HYPERCUBE} at most, or sobol, which may have more")
+        return self
+
+
+class Sweep(Input):
+    """What is computed and kept.
+
+    sample: which contacts. keep: names of results, all if left out. statistics: in place of the points, of what is kept over
+    all contacts at each load. precision: of what is stored. block: points that are stored at once; where it is left out, as
+    many as are solved at once, or for statistics, of which a large block has no more than a small one, up to 8 times that.
+    """
+
+    sample: Sample = Field(default=Sample(method="grid", count=None, seed=0), description="a table with method, count and seed")
+    keep: list[str] = Field(default_factory=list, description="a list of names of results")
+    statistics: list[Literal[STATISTICS]] = Field(  # type: ignore[valid-type]  # one list of them, for all
+        default_factory=list, description=", ".join(STATISTICS)
+    )
+    precision: Literal["float64", "float32"] = Field("float64", description="float64, float32")
+    block: int | None = Field(None, ge=1, le=_LARGEST_BLOCK, strict=True, description=f"a whole number, 1 to {_LARGEST_BLOCK}")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A sweep, ready to be computed block by block, by whoever and in whatever order: the same bits follow.
+
+    content: the tables of the case without [sweep], several: its numbers that are several, sweep: what is computed and kept.
+    dims: name -> length of the dimensions of the contacts, in the order of results; tile: of the contacts of a block along each
+    of them; points: of a contact. scans: what was done to those that say the roughness, if any do. Only `make_plan` makes one.
+    """
+
+    content: Mapping[str, Any]
+    several: Mapping[tuple[str, ...], Several]
+    sweep: Sweep
+    dims: Mapping[str, int] = field(default_factory=dict)
+    tile: Mapping[str, int] = field(default_factory=dict)
+    points: int = 1
+    scans: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def blocks(self) -> int:
+        return math.prod(self._tiles())
+
+    @property
+    def size(self) -> int:
+        """Number of points: of contacts times loads or separations."""
+        return math.prod(self.dims.values()) * self.points
+
+    def _tiles(self) -> list[int]:
+        return [-(-length // self.tile[dim]) for dim, length in self.dims.items()]
+
+    def region(self, block: int) -> dict[str, slice]:
+        """Which contacts are in a block: a slice along each dimension."""
+        places = np.unravel_index(block, self._tiles()) if self.dims else ()
+        starts = {dim: int(at) * self.tile[dim] for dim, at in zip(self.dims, places, strict=True)}
+        return {dim: slice(start, min(start + self.tile[dim], self.dims[dim])) for dim, start in starts.items()}
+
+    def pieces(self, region: Mapping[str, slice]) -> list[dict[str, slice]]:
+        """A region cut along its dimensions, so that no part has more points than are solved together, where that can be."""
+        found, room = [dict(region)], max(1, AT_ONCE // self.points)
+        for dim in region:
+            found = [piece for one in found for piece in _cut_along(one, dim, room)]
+        return found
+
+    def contacts(self, block: int) -> int:
+        """How many contacts are in a block."""
+        return math.prod(some.stop - some.start for some in self.region(block).values())
+
+    def arrays(self, region: Mapping[str, slice]) -> dict[tuple[str, ...], Any]:
+        """The numbers that are several, as labelled arrays, in a region."""
+        if self.sweep.sample.method in ("sobol", "latin_hypercube"):
+            return self._drawn(region[SAMPLE])
+        listed = self.sweep.sample.method == "list"
+        found = {}
+        for path, one in self.several.items():
+            dim = SAMPLE if listed else one.dimension
+            found[path] = one.array(one.numbers()[region[dim]], dim)
+        return found
+
+    def case(self, region: Mapping[str, slice]):
+        """The case with the contacts of a region."""
+        from stiction.studies.case.read import case_of
+
+        return case_of(self.content, self.arrays(region))
+
+    def _drawn(self, some: slice) -> dict[tuple[str, ...], Any]:
+        """Points that are drawn. Quantities along one dimension share their shares, and go together."""
+        columns = list(dict.fromkeys(one.dimension for one in self.several.values()))
+        shares = _shares(self.sweep.sample, len(columns), some)
+        return {path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for path, one in self.several.items()}
+
+    def identity(self) -> str:
+        """What decides the results, as text: the same for the same case."""
+        content = {key: value for key, value in self.content.items() if key != "title"}
+        plain = json.loads(json.dumps(content, default=_plain))
+        plain = with_values(plain, {path: one.as_table() for path, one in self.several.items()})
+        return json.dumps(plain | {"sweep": self.sweep.model_dump()}, sort_keys=True)
+
+
+def _cut_along(region: dict[str, slice], dim: str, room: int) -> list[dict[str, slice]]:
+    """Parts of a region, one after another along a dimension, of so many contacts or of one place of that dimension."""
+    some = region[dim]
+    contacts = math.prod(one.stop - one.start for one in region.values())
+    step = max(1, room * (some.stop - some.start) // max(contacts, 1))
+    return [region | {dim: slice(at, min(at + step, some.stop))} for at in range(some.start, some.stop, step)]
+
+
+def _plain(value: Any) -> Any:
+    return value.model_dump() if isinstance(value, Input) else str(value)
+
+
+def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
+    """Points (n, columns) in the unit cube: those of a slice."""
+    from scipy.stats import qmc
+
+    if sample.method == "latin_hypercube":
+        return qmc.LatinHypercube(columns, rng=sample.seed).random(sample.count)[some]
+    import warnings
+
+    sobol = qmc.Sobol(columns, rng=sample.seed, bits=_BITS)
+    if some.start:
+        sobol.fast_forward(some.start)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # that a part of the points is balanced is not asked for
+        return sobol.random(some.stop - some.start)
+
+
+def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
+    """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
+    from stiction.studies.case.read import case_of, opened
+
+    require_names(content)
+    content, several = opened(content, folder)
+    sweep = _sweep(content.get("sweep", {}))
+    plain: Mapping[str, Any] = {key: value for key, value in content.items() if key != "sweep"}
+    if any(isinstance(one, Uncertain) for one in several.values()):
+        plain = expanded(plain)
+    plain, scans = _without_scans(plain)
+    plan = Plan(plain, several, sweep, scans=scans)
+    lengths = _lengths(plan)
+    first = replace(plan, dims=lengths).case({dim: slice(0, 1) for dim in lengths})
+    case_of(plain, {path: one.array(one.values[:1]) for path, one in several.items()})
+    points = first.load if first.load is not None else first.separation
+    size = int(np.size(points)) if not hasattr(points, "dims") else points.sizes["separation"]
+    return _cut(replace(plan, points=size), lengths)
+
+
+def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[str, str]]:
+    """The tables with the numbers of the method that stands for the surface alone, where scans say the roughness: maps are not
+    for every worker; and what was done to the scans."""
+    contact = content.get("contact")
+    rough = contact.get("roughness") if isinstance(contact, Mapping) else None
+    if not isinstance(contact, Mapping) or not isinstance(rough, Roughness) or rough.measured is None:
+        return content, {}
+    return {**content, "contact": {**contact, "roughness": rough.as_numbers()}}, rough.measured.attributes()
+
+
+def _sweep(table: Any) -> Sweep:
+    if not isinstance(table, Mapping):
+        raise InputError("sweep", table, "a table with sample, keep, statistics, precision, block")
+    try:
+        return Sweep(**table)
+    except InputError as error:
+        raise InputError(f"sweep.{error.field}", error.value, error.allowed) from None
+
+
+def _lengths(plan: Plan) -> dict[str, int]:
+    """The length of every dimension of the contacts. Raises InputError."""
+    if not plan.several:
+        raise InputError(
+            "contact", "single numbers only", "numbers that are several, a list or {start, stop, count}, for a sweep"
+        )
+    sample = plan.sweep.sample
+    if sample.method in ("sobol", "latin_hypercube"):
+        assert sample.count is not None  # the validator has seen to it
+        return {SAMPLE: sample.count}
+    found: dict[str, tuple[int, Several]] = {}
+    for one in plan.several.values():
+        dim, length = (SAMPLE if sample.method == "list" else one.dimension), len(one.numbers())
+        other = found.setdefault(dim, (length, one))
+        if other[0] != length:
+            raise InputError(one.where, f"{length} values", f"{other[0]}, as many as {other[1].where} has")
+    return {dim: length for dim, (length, _) in found.items()}
+
+
+def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
+    """The plan with blocks of as many contacts as have the points asked for, whole along the last dimensions."""
+    size = math.prod(lengths.values()) * plan.points
+    times = min(max(1, size // (64 * AT_ONCE)), 8) if plan.sweep.statistics else 1
+    room = max(1, plan.sweep.block // plan.points if plan.sweep.block else times * (AT_ONCE // plan.points))
+    tile: dict[str, int] = {}
+    for dim in reversed(list(lengths)):
+        tile[dim] = max(1, min(lengths[dim], room))
+        room //= tile[dim]
+    cut = replace(plan, dims=dict(lengths), tile={dim: tile[dim] for dim in lengths})
+    if cut.blocks > _MOST_BLOCKS:
+        allowed = f"{_MOST_BLOCKS} blocks at most: fewer points, or a larger sweep.block, up to {_LARGEST_BLOCK}"
+        raise InputError("sweep", f"{cut.size} points in {cut.blocks} blocks", allowed)
+    return cut
+
+
+def check_kept(kept: list[str], known: list[str]) -> None:
+    """InputError for a name that is no result."""
+    for name in kept:
+        if name not in known:
+            raise InputError("sweep.keep", name, nearest(name, known))

@@ -1,0 +1,105 @@
+"""Sweeps of any size: solved block by block into a store, interrupted and gone on with at any time."""
+
+import errno
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.extras import require
+from stiction.studies.sweep.plan import Plan, make_plan
+from stiction.studies.sweep.workers import make_ready
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.sweep.store import Store
+
+__all__ = ["Progress", "sweep"]
+
+_MOST_WORKERS = 1024  # processes of one machine
+
+# From how many points are done, how many there are, and what is done as it is done, the same with a display of that.
+Progress = Callable[[int, int, Iterable[int]], Iterable[int]]
+
+
+def sweep(
+    case: Any, out: Any, *, workers: int = 1, scheduler: str | None = None, progress: Progress | None = None
+) -> "xarray.Dataset":
+    """Solve all contacts of a case whose numbers are several, into a store on disk; what was done before is not done again.
+
+    case: path of a case file, or its tables as a dict. out: path of the store, new, or of this case. workers: how many
+    processes of this machine share the work; or scheduler: address of a dask.distributed scheduler, whose workers see the store
+    under the same path. The store is the same, bit for bit, whoever does the work, and however often it is interrupted.
+    progress: shown what is done.
+
+    Returns the store as a labelled dataset, read from disk as it is used: the results, over the dimensions of what varies (or
+    `sample`, of points that are listed or drawn) and the loads or separations, and `doubts`, whose bits say of every point
+    which ranges of validity it leaves, and why it has no results, by its attributes flag_masks and flag_meanings. Raises
+    InputError for bad input, a store of another case, and a place that cannot be written to.
+    """
+    from stiction.studies.sweep.store import open_store
+
+    run_sweep(case, out, workers, scheduler, progress)
+    return open_store(Path(out))
+
+
+def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress: Progress | None) -> "Store":
+    """As `sweep`; returns the store, which is complete."""
+    require("sweep", *(("distributed",) if scheduler else ()), "zarr")
+    if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST_WORKERS:
+        raise InputError("--workers", workers, f"a whole number, 1 to {_MOST_WORKERS}; more are for a cluster, --scheduler")
+    if not isinstance(out, str | PathLike):
+        raise InputError("--out", out, "the path of a store, new, or of this case")
+    if not (scheduler is None or isinstance(scheduler, str)):
+        raise InputError("--scheduler", scheduler, "the address of a scheduler, as text")
+    if workers > 1 and scheduler is None:
+        make_ready()
+    plan, title, text = _planned(case)
+    from stiction.studies.sweep.guards import locked
+    from stiction.studies.sweep.store import opened_store
+
+    store = opened_store(Path(out), plan, title, text)
+    with locked(Path(out)):
+        left = store.left()
+        points = [plan.contacts(block) * plan.points for block in left]
+        done = _done(store, left, workers, scheduler)
+        for _ in (progress or _silently)(plan.size - sum(points), plan.size, done):
+            pass
+        store.finish()
+    return store
+
+
+def _silently(done: int, size: int, steps: Iterable[int]) -> Iterable[int]:
+    return steps
+
+
+def _planned(case: Any) -> tuple[Plan, str, str]:
+    """The plan of a case, its title and its text."""
+    import json
+
+    from stiction.studies.case.read import read_content
+
+    if isinstance(case, Mapping):
+        return make_plan(case), str(case.get("title", "")), json.dumps(case, default=str)
+    content = read_content(case)
+    return make_plan(content, Path(case).parent), str(content.get("title", "")), Path(case).read_text(encoding="utf-8-sig")
+
+
+def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) -> Iterator[int]:
+    from stiction.studies.sweep import workers as sweep_workers
+
+    try:
+        if not left:
+            return
+        if scheduler is not None:
+            yield from sweep_workers.done_on_cluster(store, left, scheduler)
+        elif workers > 1 and len(left) > 1:
+            yield from sweep_workers.done_in_processes(store, left, min(workers, len(left)))
+        else:
+            yield from sweep_workers.done_here(store, left)
+    except OSError as error:
+        full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+        why = "room on its disk, which is full" if full else f"a place that can be written ({error.strerror or error})"
+        raise InputError("--out", store.path, f"{why}; what is done is kept: call again to go on") from None

@@ -1,0 +1,359 @@
+"""The store of a sweep: chunked, labelled, zarr 3; opened again by xarray.open_zarr.
+
+Every block is a chunk of each array, written on its own; the last that is written of a block is its row of `doubts_by_block`,
+which says that it is done. A file is either there or not (zarr moves it into place), and the same bits follow from the same
+case: what was interrupted is written again as it would have been.
+"""
+
+import json
+import math
+import shutil
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction import __version__
+from stiction.quantities.errors import InputError
+from stiction.quantities.paths import require_place
+from stiction.solving.choice import LAWS, Choice
+from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
+from stiction.studies.sweep.blocks import merged, rules_as_data, solve_block, solve_region, statistics_of
+from stiction.studies.sweep.guards import uninterrupted
+from stiction.studies.sweep.plan import SAMPLE, Plan, check_kept
+from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["Store", "create", "open_store", "opened_store"]
+
+_DONE, _DOUBTS, _PARTS, _COUNTS = "doubts_by_block", "doubts", "statistics_by_block", "counts_by_block"
+_NOTHING = -1  # of a block that is not done
+_LAWS = ("title", "model", "asperity", "tangential", "film", "options", "heights", "grade", "sources", "friction_law")
+_PACKAGES = ("numpy", "scipy", "numba", "xarray", "zarr")
+_MOST_RULES = 31 - len(WHY_NOT)
+_ROWS_AT_ONCE = 1_000_000  # numbers of blocks that are read together
+
+
+@dataclass(frozen=True)
+class Store:
+    """A store of a plan, by its path: any process may open it and do some of its blocks."""
+
+    path: str
+    plan: Plan
+
+    @cached_property
+    def group(self) -> Any:
+        import zarr
+
+        return zarr.open_group(self.path, mode="r+", zarr_format=3, use_consolidated=False)
+
+    @cached_property
+    def _choice(self) -> Choice:
+        return Choice(**json.loads(self.group.attrs["choice"]))
+
+    @cached_property
+    def _results(self) -> dict[str, tuple[str, ...]]:
+        return {name: tuple(of) for name, of in json.loads(self.group.attrs["results"]).items()}
+
+    @cached_property
+    def _points(self) -> dict[str, int]:
+        return json.loads(self.group.attrs["points"])
+
+    def left(self) -> list[int]:
+        """The blocks that are not done, in order."""
+        done = self.group[_DONE][:, 0]
+        return np.flatnonzero(done == _NOTHING).tolist()
+
+    def do(self, block: int) -> int:
+        """Solve and store a block; returns how many points it has. Raises OSError where it cannot be written."""
+        found = solve_block(self.plan, self._choice, block, self._results, self._points)
+        with uninterrupted():
+            self._write(block, found)
+        return found.doubts.size
+
+    def _write(self, block: int, found: Any) -> None:
+        region = self.plan.region(block)
+        contacts = len(region)
+        if self.plan.sweep.statistics:
+            self._write_statistics(block, found.results, contacts)
+        else:
+            for name, values in found.results.items():
+                place = tuple(region.get(dim, slice(None)) for dim in self._results[name])
+                self.group[name][place] = values.astype(self.group[name].dtype)
+            place = (*region.values(), *(slice(None) for _ in self._points))
+            self.group[_DOUBTS][place] = found.doubts
+        if SAMPLE in region and not self.plan.sweep.statistics:
+            for name, values in found.coordinates.items():
+                self.group[name][region[SAMPLE]] = values
+        bits = np.arange(self.group[_DONE].shape[1], dtype=np.uint32)
+        counts = [int(((found.doubts >> bit) & 1).sum()) for bit in bits]
+        self.group[_DONE][block : block + 1] = np.array([counts])
+
+    def _write_statistics(self, block: int, results: Mapping[str, np.ndarray], contacts: int) -> None:
+        for name, values in results.items():
+            self.group[_PARTS][name][block : block + 1] = statistics_of(values, contacts)[None]
+            if _percentiles(self.plan):
+                rows = values.reshape(math.prod(values.shape[:contacts]), -1)
+                counts = counted(rows)  # of the last contacts, which may be fewer than a block has, there are fewer
+                self.group[_COUNTS][name][block : block + 1, :, :, : counts.shape[-1]] = counts[None]
+
+    def finish(self) -> None:
+        """When all blocks are done: the statistics of all together, and no file that an interruption left."""
+        assert not self.left(), "blocks that nobody has done"
+        for name in self._results if self.plan.sweep.statistics else ():
+            whole = merged(_each_row(self.group[_PARTS][name]))
+            wanted = _percentiles(self.plan)
+            if wanted:
+                counts = self.group[_COUNTS][name]
+                found = quantiles_of(_each_row(counts), counts.shape[2], wanted.values())
+                whole |= dict(zip(wanted, found, strict=True))
+            target = self.group[name]
+            rows = np.array([whole[one] for one in self.plan.sweep.statistics])
+            target[:] = rows.reshape(target.shape).astype(target.dtype)
+        self.clean()
+
+    def clean(self) -> None:
+        """Remove what a process that was killed had begun to write."""
+        for file in Path(self.path).rglob("*.partial"):
+            file.unlink(missing_ok=True)
+
+    def doubts(self) -> dict[str, int]:
+        """At how many points each rule is left, of the blocks that are done; those that are nowhere left out."""
+        counts = np.zeros(self.group[_DONE].shape[1], dtype=np.int64)
+        for row in _each_row(self.group[_DONE]):
+            counts += np.where(row == _NOTHING, 0, row)
+        said = json.loads(self.group[_DONE].attrs["rules"])
+        texts = [*WHY_NOT, *(f"{rule['quantity']} outside {rule['low']:g} to {rule['high']:g}: {rule['why']}" for rule in said)]
+        return {text: int(count) for text, count in zip(texts, counts, strict=True) if count}
+
+
+def _percentiles(plan: Plan) -> dict[str, float]:
+    """The percentiles among the statistics that are asked for, and their shares."""
+    return {name: PERCENTILES[name] for name in plan.sweep.statistics if name in PERCENTILES}
+
+
+def _each_row(array: Any) -> Iterator[np.ndarray]:
+    """What an array has of each block, of which it reads few at a time."""
+    step = max(1, _ROWS_AT_ONCE // max(1, math.prod(array.shape[1:])))
+    for start in range(0, array.shape[0], step):
+        yield from array[start : start + step]
+
+
+def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
+    """The store at this place, made if there is none. Raises InputError where there is something else, or another case's."""
+    require_place(path, "a folder for the store, new, or of this case")
+    if path.is_file():
+        raise InputError("--out", str(path), "a folder for the store, new, or of this case; this is a file")
+    if not path.exists() or (path.is_dir() and not any(path.iterdir())):
+        create(path, plan, title, text)
+    store = Store(str(path), plan)
+    attributes = _attributes(store, path)
+    if attributes.get("program") != f"stiction {__version__}":
+        raise InputError("--out", str(path), f"a new store: this one was begun by {attributes.get('program')}")
+    if attributes["identity"] != plan.identity():
+        where = _difference(json.loads(attributes["identity"]), json.loads(plan.identity()))
+        raise InputError("--out", str(path), f"a new store, or the one of this case: in the case of this store {where} differs")
+    return store
+
+
+def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
+    wanted = "a folder for the store, new, or of this case; this is no store of a sweep"
+    try:
+        attributes = dict(store.group.attrs)
+    except Exception:  # of what is no store, zarr raises many things
+        raise InputError("--out", str(path), wanted) from None
+    if "identity" not in attributes:
+        raise InputError("--out", str(path), wanted)
+    return attributes
+
+
+def _difference(one: Any, other: Any, path: str = "") -> str:
+    """The place of the first difference of two trees of tables."""
+    if isinstance(one, Mapping) and isinstance(other, Mapping):
+        for key in [*one, *(key for key in other if key not in one)]:
+            if one.get(key) != other.get(key):
+                return _difference(one.get(key), other.get(key), f"{path}.{key}" if path else key)
+    return path
+
+
+def create(path: Path, plan: Plan, title: str, text: str) -> None:
+    """Make an empty store, in one move. Raises InputError for what no contact of the sweep takes, or where it cannot be."""
+    choice, first = _first(plan)
+    beside = path.resolve().parent / f".{path.resolve().name}.begun"
+    try:
+        shutil.rmtree(beside, ignore_errors=True)
+        beside.parent.mkdir(parents=True, exist_ok=True)
+        _fill(beside, plan, first, {"case": title, "case_file": text, "choice": json.dumps(_of_choice(choice))})
+        if path.exists():
+            path.rmdir()
+        beside.rename(path)
+    except OSError as error:
+        shutil.rmtree(beside, ignore_errors=True)
+        raise InputError("--out", str(path), f"a place that can be written ({error.strerror or error})") from None
+
+
+def _of_choice(choice: Choice) -> dict[str, Any]:
+    return {name: getattr(choice, name) for name in LAWS} | {"options": dict(choice.options)}
+
+
+def _first(plan: Plan) -> tuple[Choice, Any]:
+    """What answers, and the case and the results of one contact that is not refused: of the first that is found."""
+    from stiction.studies.case.results import choice_of_case
+
+    refused: Exception = InputError("contact", None, "contacts that the model takes")
+    for block in range(min(plan.blocks, 3)):
+        region = plan.region(block)
+        for at in range(min(plan.contacts(block), 5)):
+            places = np.unravel_index(at, [some.stop - some.start for some in region.values()])
+            one = {
+                dim: slice(some.start + int(i), some.start + int(i) + 1)
+                for (dim, some), i in zip(region.items(), places, strict=True)
+            }
+            try:
+                case = plan.case(one)
+                choice = choice_of_case(case, case.choice)
+                return choice, (case, solve_region(plan, choice, one))
+            except (InputError, ArithmeticError) as error:
+                refused = error
+    raise refused
+
+
+def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> None:
+    import zarr
+
+    case, solved = first
+    names = list(solved.variables)
+    check_kept(plan.sweep.keep, names)
+    dims, bits = solved.doubts
+    names = [name for name in plan.sweep.keep or names if name not in dims]  # what is asked for is a coordinate
+    order = tuple(dim for dim in dims if dim in plan.dims)
+    points = {dim: size for dim, size in zip(dims, bits.shape, strict=True) if dim not in plan.dims}
+    layout = {name: tuple(dim for dim in (*plan.dims, *points) if dim in solved.variables[name][0]) for name in names}
+    if len(solved.rules) > _MOST_RULES:
+        raise InputError("model", case.choice.model, f"laws with {_MOST_RULES} ranges of validity at most, for a sweep")
+    group = zarr.create_group(str(path), zarr_format=3)
+    said = {name: solved.attributes[name] for name in (*_LAWS, *solved.attributes["options"].split())}
+    more = {"results": json.dumps(layout), "points": json.dumps(points), "identity": plan.identity()}
+    versions = {name: version(name) for name in _PACKAGES}
+    group.attrs.update(
+        said
+        | dict(attributes)
+        | more
+        | dict(plan.scans)
+        | _of_sample(plan)
+        | {"program": f"stiction {__version__}", "versions": versions}
+    )
+    assert set(order) == set(plan.dims)
+    sizes = dict(plan.dims) | points
+    if plan.sweep.statistics:
+        _statistics(group, plan, layout, points, solved)
+    else:
+        _arrays(group, plan, layout, sizes, solved)
+    group.attrs["coordinates"] = " ".join(_coordinates(group, plan, case, points))
+    bits_known = len(WHY_NOT) + len(solved.rules)
+    done = group.create_array(
+        _DONE, shape=(plan.blocks, bits_known), chunks=(1, bits_known), dtype="int64", fill_value=_NOTHING,
+        dimension_names=("block", "rule"),
+    )  # fmt: skip
+    done.attrs.update(
+        {"long_name": "points of a block at which a rule is left", "rules": json.dumps(rules_as_data(solved.rules))}
+    )
+
+
+def _of_sample(plan: Plan) -> dict[str, Any]:
+    sample = plan.sweep.sample
+    return {"sample": sample.method} | ({"seed": sample.seed} if sample.count is not None else {})
+
+
+def _arrays(group: Any, plan: Plan, layout: Mapping[str, tuple], sizes: Mapping[str, int], solved: Any) -> None:
+    """The arrays of results by point, chunked as the blocks are, and of doubts."""
+    for name, dims in [*layout.items(), (_DOUBTS, tuple(sizes))]:
+        doubts = name == _DOUBTS
+        array = group.create_array(
+            name,
+            shape=[sizes[dim] for dim in dims],
+            chunks=[plan.tile.get(dim, sizes[dim]) for dim in dims],
+            dtype="uint32" if doubts else plan.sweep.precision,
+            fill_value=int(NOT_COMPUTED) if doubts else float("nan"),
+            dimension_names=dims,
+        )
+        array.attrs.update(_doubts_attributes(solved.rules) if doubts else solved.variables[name][2])
+
+
+def _doubts_attributes(rules: list) -> dict[str, Any]:
+    meanings = [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules), "not computed yet"]
+    masks = [1 << bit for bit in range(len(meanings) - 1)] + [int(NOT_COMPUTED)]
+    return {
+        "long_name": "doubts",
+        "comment": "bits, by flag_masks and flag_meanings",
+        "flag_masks": masks,
+        "flag_meanings": meanings,
+    }
+
+
+def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Mapping[str, int], solved: Any) -> None:
+    """The arrays of statistics, and of what they are merged from."""
+    parts = group.create_group(_PARTS)
+    kinds = plan.sweep.statistics
+    for name, dims in layout.items():
+        rest = [dim for dim in dims if dim in points]
+        shape = [points[dim] for dim in rest]
+        flat = int(np.prod(shape, dtype=int))
+        parts.create_array(name, shape=(plan.blocks, 5, flat), chunks=(1, 5, flat), dtype="float64", fill_value=float("nan"))
+        if _percentiles(plan):
+            contacts = math.prod(plan.tile[dim] for dim in dims if dim in plan.dims)
+            group.require_group(_COUNTS).create_array(
+                name, shape=(plan.blocks, 2, flat, contacts), chunks=(1, 2, flat, contacts), dtype="uint32", fill_value=0
+            )
+        array = group.create_array(
+            name, shape=[len(kinds), *shape], chunks=[len(kinds), *shape], dtype=plan.sweep.precision, fill_value=float("nan"),
+            dimension_names=("statistic", *rest),
+        )  # fmt: skip
+        array.attrs.update(solved.variables[name][2])
+    _coordinate(group, "statistic", ("statistic",), np.array(kinds, dtype="U18"), {"long_name": "over all contacts"})
+
+
+def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -> list[str]:
+    """Write what the points along the dimensions are called; returns the names that are no dimensions."""
+    names = []
+    listed = plan.sweep.sample.method != "grid"
+    for one in () if plan.sweep.statistics else plan.several.values():
+        attributes = one.array(one.values[:1])[one.name].attrs
+        if listed:
+            array = group.create_array(
+                one.name, shape=(plan.dims[SAMPLE],), chunks=(plan.tile[SAMPLE],), dtype="float64", fill_value=float("nan"),
+                dimension_names=(SAMPLE,),
+            )  # fmt: skip
+            array.attrs.update(attributes)
+        else:
+            _coordinate(group, one.name, (one.dimension,), one.numbers(), attributes)
+        if listed or one.name != one.dimension:
+            names.append(one.name)
+    for dim in points:
+        values = case.load if dim == "load" else case.separation if dim == "mean_separation" else case.separation[dim].values
+        attributes = case.separation[dim].attrs if dim == "separation" else case.subject.attributes(dim)
+        _coordinate(group, dim, (dim,), np.asarray(values), attributes)
+    return names
+
+
+def _coordinate(group: Any, name: str, dims: tuple[str, ...], values: np.ndarray, attributes: Mapping[str, Any]) -> None:
+    array = (
+        group.create_array(name, data=values, chunks=values.shape, dimension_names=dims) if values.dtype.kind != "U" else None
+    )
+    if array is None:
+        array = group.create_array(name, shape=values.shape, chunks=values.shape, dtype=str, dimension_names=dims)
+        array[:] = values.astype(object)
+    array.attrs.update(attributes)
+
+
+def open_store(path: str | Path) -> "xarray.Dataset":
+    """What a sweep has stored, read as it is used."""
+    import xarray
+
+    return xarray.open_zarr(path, consolidated=False, chunks=None)

@@ -1,0 +1,172 @@
+"""Who does the blocks of a sweep: this process, several on this machine, or the workers of a dask.distributed cluster."""
+
+import os
+import pickle
+from collections.abc import Iterator
+from functools import lru_cache, partial
+from itertools import islice
+from time import monotonic
+from typing import TYPE_CHECKING, Any
+
+from stiction.quantities.errors import InputError
+
+if TYPE_CHECKING:
+    from stiction.studies.sweep.store import Store
+
+__all__ = ["done_here", "done_in_processes", "done_on_cluster", "make_ready"]
+
+# Times that workers may die without a block done between; blocks that wait for each worker.
+_DEATHS, _AHEAD = 3, 3
+_EVERY = 5.0  # seconds between countings of the workers of a cluster
+_LEAST_AHEAD = 256  # blocks that wait for a cluster, however small: the scheduler hands them on without asking here
+
+
+# What every worker needs, imported once for all of them where they can be copies of one process.
+_NEEDED = ["stiction.studies.sweep.store", "stiction.studies.case.results", "scipy.stats", "xarray", "zarr"]
+
+
+def make_ready() -> Any:
+    """The way in which workers are begun; what they need is imported while this process goes on."""
+    import multiprocessing
+
+    if "forkserver" not in multiprocessing.get_all_start_methods():
+        return multiprocessing.get_context("spawn")
+    from multiprocessing import forkserver
+
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(_NEEDED)
+    forkserver.ensure_running()
+    return context
+
+
+def done_here(store: "Store", blocks: list[int]) -> Iterator[int]:
+    """Do the blocks, one after another; the points of each as it is done."""
+    for block in blocks:
+        yield store.do(block)
+
+
+def done_in_processes(store: "Store", blocks: list[int], workers: int) -> Iterator[int]:
+    """The same in so many processes. Those that die are replaced, and their blocks begun again. Raises InputError where they
+    die again and again."""
+    from concurrent.futures.process import BrokenProcessPool
+
+    left, deaths = list(blocks), 0
+    while left:
+        try:
+            for block, points in _in_pool(store, list(left), workers):
+                left.remove(block)
+                deaths = 0
+                yield points
+        except BrokenProcessPool:
+            deaths += 1
+            if deaths == _DEATHS:
+                raise InputError("--workers", workers, "fewer: they die again and again, for want of memory?") from None
+
+
+def _in_pool(store: "Store", blocks: list[int], workers: int) -> Iterator[tuple[int, int]]:
+    from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+
+    pool = ProcessPoolExecutor(workers, mp_context=make_ready(), initializer=_begin, initargs=(store,))
+    try:
+        waiting: dict[Any, int] = {}
+        rest = iter(blocks)
+        while True:
+            for block in rest:
+                waiting[pool.submit(_do, block)] = block
+                if len(waiting) >= _AHEAD * workers:
+                    break
+            if not waiting:
+                return
+            for future in wait(waiting, return_when=FIRST_COMPLETED).done:
+                yield waiting.pop(future), future.result()
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+_store: "Store | None" = None  # of a process that works for another
+
+
+def _begin(store: "Store") -> None:
+    import signal
+    from threading import Thread
+
+    global _store
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the first of them ends the work
+    Thread(target=_end_with_parent, daemon=True).start()
+    _store = store
+
+
+def _end_with_parent() -> None:
+    """End this process when the one that shares out the work has been killed: it would wait for work for ever. What it was
+    writing is not half there: files are moved into place."""
+    from multiprocessing import parent_process
+
+    parent = parent_process()
+    assert parent is not None
+    parent.join()
+    os._exit(1)
+
+
+def _do(block: int) -> int:
+    assert _store is not None
+    return _store.do(block)
+
+
+def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator[int]:
+    """The same by the workers of a cluster, which see the store under the same path. Raises InputError where there is none, or
+    its workers die again and again."""
+    from distributed import Client, as_completed
+    from distributed.scheduler import KilledWorker
+
+    try:
+        client = Client(address, timeout=10)
+    except (OSError, ValueError) as error:
+        raise InputError("--scheduler", address, f"the address of a scheduler, e.g. tcp://host:8786 ({error})") from None
+    with client:
+        given, rest = pickle.dumps(store), iter(blocks)
+        waiting: dict[Any, int] = {}
+
+        room = _Room(client)
+
+        def submitted() -> list[Any]:
+            some = list(islice(rest, max(0, room.now() - len(waiting))))
+            futures = client.map(partial(_do_there, given), some, pure=False) if some else []
+            waiting.update(zip((future.key for future in futures), some, strict=True))
+            return futures
+
+        running = as_completed(submitted())
+        try:
+            for batch in running.batches():  # many at a time, and no result is asked for: each would be a message of its own
+                done = [waiting.pop(future.key) for future in batch]
+                running.update(submitted())
+                for future, block in zip(batch, done, strict=True):
+                    if future.status != "finished":
+                        future.result()  # waits, or raises what went wrong
+                    yield store.plan.contacts(block) * store.plan.points
+        except KilledWorker:
+            raise InputError(
+                "--scheduler", address, "workers that live: they die again and again, for want of memory?"
+            ) from None
+
+
+class _Room:
+    """How many blocks may wait for a cluster: workers come and go, and are counted now and then."""
+
+    def __init__(self, client: Any) -> None:
+        self.client, self.room, self.counted = client, 0, -_EVERY
+
+    def now(self) -> int:
+        if monotonic() - self.counted >= _EVERY:
+            self.counted = monotonic()
+            self.room = max(_LEAST_AHEAD, _AHEAD * sum(self.client.nthreads().values()))
+        return self.room
+
+
+def _do_there(given: bytes, block: int) -> int:
+    return _opened(given).do(block)
+
+
+@lru_cache(maxsize=1)
+def _opened(given: bytes) -> "Store":
+    """A store, opened once by a worker. It comes with every block: what is sent to workers once is lost with them."""
+    return pickle.loads(given)

@@ -1,0 +1,156 @@
+"""Bands over what is uncertain, with the error that their own sampling leaves them."""
+
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stiction.laws.validity import Doubt, with_doubts
+from stiction.quantities.errors import InputError
+from stiction.solving.candidates import candidates
+from stiction.solving.choice import Choice
+from stiction.solving.pointwise import WHY_NOT
+from stiction.studies.case.read import Case
+from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw, scrambled, shares_of_points, solves_maps
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["as_columns", "levels", "quantiles", "with_bands", "with_bands_of_models"]
+
+# Scramblings of the sequence, each on its own: their scatter is the error of the sampling.
+_PARTS = 8
+_QUANTILE, _ERROR = "_quantile", "_quantile_error"
+_LEAST_KNOWN = 0.5  # the share of the points that must be known for a quantile of them
+_MU = "friction_coefficient"
+Progress = Callable[[Iterable], Iterable]
+
+
+def levels(coverage: float) -> np.ndarray:
+    """The shares whose quantiles are told: the ends of the band, the quarters and the median."""
+    return np.array(sorted({(1.0 - coverage) / 2.0, 0.25, 0.5, 0.75, (1.0 + coverage) / 2.0}))
+
+
+def quantiles(values: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Quantiles (shares, ...) of values (parts, n, ...), and their standard errors, from the scatter of the parts.
+
+    Each part is a scrambled sequence of its own, so that the parts scatter independently (Owen 1997). Not a number where less
+    than half of the values are known.
+    """
+    parts, count = values.shape[:2]
+    whole = _quantile(values.reshape(parts * count, *values.shape[2:]), shares)
+    each = np.array([_quantile(one, shares) for one in values])
+    return whole, each.std(axis=0, ddof=1) / np.sqrt(parts)
+
+
+def _quantile(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
+    known = np.isfinite(values)
+    if known.all():
+        return np.quantile(values, shares, axis=0)
+    enough = known.mean(axis=0) >= _LEAST_KNOWN
+    safe = np.where(known & enough, values, np.where(enough, np.nan, 0.0))
+    return np.where(enough, np.nanquantile(safe, shares, axis=0), np.nan)
+
+
+def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Progress = iter) -> "xarray.Dataset":
+    """The result of a case with the bands over what is uncertain of it: NAME_quantile (quantile, ...), and NAME_quantile_error,
+    the standard error that the sampling leaves it. As it is where nothing is uncertain."""
+    if not case.uncertain:
+        return data
+    if solves_maps(choice):
+        why = f"what is uncertain has no band: {choice.model} would have to solve the map for every point that is drawn"
+        return with_doubts(data, [Doubt(why)])
+    wanted = case.uncertainty
+    names = [name for name in OUTPUTS if name in data.data_vars]
+    shares = scrambled(len(case.unknowns), wanted.count, wanted.seed, _PARTS)
+    found = draw(case, shares.reshape(wanted.count, -1), [Variant(choice)], names=names, progress=progress)
+    variables: dict[str, tuple] = {}
+    for name in found.tables:
+        variables |= _as_variables(name, found, levels(wanted.coverage))
+    data = data.assign_coords(quantile=("quantile", levels(wanted.coverage), {"long_name": "share of the points below"}))
+    return _said(data.assign(variables), case, found)
+
+
+def _as_variables(name: str, found: Draws, shares: np.ndarray) -> dict[str, tuple]:
+    table = found.tables[name]
+    values, errors = quantiles(table.reshape(_PARTS, len(table) // _PARTS, *table.shape[1:]), shares)
+    dims, meaning = ("quantile", *found.dims[name]), dict(found.attributes[name])
+    said = meaning.pop("comment", meaning["long_name"])
+    tables = {_QUANTILE: (values, "quantiles over what is uncertain"), _ERROR: (errors, "standard error of its quantiles")}
+    return {
+        f"{name}{end}": (dims, values, meaning | {"long_name": f"{said}, {text}"}) for end, (values, text) in tables.items()
+    }
+
+
+def _said(data: "xarray.Dataset", case: Case, found: Draws) -> "xarray.Dataset":
+    """With what is uncertain, how it was drawn, and where nothing is known."""
+    shares = shares_of_points(found)
+    lost = sum(shares.get(why, 0.0) for why in WHY_NOT[:2])
+    attributes = {
+        "uncertain_inputs": "\n".join(f"{name}: {words(case, name)}" for name in case.unknowns),
+        "uncertainty": f"{case.uncertainty.count} points, seed {case.uncertainty.seed}",
+        "coverage": case.uncertainty.coverage,
+        "doubts_of_points": json.dumps(shares, ensure_ascii=False),
+    }
+    if lost:
+        why = f"in {lost:.2g} of the points that are drawn from what is uncertain nothing is known: bands are of the others"
+        data = with_doubts(data, [Doubt(why)])
+    return data.assign_attrs(attributes)
+
+
+def words(case: Case, name: str) -> str:
+    """What is known of an uncertain input."""
+    return case.unknowns[name][0].distribution.words
+
+
+def with_bands_of_models(data: "xarray.Dataset", case: Case, load: float, progress: Progress = iter) -> "xarray.Dataset":
+    """A comparison at a working load with the band of every model over what is uncertain: friction_coefficient_at_load_quantile
+    (quantile, model), and its error."""
+    if not case.uncertain:
+        return data
+    shares, wanted = levels(case.uncertainty.coverage), case.uncertainty
+    points = scrambled(len(case.unknowns), wanted.count, wanted.seed, _PARTS).reshape(wanted.count, -1)
+    at_load = replace(case, separation=None, load=np.array([load]))
+    choices = {one.name: one.choice for one in candidates(case.subject)}
+    rows = [_band_of(at_load, choices[one], points, shares) for one in progress(data["model"].values.tolist())]
+    values, errors = np.moveaxis(np.array(rows), 0, -1)
+    name, dims = f"{_MU}_at_load", ("quantile", "model")
+    meaning = {"units": "1", "symbol": "mu", "long_name": "friction, quantiles over what is uncertain"}
+    data = data.assign_coords(quantile=("quantile", shares, {"long_name": "share of the points below"}))
+    data = data.assign(
+        {
+            f"{name}{_QUANTILE}": (dims, values, meaning),
+            f"{name}{_ERROR}": (dims, errors, meaning | {"long_name": "standard error of the quantiles"}),
+        }
+    )
+    return data.assign_attrs(
+        uncertain_inputs="\n".join(f"{one}: {words(case, one)}" for one in case.unknowns), coverage=wanted.coverage
+    )
+
+
+def _band_of(case: Case, choice: Choice, points: np.ndarray, shares: np.ndarray) -> np.ndarray:
+    """Quantiles and their errors (2, shares) of mu at the one load of a case; not a number where the model says nothing."""
+    try:
+        table = draw(case, points, [Variant(choice)], names=(_MU,)).tables.get(_MU)
+    except (InputError, ArithmeticError):
+        table = None
+    if table is None:
+        return np.full((2, shares.size), np.nan)
+    return np.array(quantiles(table.reshape(_PARTS, -1), shares))
+
+
+def as_columns(data: "xarray.Dataset") -> "xarray.Dataset":
+    """The dataset for a table: a variable NAME_q05 for each quantile, in place of NAME_quantile with a dimension more; what is
+    not over the points of the curve is left out."""
+    if "quantile" not in data.dims:
+        return data
+    for name in [str(name) for name in data.data_vars if "quantile" in data[name].dims]:
+        stem, error = name.removesuffix("_error").removesuffix(_QUANTILE), "_error" if name.endswith(_ERROR) else ""
+        each = {
+            f"{stem}_q{round(100.0 * share):02d}{error}": data[name].sel(quantile=share).drop_vars("quantile")
+            for share in data["quantile"].values
+        }
+        data = data.drop_vars(name).assign(each)
+    return data.drop_vars("quantile")

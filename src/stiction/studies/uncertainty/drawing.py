@@ -1,0 +1,179 @@
+"""Many contacts that are drawn from what is uncertain, solved together: by one model, or each by the one drawn for it."""
+
+import warnings
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.subject import Subject
+from stiction.laws.registry import RoughSurface, find
+from stiction.quantities.errors import InputDoubt, InputError
+from stiction.solving.choice import Choice
+from stiction.solving.pointwise import WHY_NOT, Pointwise, solve_pointwise
+from stiction.studies.case.read import Case
+from stiction.studies.case.uncertain import SAMPLE
+
+__all__ = ["OUTPUTS", "Draws", "Variant", "draw", "scrambled", "shares_of_points", "solves_maps"]
+
+# What is asked of contacts that are drawn.
+OUTPUTS = ("friction_coefficient", "contact_area", "load", "pull_off_force")
+_AT_ONCE = 65_536  # points that are solved at once: bounds the memory
+_MOST = 50_000_000  # points that are kept
+
+
+@dataclass(frozen=True)
+class Variant:
+    """Who answers: a model with its laws and, of a measured surface, the roughness that one method finds."""
+
+    choice: Choice
+    roughness: Any = None
+
+    def of(self, subject: Subject) -> Subject:
+        """The contact as it is asked."""
+        return subject if self.roughness is None else subject.replace(roughness=self.roughness)
+
+
+@dataclass
+class Draws:
+    """Results of contacts that are drawn.
+
+    tables: name -> array (n, *shape), not a number where nothing is known; dims: name -> the dimensions of that shape;
+    attributes: name -> meaning and unit. doubtful: range of validity, or why nothing is known -> in how many points.
+    """
+
+    points: int = 0
+    tables: dict[str, np.ndarray] = field(default_factory=dict)
+    dims: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    attributes: dict[str, dict[str, str]] = field(default_factory=dict)
+    doubtful: dict[str, int] = field(default_factory=dict)
+
+
+def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray:
+    """Points (parts, count / parts, columns) in the unit cube: of Sobol's sequence, each part scrambled on its own (Owen)."""
+    from scipy.stats import qmc
+
+    rngs = [np.random.default_rng(one) for one in np.random.SeedSequence(seed).spawn(parts)]
+    return np.array([qmc.Sobol(columns, rng=rng).random(count // parts) for rng in rngs])
+
+
+def _steps(variants: Sequence[Variant], rows: np.ndarray, points: int) -> list[tuple[int, np.ndarray]]:
+    """What is solved at once: which variant, and the numbers of the rows. rows: the variant of each row."""
+    size = max(1, _AT_ONCE // max(points, 1))
+    found = []
+    for at in range(len(variants)):
+        mine = np.flatnonzero(rows == at)
+        found += [(at, mine[start : start + size]) for start in range(0, len(mine), size)]
+    return found
+
+
+def draw(
+    case: Case,
+    shares: np.ndarray,
+    variants: Sequence[Variant],
+    rows: np.ndarray | None = None,
+    names: Sequence[str] = OUTPUTS,
+    progress: Any = iter,
+) -> Draws:
+    """The case at these shares (n, k) of its `unknowns`, each row by its variant (by default the first).
+
+    names: of the results that are kept. progress: wraps the list of steps. Raises InputError where the first variant refuses
+    the nominal contact, or where there are too many points.
+    """
+    for one in variants:
+        if solves_maps(one.choice):
+            raise InputError(
+                "model", one.choice.model, "a model that solves many contacts at once, where numbers are uncertain"
+            )
+    found = _layout(case, variants, names)
+    count = len(shares)
+    if count * found.points > _MOST:
+        raise InputError("uncertainty.count", count, f"{_MOST // found.points} at most at {found.points} points of a contact")
+    found.tables = {name: np.full((count, *table.shape), np.nan) for name, table in found.tables.items()}
+    rows = np.zeros(count, dtype=int) if rows is None else rows
+    for at, some in progress(_steps(variants, rows, found.points)):
+        for part, solved in _solvable(case, variants[at], shares, some, names):
+            _keep(found, part, solved)
+    return found
+
+
+def solves_maps(choice: Choice) -> bool:
+    """Whether this model solves the map of one contact, point by point: not for thousands that are drawn."""
+    return find(choice.model, RoughSurface).of_map is not None
+
+
+def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Draws:
+    """Shapes and meanings of all results, of the nominal contact; a variant that refuses it says nothing of them."""
+    found = Draws()
+    for at, one in enumerate(variants):
+        try:
+            solved = _solved(case, one, names)
+        except (InputError, ArithmeticError):
+            if at == 0:
+                raise
+            continue
+        found.points = max(found.points, solved.doubts[1].size)
+        for name, (dims, values, attributes) in solved.variables.items():
+            if name in names:
+                found.tables.setdefault(name, values)
+                found.dims.setdefault(name, tuple(dims))
+                found.attributes.setdefault(name, attributes)
+    return found
+
+
+def _solved(case: Case, variant: Variant, names: Sequence[str]) -> Pointwise:
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore", InputDoubt)  # these are among the doubts
+        subject = variant.of(case.subject)
+        return solve_pointwise(subject, variant.choice, separation=case.separation, load=case.load, keep=names)
+
+
+def _solvable(
+    case: Case, variant: Variant, shares: np.ndarray, rows: np.ndarray, names: Sequence[str]
+) -> Iterator[tuple[np.ndarray, Pointwise | None]]:
+    """The rows with their results, in as many parts as it takes to tell those that are refused, of which there are none."""
+    waiting = [rows]
+    while waiting:
+        some = waiting.pop()
+        try:
+            yield some, _solved(case.drawn(shares[some]), variant, names)
+        except (InputError, ArithmeticError):
+            if len(some) == 1:
+                yield some, None
+            else:
+                waiting += [some[len(some) // 2 :], some[: len(some) // 2]]
+
+
+def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
+    if solved is None:
+        _count(found, WHY_NOT[0], len(rows) * found.points)
+        return
+    for name, (dims, values, _) in solved.variables.items():
+        if name in found.tables:
+            found.tables[name][rows] = _ordered(values, dims, found.dims[name])
+    bits = solved.doubts[1]
+    times = len(rows) * found.points // bits.size
+    meanings = [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in solved.rules)]
+    for bit, text in enumerate(meanings):
+        _count(found, text, times * int(((bits >> np.uint32(bit)) & 1).sum()))
+
+
+def _count(found: Draws, text: str, points: int) -> None:
+    if points:
+        found.doubtful[text] = found.doubtful.get(text, 0) + points
+
+
+def _ordered(values: np.ndarray, have: Sequence[str], wanted: Sequence[str]) -> np.ndarray:
+    """The values with the rows first and then the wanted dimensions; length 1 where they do not vary."""
+    # Separations over a sigma that is drawn have a name of their own.
+    have = ["mean_separation" if dim == "separation" and dim not in wanted else dim for dim in have]
+    order = [have.index(dim) for dim in (SAMPLE, *wanted) if dim in have]
+    sizes = dict(zip(have, values.shape, strict=True))
+    return values.transpose(order).reshape([sizes.get(dim, 1) for dim in (SAMPLE, *wanted)])
+
+
+def shares_of_points(draws: Draws) -> dict[str, float]:
+    """Range of validity, or why nothing is known -> in which share of all points."""
+    whole = draws.points * max((len(table) for table in draws.tables.values()), default=1)
+    return {text: count / whole for text, count in sorted(draws.doubtful.items(), key=lambda pair: -pair[1])}

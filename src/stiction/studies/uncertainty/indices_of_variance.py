@@ -1,0 +1,122 @@
+"""Sobol indices and Morris effects of any function of numbers that are drawn between 0 and 1."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from stiction.studies.uncertainty.drawing import scrambled
+
+__all__ = ["Effects", "Indices", "effects", "points_of_indices", "sobol_indices", "trajectories"]
+
+# Scramblings of the sequence, each on its own: their scatter is the error of the indices.
+PARTS = 8
+_T = 2.364624  # Student's t of 7 degrees of freedom at 97.5 %
+_LEVELS = 4
+
+
+@dataclass(frozen=True)
+class Indices:
+    """First and total index of k inputs, each with the ends of its 95 % interval, (k,); not a number where they are not known.
+    points: how many of the points they are from."""
+
+    first: np.ndarray
+    first_low: np.ndarray
+    first_high: np.ndarray
+    total: np.ndarray
+    total_low: np.ndarray
+    total_high: np.ndarray
+    points: int
+
+
+def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
+    """Points (parts, columns + 2, count / parts, columns) in the unit cube: A, B, and A with one column after another of B.
+
+    Source: Saltelli et al. 2010, section 3: a sequence of twice the columns gives A and B.
+    """
+    both = scrambled(2 * columns, count, seed, PARTS)
+    first, second = both[..., :columns], both[..., columns:]
+    mixed = np.repeat(first[:, None], columns, axis=1)
+    for at in range(columns):
+        mixed[:, at, :, at] = second[..., at]
+    return np.concatenate([first[:, None], second[:, None], mixed], axis=1)
+
+
+def sobol_indices(values: np.ndarray) -> Indices:
+    """The indices, from the function at `points_of_indices`, values (parts, k + 2, n).
+
+    Source: Saltelli et al. 2010, table 2 (b) for the first and (f), Jansen 1999, for the total index. The interval is that of
+    Student's t over the parts, each of which is scrambled on its own. Where values are not known, their rows are left out, and
+    as many others as make the rest a power of two.
+    """
+    columns = values.shape[1] - 2
+    known = np.isfinite(values).all(axis=1)
+    rest = [one[:, good] for one, good in zip(values, known, strict=True)]
+    whole = np.concatenate(rest, axis=1)
+    if min(one.shape[1] for one in rest) < 2 or not known.mean() >= 0.5:
+        nothing = np.full(columns, np.nan)
+        return Indices(nothing, nothing, nothing, nothing, nothing, nothing, 0)
+    estimate, points = _estimated(whole)
+    each = np.array([_estimated(one)[0] for one in rest])
+    wide = _T * each.std(axis=0, ddof=1) / np.sqrt(len(each))
+    (first, total), (low, lowest), (high, highest) = estimate, estimate - wide, estimate + wide
+    return Indices(first, low, high, total, lowest, highest, points)
+
+
+def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
+    """First and total indices (2, k) from values (k + 2, n), and of how many points; 0 of what does not vary."""
+    from scipy.stats import sobol_indices as estimated
+
+    count = 1 << (values.shape[1].bit_length() - 1)
+    used = values[:, :count]
+    if np.ptp(used) <= 1e-12 * np.abs(used).max():
+        return np.zeros((2, len(values) - 2)), count
+    inputs = len(values) - 2
+    mixed = used[2:] if inputs > 1 else np.concatenate([used[2:], used[2:]])  # scipy knows no function of one number alone
+    found = estimated(func={"f_A": used[None, 0], "f_B": used[None, 1], "f_AB": mixed[:, None]}, n=count)
+    return np.array([found.first_order[:inputs], found.total_order[:inputs]]), count
+
+
+@dataclass(frozen=True)
+class Effects:
+    """Of k inputs, (k,): the mean of the sizes of the elementary effects and its standard error, their mean and deviation."""
+
+    size: np.ndarray
+    size_error: np.ndarray
+    mean: np.ndarray
+    deviation: np.ndarray
+
+
+def trajectories(columns: int, count: int, seed: int) -> np.ndarray:
+    """Points (count, columns + 1, columns) in the unit cube: of each trajectory the next differs by 2/3 in one column.
+
+    Source: Morris 1991, section 3: levels 0, 1/3, 2/3, 1 and steps of p/(2 (p - 1)), p = 4, in random order and direction.
+    """
+    rng = np.random.default_rng(seed)
+    step = _LEVELS / (2.0 * (_LEVELS - 1.0))
+    base = rng.integers(0, _LEVELS // 2, (count, columns)) / (_LEVELS - 1.0)
+    up = rng.random((count, columns)) < 0.5
+    order = rng.permuted(np.tile(np.arange(columns), (count, 1)), axis=1)
+    moved = order.argsort(axis=1)[:, None, :] < np.arange(columns + 1)[None, :, None]
+    return base[:, None] + step * np.where(up[:, None], moved, ~moved)
+
+
+def effects(points: np.ndarray, values: np.ndarray) -> Effects:
+    """The elementary effects of a function at `trajectories`, values (count, k + 1): how much it changes over the whole of each
+    column. Source: Morris 1991, eq. 1; the mean of sizes Campolongo, Cariboni & Saltelli 2007, eq. 3."""
+    steps = np.diff(points, axis=1)
+    column = np.abs(steps).argmax(axis=2)
+    ratio = np.diff(values, axis=1) / np.take_along_axis(steps, column[:, :, None], axis=2)[..., 0]
+    each = np.take_along_axis(ratio, column.argsort(axis=1), axis=1)
+    known = np.isfinite(each)
+    count = known.sum(axis=0)
+    enough = count >= max(2, len(each) // 2)
+
+    def mean(table: np.ndarray) -> np.ndarray:
+        return np.where(enough, np.where(known, table, 0.0).sum(axis=0) / np.maximum(count, 1), np.nan)
+
+    size, middle = mean(np.abs(each)), mean(each)
+    rest = np.maximum(count - 1, 1)
+    deviation = np.sqrt(np.where(known, (each - middle) ** 2, 0.0).sum(axis=0) / rest)
+    scatter = np.sqrt(np.where(known, (np.abs(each) - size) ** 2, 0.0).sum(axis=0) / rest)
+    error = np.where(enough, scatter / np.sqrt(np.maximum(count, 1)), np.nan)
+    return Effects(size, error, middle, np.where(enough, deviation, np.nan))
