@@ -1,5 +1,10 @@
 """Fixtures that several folders use. This file also puts tests/ on the import path, where `tables` is."""
 
+import os
+
+# Tests run in processes side by side: with as many threads each, they would wait for each other. Before numpy is there.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 import numpy as np
 import pytest
 

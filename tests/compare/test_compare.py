@@ -422,7 +422,7 @@ def test_families_by_what_plastic_junctions_resist(data, case, tmp_path):
     assert {row["model"]: row["plastic_junctions_resist"] or "" for row in rows} == said
     heads, table = at_load_rows(data)
     assert [row[heads.index("plastic_junctions_resist")] for row in table] == list(said.values())
-    printed = run("compare", str(case)).stdout
+    printed = run(case).stdout
     assert " full stick " in printed and re.search(r"kogut_etsion_2004 .* none", printed)
 
 

@@ -56,7 +56,7 @@ def test_entry(key):
     assert REQUIRED[kind] <= fields.keys()
     assert re.fullmatch(r"\d{4}", fields["year"])
     assert re.search(rf"_{fields['year']}(_|$)", key), "a key is author_year"
-    assert "pages" not in fields or re.fullmatch(r"\d+(--\d+)?", fields["pages"])
+    assert "pages" not in fields or re.fullmatch(r"[A-Z]?\d+(--\d+)?", fields["pages"])
     assert "doi" not in fields or re.fullmatch(r"10\.\d{4,}/\S+", fields["doi"])
 
 

@@ -301,6 +301,8 @@ def _within(data: "xarray.Dataset") -> str:
     """The spread of the models within their validity, and of how many: one is an opinion and no range."""
     judged = np.isfinite(data["friction_coefficient_at_load"].values)
     within = [one for one in np.flatnonzero(judged) if not data["outside_validity"].values[one]]
+    if not within:
+        return "none of them within its validity"
     if len(within) == 1:
         one = data.isel(model=int(within[0]))
         mu = _short(float(one["friction_coefficient_at_load"]))

@@ -22,6 +22,7 @@ from numpy.polynomial import chebyshev
 
 from stiction.contact.layered.compliance import Pair, modulus_without_film
 from stiction.contact.layered.sphere import Response, respond
+from stiction.engine.one_thread import on_one_thread
 
 __all__ = ["CURVES", "POWERS", "TERMS", "curves"]
 
@@ -37,6 +38,7 @@ POWERS = np.array(
 
 
 @lru_cache(maxsize=1024)
+@on_one_thread
 def _solved(pair: Pair) -> tuple[float, ...]:
     return tuple(fit(np.array([respond(pair, radius) for radius in RADII]), modulus_without_film(pair)).ravel())
 

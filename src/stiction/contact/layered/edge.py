@@ -18,6 +18,7 @@ from stiction.contact.layered.compliance import Layer
 from stiction.contact.layered.first_yield import forms_of, stretched
 from stiction.contact.layered.stresses import Radial, Stresses
 from stiction.contact.layered.waves import CoatedBody
+from stiction.engine.one_thread import on_one_thread
 
 __all__ = ["EDGE_TERMS", "FORMS", "edge_curves"]
 
@@ -31,6 +32,7 @@ _PLACE = np.array([1.0]), np.array([0.0])
 
 
 @lru_cache(maxsize=256)
+@on_one_thread
 def edge_curves(bodies: Bodies) -> np.ndarray:
     """ln D, A and B as rows (FORMS, 2 + EDGE_TERMS): the values f and g of a half-space of the film and of a film without
     thickness, and c_k in (1 - z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k, z as in `curves`. Of two unlike bodies, at every

@@ -19,6 +19,7 @@ import numpy as np
 from stiction.contact.layered.compliance import Layer
 from stiction.contact.layered.stresses import Radial, Stresses
 from stiction.contact.layered.waves import CoatedBody
+from stiction.engine.one_thread import on_one_thread
 
 __all__ = ["ANGLES", "PARTS", "PLACES", "Yield", "at_interface", "first_yield", "norms", "table_of_norms"]
 
@@ -87,6 +88,7 @@ def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
 
 
 @lru_cache(maxsize=64)
+@on_one_thread
 def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
     """ln N of the films and of the bodies below, whichever of two is larger: (2, PLACES, ANGLES). The body's is of N times
     1 + (t/a)^2, which is finite where it is not felt."""

@@ -20,6 +20,7 @@ from stiction.contact.layered.bodies import Bodies
 from stiction.contact.layered.curves import RADII, fit_one
 from stiction.contact.layered.sphere import spherical_waves
 from stiction.contact.layered.waves import waves
+from stiction.engine.one_thread import on_one_thread
 
 __all__ = ["shear_compliance", "shear_curve", "shear_ends"]
 
@@ -47,6 +48,7 @@ def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
 
 
 @lru_cache(maxsize=256)
+@on_one_thread
 def shear_curve(bodies: Bodies) -> np.ndarray:
     """Coefficients (TERMS,) of ln beta, as those of `curves`: ln beta = (1 - z)/2 ln(film's) + (1 + z)/2 ln(without) + (1 -
     z^2) Sum c_k z^k."""

@@ -15,6 +15,7 @@ from numpy.polynomial import chebyshev
 
 from stiction.contact.layered.compliance import Layer, Pair
 from stiction.contact.layered.curves import CURVES, POWERS, TERMS, curves
+from stiction.engine.one_thread import on_one_thread
 
 __all__ = ["curves_of_films"]
 
@@ -25,6 +26,7 @@ _MODES = 24
 _FILE = "curves.npz"
 
 
+@on_one_thread
 def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) -> np.ndarray:
     """The coefficients (n, CURVES, TERMS), as `curves` gives them, of a film on one of two bodies: Layers as arrays (n,)."""
     places = np.stack([np.log(ratio) / _RANGE, excess, 2.0 * _together(share, ratio) - 1.0], axis=1)
