@@ -196,8 +196,9 @@ def test_a_file_that_could_not_be_finished_is_not_left(tmp_path, monkeypatch):
     assert list(tmp_path.rglob("*.*")) == []
 
 
-def test_a_formula_is_only_taken_in_and_can_be_called_all_the_same():
+def test_a_formula_is_only_taken_in_and_can_be_called_all_the_same(tmp_path, monkeypatch):
     """No machine code is made of it for a kernel: it has no address by which to come in. Called from Python it has."""
+    monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))  # a kernel that is there already compiles no formula
 
     @formula
     def half(x):

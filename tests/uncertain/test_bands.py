@@ -218,7 +218,7 @@ def test_the_spread_of_the_models_is_by_their_weights():
     assert names == ["w", "x", "z"]
     np.testing.assert_allclose(weights, np.array([1.0, np.exp(-2.0), 1.0]) / (2.0 + np.exp(-2.0)))
     assert weights_of_models(data, little=0.1)[0] == ["w", "z"]
-    assert ends_of_models(data, 0.9) == [0.1, 0.3] and ends_of_models(data, 0.04) == []
+    assert ends_of_models(data, 0.9) == [0.1, 0.3] and ends_of_models(data, 0.04) == [0.2, 0.2]
     assert ends_of_models(data.assign_attrs(recommended="none"), 0.9) == []
     assert ends_of_models(data.assign_attrs(family="b"), 0.9) == []  # one opinion is no range
 

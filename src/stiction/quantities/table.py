@@ -216,6 +216,8 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "contact area of the mean touching asperity over pi R times the height of its meniscus"),
     ("adhesion_share", "n P_0/P", r"nP_0/P", "", _NOT_NEGATIVE, "",
      "pull-off forces of the touching asperities over the load"),
+    ("meniscus_share", "n P_m/P", r"nP_\mathrm{m}/P", "", _NOT_NEGATIVE, "",
+     "pull that the menisci would have between the dry surfaces, over the load"),
     ("load_share_without_friction", "s_0", r"s_0", "", _SHARE, "",
      "share of the load on asperities that the model gives no friction"),
     ("load_share_yielded", "s_y", r"s_\mathrm{y}", "", _SHARE, "", "share of the load on asperities that have yielded"),

@@ -100,7 +100,7 @@ def _spreads(axes: Axes, below: Axes, data: "xarray.Dataset") -> None:
         text = f"{MEANINGS[name]}: {low:.3g} to {high:.3g}"
         if _none(high / low):  # a bar of no width is seen by nobody
             axes.plot(low, -at, marker="D", color=COLOURS[name], markersize=9, linestyle="none")
-            text = f"{MEANINGS[name]}: {low:.3g}, no difference"
+            text = f"{MEANINGS[name]}: {low:.3g}, {'one opinion' if name == 'models' else 'no difference'}"
         axes.annotate(text, (0.02, -at + 0.24), xycoords=("axes fraction", "data"), fontsize=8, va="bottom")
     nominal = float(data.attrs["spread_around"])
     axes.axvline(nominal, color="black", linewidth=1.0)

@@ -72,6 +72,8 @@ def spread_table(data: "xarray.Dataset") -> Table:
     for name in data["spread"].values:
         one = data.sel(spread=name)
         cells = [_short(float(one[f"spread_{end}"]), 3) for end in ("low", "high", "factor")]
+        if name == "models" and float(one["spread_factor"]) == 1.0:
+            cells[-1] = "one opinion"  # one of them has nearly all of the weight: that is no agreement
         table.add_row(f"{MEANINGS[str(name)]}{'' if name == 'methods' else f', {coverage:.0%}'}", *cells)
     return table
 

@@ -40,6 +40,10 @@ def _does_not_adhere(problem: Problem) -> bool:
     return not problem.adheres
 
 
+def _knows_no_menisci(problem: Problem) -> bool:
+    return problem.groups.meniscus_index is not None and problem.chosen.meniscus is None
+
+
 def _elastic_on_a_film(problem: Problem) -> bool:
     """Film and body are solved as one, and yield as the asperity law says, which never does: it claims a range of
     the plasticity index, and that is of the bodies without their film."""
@@ -60,6 +64,8 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
               "effect"), _elastic_on_a_film),
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),
     (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
+    (Validity("meniscus_share", 0.0, 0.1, "the liquid is left out, and its menisci pull with much of the load", "effect"),
+     _knows_no_menisci),
     (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),
     (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _by_numbers),
     (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _by_numbers),

@@ -168,14 +168,22 @@ def _why_not(problem: Problem, results: Mapping[str, np.ndarray], column: str, p
         return "the roughness is not known as a surface"
     if points > _MOST_POINTS:
         return f"asked for {_MOST_POINTS} points at most"
+    state = state_of(problem, results)
     if "load_meniscus" in results:
         pull, load = (np.abs(np.asarray(results[name], dtype=float)) for name in ("load_meniscus", "load"))
         if (pull > _MOST_ADHESION * load).any():
             return "menisci pull, the solved surfaces are dry"
-    adhesion = state_of(problem, results).get("adhesion_share")
-    if adhesion is not None and np.nanmax(np.where(np.isfinite(adhesion), adhesion, -np.inf), initial=-np.inf) > _MOST_ADHESION:
+    elif _largest(state.get("meniscus_share")) > _MOST_ADHESION:
+        return "menisci would pull, the solved surfaces are dry"
+    if _largest(state.get("adhesion_share")) > _MOST_ADHESION:
         return "the contact adheres, the solved surfaces do not"
     return ""
+
+
+def _largest(share: np.ndarray | None) -> float:
+    """The largest of what is known of a share; -inf of nothing."""
+    known = np.empty(0) if share is None else share[np.isfinite(share)]
+    return float(np.max(known, initial=-np.inf))
 
 
 @dataclass(frozen=True)

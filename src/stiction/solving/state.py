@@ -105,8 +105,27 @@ def _by_asperity(
     found |= _of_menisci(groups, area, share, pull_of_menisci)
     per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
     pull = per_theta if groups.n_g is None else per_theta * groups.n_g
-    found["adhesion_share"] = pull[:, None] * (expected_share(area) if share is None else share) / compressed
+    touching = expected_share(area) if share is None else share
+    found["adhesion_share"] = pull[:, None] * touching / compressed
+    if groups.meniscus_index is not None and groups.meniscus_height is not None:
+        held = _held_by_menisci(touching, groups.meniscus_height[:, None])
+        found["meniscus_share"] = (2.0 * math.pi / groups.meniscus_index)[:, None] * held / compressed
     return found
+
+
+def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
+    """How many asperities (n, m) in contact pull as much as all menisci do, where those that do not touch pull in proportion to
+    what of the height of a meniscus, over sigma, their gap leaves (equilibrium_meniscus): the integral of the share above a
+    height over the height of a meniscus, of Gaussian heights. touching: the share that touches, of a dry contact."""
+    from scipy.special import ndtr, ndtri  # which a dry contact does without
+
+    contact = -ndtri(np.clip(touching, np.finfo(float).tiny, 1.0 - 1e-16))
+
+    def above(z: np.ndarray) -> np.ndarray:
+        """Antiderivative of the share of asperities above z."""
+        return z * ndtr(-z) - np.exp(-0.5 * z * z) / math.sqrt(2.0 * math.pi)
+
+    return (above(contact) - above(contact - height)) / height
 
 
 def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None) -> dict[str, np.ndarray]:

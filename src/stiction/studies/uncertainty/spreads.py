@@ -55,7 +55,7 @@ def ends_of_band(band: "xarray.DataArray") -> list[float]:
 
 def ends_of_models(data: "xarray.Dataset", coverage: float) -> list[float]:
     """Between which friction coefficients at the working load this share of the weight of the models is, of the family that is
-    recommended; nothing where one of them has all of that share: one opinion is no range."""
+    recommended; nothing where there are not two of them: one opinion is no range."""
     names, weights = weights_of_models(data)
     if len(names) < 2:
         return []
@@ -63,8 +63,7 @@ def ends_of_models(data: "xarray.Dataset", coverage: float) -> list[float]:
     order = np.argsort(mu)
     below = np.cumsum(weights[order])
     ends = ((1.0 - coverage) / 2.0, (1.0 + coverage) / 2.0)
-    low, high = (min(int(np.searchsorted(below, share - 1e-12)), mu.size - 1) for share in ends)
-    return [] if low == high else [float(mu[order][low]), float(mu[order][high])]
+    return [float(mu[order][min(int(np.searchsorted(below, share - 1e-12)), mu.size - 1)]) for share in ends]
 
 
 def weights_of_models(data: "xarray.Dataset", little: float = 0.0) -> tuple[list[str], np.ndarray]:

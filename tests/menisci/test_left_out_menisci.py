@@ -1,0 +1,56 @@
+"""A law that knows no menisci says so where they would pull with much of the load: no model is silent about the liquid."""
+
+import math
+
+import pytest
+from scipy.integrate import quad
+from scipy.stats import norm
+
+import stiction as st
+from stiction.laws.validity import doubts_of
+
+DRY = st.Contact(
+    first="silicon",
+    second="silicon",
+    roughness=st.Roughness(asperity_height_deviation="10 nm", asperity_radius="1 um", asperity_density="1e13 1/m^2"),
+    nominal_area="0.01 mm^2",
+    interfacial_shear_strength="100 MPa",
+)
+
+
+def humid(humidity):
+    angles = {"contact_angle_first": "10 deg", "contact_angle_second": "10 deg"}
+    return DRY.replace(liquid=st.Liquid(relative_humidity=humidity, temperature="20 degC", **angles))
+
+
+def said_of_the_liquid(result):
+    return [one for one in doubts_of(result) if one.quantity == "meniscus_share"]
+
+
+@pytest.mark.parametrize("model", ["persson_2001", "persson_widened", "bush_gibson_thomas_1975"])
+def test_theories_in_closed_form(model):
+    (doubt,) = said_of_the_liquid(st.solve(humid(0.9), load="1 mN", model=model))
+    assert "the liquid is left out" in doubt.why and doubt.kind == "effect"
+    assert not said_of_the_liquid(st.solve(humid(0.3), load="1 mN", model=model))  # 5 % of the load
+    assert not said_of_the_liquid(st.solve(DRY, load="1 mN", model=model))
+
+
+def test_a_sum_that_is_told_to_leave_them_out():
+    """By how much: the pull of all asperities nearer than a meniscus is high, by an integral over the heights."""
+    contact, given = humid(0.9), {"load": "1 mN", "model": "greenwood_williamson_1966"}
+    assert not said_of_the_liquid(st.solve(contact, **given))
+    dry = st.solve(contact, meniscus="none", **given)
+    (doubt,) = said_of_the_liquid(dry)
+    number = 1e13 * 1e-8
+    apart = float(norm.isf(float(dry["touching_asperities"]) / number))
+    height = contact.liquid.height / 10e-9
+    near, _ = quad(lambda z: norm.pdf(z) * (1.0 - (apart - z) / height), apart - height, apart)
+    whole = 4.0 * math.pi * 1e-6 * contact.liquid.tension * math.cos(math.radians(10.0))
+    assert doubt.most == pytest.approx(number * (near + norm.sf(apart)) * whole / 1e-3, rel=1e-3)
+
+
+def test_a_comparison_says_it_of_every_theory_in_closed_form():
+    data = st.compare(humid(0.9), load="1 mN")
+    for model in ("bush_gibson_thomas_1975", "greenwood_2006"):
+        assert "the liquid is left out" in data["outside_validity"].sel(model=model).item()
+    assert "the liquid is left out" not in data["outside_validity"].sel(model="greenwood_williamson_1966").item()
