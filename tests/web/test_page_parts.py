@@ -67,6 +67,15 @@ def _chart(names, **y):
     return chart("a chart", {"name": "x"}, {"name": "y", **y}, series, False)
 
 
+def test_a_legend_has_the_room_that_its_names_take():
+    """Every name takes the width that is stated, and its mark: what is drawn begins below the last line of them."""
+    found = fitted(_chart([f"{letter} of what is drawn" for letter in "abcdef"]), 420)
+    beside = 420 // (found["legend"]["textStyle"]["width"] + 40)
+    assert beside == 2 and found["grid"]["top"] >= 20 * 6 / beside
+    alone = fitted(_chart(["a name of so many letters that nothing else stands beside", "b", "c"]), 420)
+    assert alone["legend"]["textStyle"]["width"] > 210 and alone["grid"]["top"] >= 20 * 3
+
+
 def test_a_chart_fits_a_telephone_and_a_wide_page():
     found = fitted(_chart(["first", "second"]))
     narrow, wide = (one["option"] for one in found["media"])

@@ -1,13 +1,14 @@
 """Charts at the width of their place: what is smaller, fewer or elsewhere where a chart is as narrow as a telephone."""
 
-from collections.abc import Iterable, Mapping
+import math
+from collections.abc import Mapping
 from typing import Any
 
 __all__ = ["NARROW", "fitted"]
 
 NARROW = 420  # pixels of a chart, up to which it is narrow
 _LEAST = 340  # pixels: what a legend of a narrow chart may count on
-_LINE, _LETTER, _MARK = 20, 6.2, 38  # pixels of a line of a legend, of one of its letters, and of its mark with its margins
+_LINE, _LETTER, _MARK = 24, 7.0, 44  # pixels of a line of a legend, of one of its letters, and of its mark with its margins
 _MOST = 42  # letters of the name of an axis in one line
 _SCALE = 52  # pixels for the scale of colours below a narrow chart
 
@@ -24,7 +25,7 @@ def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
 
 def _wide(options: Mapping[str, Any], room: int) -> dict[str, Any]:
     found: dict[str, Any] = {"grid": {**options["grid"], "top": _top(options, room)}}
-    letters = {"fontSize": 12, "lineHeight": 15, "width": room - _MARK, "overflow": "break"}
+    letters = {"fontSize": 12, "lineHeight": 15, "width": _columns(options, room)[0], "overflow": "break"}
     found["legend"] = {"textStyle": {**options["legend"]["textStyle"], **letters}}
     for axis in ("xAxis", "yAxis"):
         given = options[axis]
@@ -41,7 +42,7 @@ def _narrow(options: Mapping[str, Any]) -> dict[str, Any]:
     names = {"inside": True, "verticalAlign": "bottom", "padding": [0, 0, 9, 0], "width": _LEAST}
     name = x["name"] if len(x["name"]) <= _MOST else x["name"].replace(" [", "\n[")
     bottom = 62 if "\n" in name else 44
-    letters = {"fontSize": 11, "lineHeight": 15, "width": _LEAST - _MARK, "overflow": "break"}
+    letters = {"fontSize": 11, "lineHeight": 15, "width": _columns(options, _LEAST)[0], "overflow": "break"}
     found: dict[str, Any] = {
         "grid": {"left": 10 if named else 50, "right": 12, "top": _top(options, _LEAST), "bottom": bottom},
         "legend": {"textStyle": {**options["legend"]["textStyle"], **letters}},
@@ -59,17 +60,15 @@ def _narrow(options: Mapping[str, Any]) -> dict[str, Any]:
 
 def _top(options: Mapping[str, Any], room: int) -> int:
     """Pixels above the axes: the legend takes as many lines as its names need in so much room."""
-    if not options["legend"].get("show", True):
-        return 16
-    return 12 + _LINE * _lines(options["legend"].get("data") or [one["name"] for one in options["series"]], room)
+    return 12 + _LINE * _columns(options, room)[1] if options["legend"].get("show", True) else 16
 
 
-def _lines(names: Iterable[str], room: int) -> int:
-    lines, used = 1, 0.0
-    for name in dict.fromkeys(names):
-        width = _MARK + _LETTER * len(name)
-        if used and used + width > room:
-            lines, used = lines + 1, 0.0
-        used += width
-        lines += int((width - 1.0) // room)  # one that is broken
-    return lines
+def _columns(options: Mapping[str, Any], room: int) -> tuple[int, int]:
+    """Pixels of each name of the legend, which all take as many as the longest, and how many lines they take in so much room.
+    A name that is longer than the room is broken."""
+    names = dict.fromkeys(options["legend"].get("data") or [one["name"] for one in options["series"]])
+    wanted = [_LETTER * len(name) for name in names] or [0.0]
+    width = min(room - _MARK, math.ceil(max(wanted)))
+    beside = max(1, room // (width + _MARK))
+    broken = [max(1, math.ceil(one / width)) if width else 1 for one in wanted]
+    return width, sum(max(broken[at : at + beside]) for at in range(0, len(broken), beside))
