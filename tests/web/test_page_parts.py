@@ -69,10 +69,11 @@ def _chart(names, **y):
 
 def test_a_legend_has_the_room_that_its_names_take():
     """Every name takes the width that is stated, and its mark: what is drawn begins below the last line of them."""
-    found = fitted(_chart([f"{letter} of what is drawn" for letter in "abcdef"]), 420)
+    found = fitted(_chart([f"{letter} of what is drawn" for letter in "abcdef"]), 420)["media"][1]["option"]
     beside = 420 // (found["legend"]["textStyle"]["width"] + 40)
     assert beside == 2 and found["grid"]["top"] >= 20 * 6 / beside
     alone = fitted(_chart(["a name of so many letters that nothing else stands beside", "b", "c"]), 420)
+    alone = alone["media"][1]["option"]
     assert alone["legend"]["textStyle"]["width"] > 210 and alone["grid"]["top"] >= 20 * 3
 
 
