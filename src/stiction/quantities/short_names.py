@@ -106,6 +106,7 @@ SHORT = {
     "touching_share": "share that touches",
     "asperity_area_over_yield": "area over that at yield",
     "adhesion_share": "pull-off over load",
+    "meniscus_share": "menisci over load",
     "load_share_without_friction": "load without friction",
     "load_share_yielded": "load, yielded",
     "load_share_substrate_yielded": "load, substrate yielded",
