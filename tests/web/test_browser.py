@@ -197,9 +197,9 @@ def test_the_report_is_made_with_progress_and_a_stop_and_prints_on_its_paper(pag
     page.get_by_text(re.compile(r"(Asking the models|Drawing|waiting for its turn).*, \d+ s")).wait_for()
     page.get_by_role("button", name="Stop").click()
     page.get_by_text("stopped", exact=True).last.wait_for()
-    with page.expect_download() as waiting:
+    with page.expect_download(timeout=120 * SECOND) as waiting:  # a busy machine takes its time
         make.click()
-    page.get_by_text("report.html is downloaded").wait_for()
+    page.get_by_text("report.html is downloaded").wait_for(timeout=120 * SECOND)
     waiting.value.save_as(tmp_path / "report.html")
     _prints_well(browser, tmp_path / "report.html")
 
