@@ -25,10 +25,6 @@ FILE = Path(__file__).with_name("pinned.csv.gz")
 COLUMNS = ("asked", "quantity", "at", "value", "size")
 REFUSED = "refused"
 
-# A sphere on a film is a system of equations that is solved by LAPACK, whose sums round as its threads divide them; and the
-# least of strengths that differ little is found as well as they differ.
-_FILM, _SOLVED_FILM = "layered", 100.0
-
 QUANTITIES = (
     "load", "contact_area", "friction_force", "friction_coefficient", "touching_asperities", "mean_separation",
     "tangential_stiffness", "pull_off_force",
@@ -122,7 +118,7 @@ def _compared(asked) -> dict:
         for name in ("friction_coefficient_at_load", "contact_area_at_load"):
             value = data[name].sel(model=model).item()
             # Of a load far above all tension, see `_sizes`.
-            found[name, at] = value, _SOLVED_FILM * abs(value) if _FILM in model else abs(value)
+            found[name, at] = value, abs(value)
     return found
 
 
