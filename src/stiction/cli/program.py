@@ -17,6 +17,7 @@ from stiction.cli.output import closed_pipe, give_up_output
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.extras import how_to_install
 from stiction.quantities.notices import Notice
+from stiction.quantities.uninterrupted import uninterrupted
 
 _BAD_INPUT = 2
 _TABLE = re.compile(r"\[(?=[a-z])")
@@ -241,8 +242,6 @@ def busy(text: str) -> Iterator[None]:
 @contextmanager
 def writing(text: str = "Writing the results") -> Iterator[None]:
     """The same while results are written. Ctrl-C waits until they are: what took long is not lost at its end."""
-    from stiction.studies.sweep.guards import uninterrupted
-
     with busy(text), uninterrupted():
         yield
 

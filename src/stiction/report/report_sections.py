@@ -22,7 +22,7 @@ from stiction.report.html_words import letters
 from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
 from stiction.report.report_inputs import groups_of_inputs, with_powers
 from stiction.report.tables import comparison_table, curve_table, run_notes
-from stiction.report.uncertainty_tables import in_draws
+from stiction.report.uncertainty_tables import draws_in_words, in_draws
 from stiction.studies.comparison.findings import Findings
 
 if TYPE_CHECKING:
@@ -151,9 +151,7 @@ def uncertainty_lines(findings: Findings) -> list[str]:
         "What follows ± is one standard deviation, a factor is one of the logarithm, and between two ends all is alike."
     )
     if "uncertainty" in used:
-        lines.append(
-            f"Random draws of what is uncertain: {used['uncertainty'].replace(' points', '')} (Sobol's sequence, scrambled)."
-        )
+        lines.append(f"R{draws_in_words(used)[1:]} (Sobol's sequence, scrambled).")
     shares: dict[str, float] = json.loads(used.get("doubts_of_points", "{}"))
     return lines + [f"I{in_draws(share, _with_meaning(text))[1:]}." for text, share in shares.items()]
 

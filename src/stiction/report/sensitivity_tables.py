@@ -10,7 +10,7 @@ from rich.text import Text
 
 from stiction.laws.validity import doubts_of
 from stiction.report.several_tables import of_point, points_dimension
-from stiction.report.uncertainty_tables import in_draws
+from stiction.report.uncertainty_tables import draws_in_words, in_draws
 from stiction.solving.pointwise import WHY_NOT
 
 if TYPE_CHECKING:
@@ -114,7 +114,7 @@ def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
             yield Text(f"methods of finding asperities, each as likely: {', '.join(used['methods'].split())}", style="dim")
         models = ", ".join(f"{name} {weight:.0%}" for name, weight in json.loads(used["models"]).items())
         yield Text(f"models: {models}", style="dim")
-        yield Text(f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}", style="dim")
+        yield Text(draws_in_words(used), style="dim")
         for text, share in json.loads(used["doubts_of_points"]).items():
             if text in WHY_NOT:
                 yield Text(f"left out: {in_draws(share, text)}", style="bold yellow")

@@ -1,8 +1,8 @@
 """What the command line prints of what is uncertain: bands, and what friction differs by."""
 
 import json
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.table import Table
@@ -13,7 +13,7 @@ from stiction.report.several_tables import of_point, points_dimension, shown_qua
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["MEANINGS", "band_table", "in_draws", "models_band_table", "spread_table", "uncertain_notes"]
+__all__ = ["MEANINGS", "band_table", "draws_in_words", "in_draws", "models_band_table", "spread_table", "uncertain_notes"]
 
 _ROWS = 12
 # What a spread is due to, in words.
@@ -53,9 +53,14 @@ def uncertain_notes(data: "xarray.Dataset") -> Iterator[Text]:
     for line in used["uncertain_inputs"].splitlines():
         yield Text(f"uncertain: {line}", style="dim")
     if "uncertainty" in used:
-        yield Text(f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}", style="dim")
+        yield Text(draws_in_words(used), style="dim")
     for text, share in json.loads(used.get("doubts_of_points", "{}")).items():
         yield Text(in_draws(share, text), style="dim")
+
+
+def draws_in_words(used: Mapping[str, Any]) -> str:
+    """How many draws there were, and by which seed, by the attributes of a result."""
+    return f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}"
 
 
 def in_draws(share: float, text: str) -> str:

@@ -1,32 +1,13 @@
-"""What keeps a store whole: writing that Ctrl-C does not cut in two, and one sweep at a time."""
+"""One sweep of a store at a time."""
 
 import os
-import signal
 from contextlib import contextmanager
 from pathlib import Path
-from threading import current_thread, main_thread
 from typing import Any
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["locked", "uninterrupted"]
-
-
-@contextmanager
-def uninterrupted():
-    """Ctrl-C waits until this is done: zarr, interrupted as it writes, leaves coroutines that complain at the end."""
-    before = signal.getsignal(signal.SIGINT)
-    if before is None or current_thread() is not main_thread():  # only the main one is interrupted
-        yield
-        return
-    asked: list[Any] = []
-    signal.signal(signal.SIGINT, lambda *of: asked.append(of))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-    if asked and callable(before):
-        before(*asked[0])
+__all__ = ["locked"]
 
 
 @contextmanager

@@ -20,10 +20,10 @@ import numpy as np
 from stiction import __version__
 from stiction.quantities.errors import InputError
 from stiction.quantities.paths import require_place
+from stiction.quantities.uninterrupted import uninterrupted
 from stiction.solving.choice import LAWS, Choice
 from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
 from stiction.studies.sweep.blocks import merged, rules_as_data, solve_block, solve_region, statistics_of
-from stiction.studies.sweep.guards import uninterrupted
 from stiction.studies.sweep.plan import SAMPLE, Plan, check_kept
 from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of
 
