@@ -1,5 +1,6 @@
 """Fixtures that several folders use. This file also puts tests/ on the import path, where `tables` is."""
 
+import gc
 import os
 
 # Tests run in processes side by side: with as many threads each, they would wait for each other. Before numpy is there.
@@ -9,6 +10,10 @@ import numpy as np
 import pytest
 
 from stiction.engine import summation
+
+# What is imported stays, and compiling makes small objects without end: looking for rubbish among them took a seventh of it.
+gc.freeze()
+gc.set_threshold(100_000, 20, 100)
 
 
 @pytest.fixture(autouse=True)
