@@ -2,6 +2,7 @@
 
 import gc
 import os
+import signal
 
 # Tests run in processes side by side: with as many threads each, they would wait for each other. Before numpy is there.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -14,6 +15,10 @@ from stiction.engine import summation
 # What is imported stays, and compiling makes small objects without end: looking for rubbish among them took a seventh of it.
 gc.freeze()
 gc.set_threshold(100_000, 20, 100)
+
+
+# A shell starts what it puts into the background deaf to Ctrl-C, and so are the commands that tests start and interrupt.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)
