@@ -21,6 +21,11 @@ gc.set_threshold(100_000, 20, 100)
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+def pytest_collection_modifyitems(items):
+    """What one process does alone, as the browser, is begun first: at the end the others would wait for it."""
+    items.sort(key=lambda item: item.get_closest_marker("xdist_group") is None)
+
+
 @pytest.fixture(autouse=True)
 def no_silent_nan():
     """Arithmetic that makes NaN or infinity is an error in every test; underflow to zero is meant."""
