@@ -1,6 +1,7 @@
 """Fixtures that several folders use. This file also puts tests/ on the import path, where `tables` is."""
 
 import os
+import signal
 
 # Tests run in processes side by side: with as many threads each, they would wait for each other. Before numpy is there.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -9,6 +10,9 @@ import numpy as np
 import pytest
 
 from stiction.engine import summation
+
+# A shell has what it starts in the background ignore Ctrl-C, of which there are tests.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)
