@@ -63,7 +63,7 @@ PARTS = (
          (*_tests("surfaces", "statistics", "spectrum", "prepare", "asperity_methods", "generate", "edges"),
           "tests/models/test_spectral.py"), False),
     Part("map contact", ("surfaces/boundary_elements/*.py",),
-         _tests("surfaces/boundary_elements", "compliance", "known_contacts", "area_estimates", "sizes_and_pixels"), False),
+         _tests("surfaces/boundary_elements", "compliance", "known_contacts", "area_estimates", "map_area", "sizes_and_pixels"), False),
     Part("sweeps", ("studies/sweep/plan.py", "studies/sweep/blocks.py", "studies/sweep/store.py",
                     "studies/sweep/quantile_counts.py", "studies/case/several.py"),
          (*_tests("several", "quantile_counts", "several", "sweep"),), False),
