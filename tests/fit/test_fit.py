@@ -20,11 +20,11 @@ from stiction.studies.case.read import parse_case, read_case
 from stiction.studies.case.results import solve_case
 from stiction.studies.case.text import case_text
 from stiction.studies.fit import run as fit_module
-from stiction.studies.fit.answer import fitted
+from stiction.studies.fit.answer import _over, fitted
 from stiction.studies.fit.evidence import Rival, aicc_of, rank
 from stiction.studies.fit.model import forward_of
 from stiction.studies.fit.run import fit, plan_of_fit, run_fit
-from stiction.studies.fit.search import profiles, search
+from stiction.studies.fit.search import Best, _bounded, profiles, search
 
 pytest.importorskip("lmfit")
 
@@ -52,6 +52,18 @@ def exact(name="friction_coefficient", model="fuller_tabor_1975", loads=LOADS, *
     """What `solve` says at the loads."""
     contact = parse_case({key: table for key, table in case(model).items() if key != "fit"}).subject
     return solve(contact.replace(**changes), load=loads, model=model)[name].values
+
+
+def test_what_the_data_do_not_bound_is_spread_evenly_between_its_ends():
+    """Of two shares the first is seen with a slope of 2 in one residual and of 1 in another, the second in none: an even
+    spread has the variance 1/12, which adds to the precision that the data give, 5 over the square of their error."""
+    table = np.array([[2.0, 0.0], [1.0, 0.0]])
+    best = Best(np.full(2, 0.5), 1.0, np.ones(2), None, np.diag([1.0 / 17.0, 1.0 / 12.0]), table, None)
+    np.testing.assert_allclose(_bounded(table), best.bounded, rtol=1e-14)
+    for factor in (1.0, 3.0):
+        found = _over(best, factor)
+        np.testing.assert_allclose(found.bounded, np.diag([1.0 / (5.0 / factor**2 + 12.0), 1.0 / 12.0]), rtol=1e-14)
+        assert found.chi_square == pytest.approx(1.0 / factor**2)
 
 
 def written(path, columns):
