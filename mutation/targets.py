@@ -34,7 +34,7 @@ PARTS = (
                           "two_bodies"), "tests/contract/test_film_limits.py")),
     Part("rough surfaces", ("laws/rough_surface/*.py", "laws/rough_surface/shared/*.py"),
          (TABLES, *_tests("models", "rough_surfaces", "spectral", "corrected_diffusion", "persson_widened", "n_point",
-                          "rough_on_film"))),
+                          "rough_on_film", "map_contact"))),
     Part("other laws", ("laws/composite/*.py", "laws/meniscus/*.py", "laws/ageing/*.py", "laws/contamination/*.py",
                         "laws/criterion/*.py", "laws/presliding/*.py", "laws/presliding/shared/*.py"),
          (*_tests("coating", "two_bodies", "films_published"), "tests/menisci",
