@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -20,7 +21,8 @@ from stiction.studies.case.read import parse_case, read_case
 from stiction.studies.case.results import solve_case
 from stiction.studies.case.text import case_text
 from stiction.studies.fit import run as fit_module
-from stiction.studies.fit.answer import _over, fitted
+from stiction.studies.fit.answer import Fitted, _over, fitted
+from stiction.studies.fit.bands import draws_of
 from stiction.studies.fit.evidence import Rival, aicc_of, rank
 from stiction.studies.fit.model import forward_of
 from stiction.studies.fit.run import fit, plan_of_fit, run_fit
@@ -313,6 +315,20 @@ def test_bands_of_errors_that_are_found_are_those_of_student(tmp_path):
     low, high = (found[f"predicted_friction_coefficient_{end}"] for end in ("low", "high"))
     np.testing.assert_allclose((high - low) / found["predicted_friction_coefficient"], wide, rtol=0.1)  # of a normal 0.62 times
     np.testing.assert_allclose((found["high"] - found["low"]) / best, wide, rtol=1e-4)
+
+
+@pytest.mark.parametrize(("middle", "deviation"), [(0.3, 0.35), (0.8, 0.1), (0.5, 50.0)])
+def test_draws_are_of_the_likelihood_between_the_ends(middle, deviation):
+    """One share that is measured itself: a normal that is cut off at 0 and 1, from a narrow one to one that is even."""
+    data = SimpleNamespace(value=np.array([middle]))
+    forward = SimpleNamespace(parameters=(None,), values=lambda shares: shares, data=data)
+    slope = np.array([[1.0 / deviation]])
+    best = Best(np.array([middle]), 0.0, np.zeros(1), None, _bounded(slope), slope, None)
+    sets, effective = draws_of(Fitted("", forward, best, np.array([deviation]), True, 1.0, 3.84, 0, False))
+    known = stats.truncnorm(-middle / deviation, (1.0 - middle) / deviation, middle, deviation)
+    shares = np.array([0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98])
+    np.testing.assert_allclose(np.quantile(sets[:, 0], shares), known.ppf(shares), atol=0.01)
+    assert effective > 1000.0
 
 
 def test_numbers_that_are_not_asked_for_take_no_value(series):
