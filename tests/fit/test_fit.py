@@ -21,7 +21,7 @@ from stiction.studies.case.read import parse_case, read_case
 from stiction.studies.case.results import solve_case
 from stiction.studies.case.text import case_text
 from stiction.studies.fit import run as fit_module
-from stiction.studies.fit.answer import Fitted, _over, fitted
+from stiction.studies.fit.answer import Fitted, _over, _scaled, fitted
 from stiction.studies.fit.bands import draws_of
 from stiction.studies.fit.evidence import Rival, aicc_of, rank
 from stiction.studies.fit.model import forward_of
@@ -299,6 +299,20 @@ def test_bands_are_those_of_the_closed_form(series):
     np.testing.assert_allclose(best[0], exact(loads=np.array([0.01, 2.0])), rtol=1e-6)
     deviation = ((exact() / 200e6 / error) ** 2).sum() ** -0.5 / 200e6
     np.testing.assert_allclose((high - low) / best, 2 * 1.96 * deviation, rtol=0.05)
+
+
+@pytest.mark.parametrize(("share", "believed"), [(0.02, True), (0.6, True), (0.985, True), (0.995, False)])
+def test_stated_errors_are_believed_where_the_scatter_may_be_chance(share, believed):
+    """Up to the scatter that is larger in one of a hundred: four values, three to spare. Else they are as large as it is."""
+    chi_square, slope = float(stats.chi2.ppf(share, 3)), np.ones((4, 1))
+    best = Best(np.full(1, 0.5), chi_square, np.ones(4), None, _bounded(slope), slope, None)
+    found = _scaled("", None, best, (np.full(4, 2.0), True), False)
+    scale = 1.0 if believed else np.sqrt(chi_square / 3.0)
+    assert found.found != believed and found.scale == pytest.approx(scale)
+    np.testing.assert_allclose(found.errors, 2.0 * scale)
+    assert found.best.chi_square == pytest.approx(chi_square / scale**2)
+    wanted = stats.norm.ppf(0.975) ** 2 if believed else stats.t.ppf(0.975, 3) ** 2
+    assert found.threshold == pytest.approx(wanted, rel=1e-9)
 
 
 def test_bands_of_errors_that_are_found_are_those_of_student(tmp_path):
