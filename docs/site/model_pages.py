@@ -19,6 +19,9 @@ TITLES = {
     "film": "Films",
     "composite": "Film and substrate as one body",
     "presliding": "Before sliding",
+    "meniscus": "Menisci of humid air",
+    "ageing": "Time at rest",
+    "contamination": "What lies between the faces",
     "criterion": "Criteria",
     "asperity method": "Ways of finding asperities",
 }

@@ -130,6 +130,13 @@ def test_every_model_has_a_page_of_its_own():
     assert len({name.lower() for name in files}) == len(files)
 
 
+def test_list_of_models_leads_to_each_under_its_kind():
+    parts = dict(zip(KINDS, model_pages.index().split("\n## ")[1:], strict=True))
+    for kind, part in parts.items():
+        for key in of_kind(kind):
+            assert f"| [`{key}`](" in part, (kind.kind, key)
+
+
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.kind)
 def test_picture_of_a_model_of_each_kind(kind, tmp_path):
     key = next(iter(sorted(of_kind(kind).keys() - {"boundary_elements"})))
@@ -211,4 +218,22 @@ def test_dead_links_are_found(tmp_path):
         "a.html: b.html#y: no such place in the page",
         "a.html: no.png: no such file",
         "b.html: a.html#z: no such place in the page",
+    ]
+
+
+def test_what_a_page_loads_from_a_network_is_found(tmp_path):
+    (tmp_path / "a.html").write_text(
+        '<script src="https://example.org/x.js"></script><link rel="stylesheet" href="//example.org/x.css">'
+        '<a href="https://example.org">elsewhere</a><img src="data:image/png;base64,AA==">',
+        encoding="utf-8",
+    )
+    (tmp_path / "a.css").write_text(
+        "@import 'https://example.org/y.css'; a { src: url(data:image/png;base64,AA==) }\nb { src: url(\"//example.org/z\") }",
+        encoding="utf-8",
+    )
+    assert list(dead_links(tmp_path)) == [
+        "a.html: https://example.org/x.js: needs a network",
+        "a.html: //example.org/x.css: needs a network",
+        "a.css: https://example.org/y.css: needs a network",
+        "a.css: //example.org/z: needs a network",
     ]
