@@ -166,7 +166,7 @@ class _Solve(Input):
 class _CaseFile(Input):
     """The tables of a case file: [contact] or [indices], [solve], those of studies of it, and materials of its own."""
 
-    title: str = Field("", description="text")
+    title: str = Field("", description="what reports and pictures call the case")
     materials: dict[str, Body] | str = Field(
         default_factory=dict, description="tables of numbers by name, or the name of a file beside the case that has them"
     )
