@@ -71,29 +71,43 @@ def base_packages():
     return found
 
 
-def test_the_wheel_alone_solves_the_demo(built, tmp_path):
-    """Out of the source tree, with what a base installation has: every other package of this environment is hidden."""
+@pytest.fixture(scope="module")
+def alone(built, tmp_path_factory):
+    """The wheel as pip installs it, out of the source tree and without a network: its folder, and the environment in which
+    every package of this one is hidden that a base installation does not have."""
     (wheel,) = built.glob("*.whl")
-    with zipfile.ZipFile(wheel) as archive:
-        archive.extractall(tmp_path / "site")
+    site = tmp_path_factory.mktemp("site")
+    install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-index", "--no-deps", "--no-compile"]
+    subprocess.run([sys.executable, *install, "--target", str(site), str(wheel)], check=True, capture_output=True)
     base = base_packages()
     other = sorted(top for top, by in packages_distributions().items() if not {shared.canonical(one) for one in by} & base)
     assert {"matplotlib", "nicegui", "zarr", "lmfit", "pytest"} <= set(other)
     hide = (
         f"import sys\nfor name in {[name for name in other if name.isidentifier()]}:\n    sys.modules.setdefault(name, None)\n"
     )
-    (tmp_path / "site" / "sitecustomize.py").write_text(hide, encoding="utf-8")
-    environment = os.environ | {"PYTHONPATH": str(tmp_path / "site")}
-    where = "import stiction; print(stiction.__file__, stiction.__version__)"
-    case = ROOT / "examples" / "silver_on_steel.toml"
-    for words, wanted in (
-        (["-c", where], f"{tmp_path / 'site' / 'stiction' / '__init__.py'} {PROJECT['version']}"),
-        (["-m", "stiction", "run", str(case), "--out", "demo"], "friction"),
-    ):
-        done = subprocess.run(
-            [sys.executable, *words], cwd=tmp_path, env=environment, text=True, capture_output=True, check=False
-        )
-        assert done.returncode == 0 and wanted in done.stdout, done.stderr
+    (site / "sitecustomize.py").write_text(hide, encoding="utf-8")
+    return site, os.environ | {"PYTHONPATH": str(site)}
+
+
+def test_the_wheel_alone_is_installed_with_all_it_reads(alone):
+    site, environment = alone
+    about = site / f"stiction-{PROJECT['version']}.dist-info"
+    package = site / "stiction"
+    assert (about / "licenses" / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
+    assert (package / "py.typed").exists() and (package / "__init__.pyi").exists()
+    asked = (
+        "import stiction as st; print(st.__file__, st.__version__, st.material('silver').name, '@' in st.cite('hertz_1882'))"
+    )
+    told = subprocess.run([sys.executable, "-c", asked], cwd=site.parent, env=environment, text=True, capture_output=True)
+    assert told.stdout.split() == [str(package / "__init__.py"), PROJECT["version"], "silver", "True"], told.stderr
+
+
+def test_the_wheel_alone_solves_the_demo(alone, tmp_path):
+    """By the command that it brings, in an empty folder."""
+    site, environment = alone
+    words = [site / "bin" / "stiction", "run", ROOT / "examples" / "silver_on_steel.toml", "--out", "demo"]
+    done = subprocess.run(list(map(str, words)), cwd=tmp_path, env=environment, text=True, capture_output=True)
+    assert done.returncode == 0 and "friction" in done.stdout, done.stderr
     assert sorted(path.name for path in (tmp_path / "demo").iterdir()) == ["curve.csv", "curve.nc"]
 
 
