@@ -1,7 +1,7 @@
 """Installs the wheel into empty environments, without extras and with each of them, and works there as a user does.
 
     make try-install                                 # all of it, ten minutes; what weighs is written into docs/installing.md
-    python release/try_install.py none web           # these alone; nothing is written
+    python release/try_install.py none web           # these alone, or "each"; nothing is written
 
 Each environment solves the demo out of an empty folder, far from the source. Of each extra that it has the work is done; of
 each that it has not the command must end with exit code 2 and one line that says what to install.
@@ -140,9 +140,7 @@ DONE: dict[str, Callable[[Path, Path, tuple[str, ...]], None]] = {"cluster": _sh
 def _there(environment: Path) -> set[str]:
     """The extras whose packages are there, also where another asked for them: SurfaceTopography brings matplotlib."""
     names = {shared.canonical(one.name) for one in installed(environment)}
-    own = {
-        extra: [shared.name_of(part) for part in parts] for extra, parts in shared.project()["optional-dependencies"].items()
-    }
+    own = {extra: [shared.name_of(part) for part in parts] for extra, parts in shared.extras().items()}
     return {extra for extra in WORK if {name for name in own[extra] if name != "stiction"} <= names}
 
 
@@ -203,11 +201,11 @@ extra the command said in one line what to install."""
 
 
 def main(asked: list[str]) -> None:
-    known = ["none", *(extra for extra in shared.project()["optional-dependencies"] if extra not in ("docs", "dev"))]
-    if unknown := set(asked) - set(known):
-        sys.exit(f"{', '.join(sorted(unknown))}: one of {', '.join(known)}")
+    known = ["none", *shared.extras()]
+    if unknown := set(asked) - {*known, "each"}:
+        sys.exit(f"{', '.join(sorted(unknown))}: one of {', '.join(known)}, or each")
     found = []
-    for extra in asked or known:
+    for extra in known if not asked or "each" in asked else asked:
         found.append(tried(extra))
         print(f"{extra:9} {found[-1].total / MB:5.0f} MB {found[-1].seconds:5.0f} s", flush=True)
     if not asked:

@@ -157,3 +157,49 @@ def test_the_image_is_of_a_python_that_is_supported():
         version = re.fullmatch(r"python:(\d+)\.(\d+)-slim", image)
         assert version and tuple(map(int, version.groups())) >= least, image
     assert not [line for line in lines if re.search(r"https?://|index-url|token|password|^ARG|^ENV .*=.*secret", line, re.I)]
+
+
+@pytest.fixture
+def release(tmp_path, monkeypatch):
+    """The checklist of a release, over a folder in which everything is well."""
+    check = script("check")
+    version, rows = PROJECT["version"], {}
+    for one in shared.direct():
+        name, least = re.fullmatch(r"([\w-]+)>=([\d.]+)", one).groups()
+        rows[shared.canonical(name)] = f"{least}.0"
+    for which in ("lowest", "newest"):
+        (tmp_path / "page.md").touch()
+        table = "".join(f"| `{name}` | {version} |\n" for name, version in rows.items())
+        with (tmp_path / "page.md").open("a", encoding="utf-8") as page:
+            page.write(f"<!-- {which} versions: begin -->\n{table}<!-- {which} versions: end -->\n")
+    (tmp_path / "CHANGELOG.md").write_text(f"# Changelog\n\n## [{version}] - 2030-01-31\n\n## [0.0.1] - 2029-01-01\n", "utf-8")
+    (tmp_path / "CITATION.cff").write_text(f"version: {version}\ndate-released: 2030-01-31\n", encoding="utf-8")
+    monkeypatch.setattr(check, "ROOT", tmp_path)
+    monkeypatch.setattr(check, "PAGE", tmp_path / "page.md")
+    monkeypatch.setattr(check, "TOOLS", tmp_path)
+    return check, tmp_path
+
+
+def test_the_checklist_takes_what_is_well(release):
+    check, _ = release
+    assert (check._changelog(), check._citation()) == ("", "cffconvert is not there: make release-check brings it")
+    assert check._versions() == ""
+
+
+@pytest.mark.parametrize(
+    "file, before, after, step, said",
+    [
+        ("CHANGELOG.md", "## [", "## [Unreleased]: [", "_changelog", "begins with"),
+        ("CHANGELOG.md", "# Changelog\n", "# Changelog\n\n## [9.9.9] - 2030-02-01\n", "_changelog", "9.9.9"),
+        ("CITATION.cff", "2030-01-31", "2030-01-30", "_citation", "date-released: 2030-01-30, wanted 2030-01-31"),
+        ("CITATION.cff", "version: ", "version: 9.", "_citation", "version: 9."),
+        ("page.md", "| `numpy` | ", "| `numpy` | 1", "_versions", "numpy 1"),
+        ("page.md", "newest versions: begin", "other versions: begin", "_versions", "no newest numpy"),
+    ],
+)
+def test_the_checklist_sees_what_is_not(release, file, before, after, step, said):
+    check, folder = release
+    text = (folder / file).read_text(encoding="utf-8")
+    assert before in text
+    (folder / file).write_text(text.replace(before, after), encoding="utf-8")
+    assert said in getattr(check, step)()
