@@ -177,7 +177,7 @@ def test_indices_can_be_compared_too():
 
 
 def test_bad_input():
-    with pytest.raises(st.InputError, match="single numbers"):
+    with pytest.raises(st.InputError, match=r"theta: 2 numbers, 1 to 2; allowed: one number"):
         compare(st.Indices(theta=st.axis("theta", [1, 2]), lam=1))
     with pytest.raises(st.InputError, match="Contact"):
         compare("steel")

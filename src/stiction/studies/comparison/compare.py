@@ -15,6 +15,7 @@ from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import several_in_words
 from stiction.solving import film_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
@@ -91,7 +92,7 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[
 
 def _refuse_arrays(subject: Subject) -> None:
     for name, array in subject.arrays():
-        raise InputError(name, f"{array.size} numbers", "single numbers, where models are compared")
+        raise InputError(name, several_in_words(array, name), "one number, where models are compared")
 
 
 def _over_methods(

@@ -96,9 +96,8 @@ def read_entry(path: Any) -> Entry:
     folder = Path(path).parent
     asked, several = opened(tables, folder)
     if several:
-        raise InputError(
-            ".".join(next(iter(several))), "several numbers", "one; what differs from row to row is a column of the file"
-        )
+        one = next(iter(several.values()))
+        raise InputError(one.where, one.words, "one number; what differs from row to row is a column of the file")
     values = read_measurements(folder / origin.file, asked)
     _check(values, origin.file)
     entry = Entry(str(content.get("title", "")), origin, asked, values)
