@@ -20,7 +20,7 @@ from stiction.quantities.hardness import from_hardness_test
 from stiction.quantities.hints import meant, too_soft, with_a_point
 from stiction.quantities.table import QUANTITIES, Quantity
 
-__all__ = ["axis", "from_series", "several_in_words", "show", "to_si"]
+__all__ = ["axis", "from_series", "reason_of", "several_in_words", "show", "to_si"]
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 # pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
@@ -83,6 +83,16 @@ def several_in_words(values, where: str, count: int | None = None) -> InWords:
         return InWords(many)
     ends = dict.fromkeys(show(end, name, 4) for end in (numbers.min(), numbers.max()))
     return InWords(f"{many}, {' to '.join(ends)}")
+
+
+def reason_of(error: InputError) -> str:
+    """Why a model cannot be asked: what is missing; or of a quantity what it is beside what is allowed; or what is allowed."""
+    if error.value is None:
+        return f"{error.field} is not given: {error.allowed}"
+    name, value = error.field.rpartition(".")[2], error.value
+    if name not in QUANTITIES:
+        return error.allowed
+    return f"{error.field} is {show(value, name, 4) if isinstance(value, Real) else value}; allowed: {error.allowed}"
 
 
 def axis(name: str, values=None, dimension: str | None = None):
