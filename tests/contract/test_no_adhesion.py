@@ -2,6 +2,7 @@
 refuse in one line, and nothing is ever not a number that was one."""
 
 import itertools
+import pickle
 import tomllib
 from dataclasses import replace
 
@@ -92,6 +93,12 @@ def test_zero_and_nothing_are_the_same(zero):
         st.solve(bare, load="1 mN")
     line = str(caught.value)
     assert line.startswith("work_of_adhesion: ") and "roy_chowdhury_ghosh_1994, which soft_coating_2015 takes here" in line
+    assert "soft_coating_2015 is the model where none is named: `stiction compare CASE.toml` shows" in line
+    assert line.endswith("--model names one") and str(pickle.loads(pickle.dumps(caught.value))) == line
+    with pytest.raises(InputError) as caught:
+        st.solve(bare, load="1 mN", model="fuller_tabor_1975")
+    assert "named" not in str(caught.value)  # somebody chose that one
+    assert "named" not in st.compare(bare, load="1 mN").attrs["left_out"]
     assert st.solve(bare, load="1 mN", model="chang_etsion_bogy_1988")["pull_off_force"] == 0.0
 
 

@@ -428,7 +428,7 @@ def test_files_of_values_are_named_from_where_the_case_goes(tmp_path):
 @pytest.mark.parametrize(
     ("table", "said"),
     [
-        ({"free": {}}, "fit.free: '0 numbers'"),
+        ({"free": {}}, "fit.free: 0 numbers"),
         ({"free": {"wrk": {"low": "1 mJ/m^2", "high": "1 J/m^2"}}}, "fit.free.wrk"),
         ({"free": {ADHESION: {"low": "1 J/m^2", "high": "1 mJ/m^2"}}}, "the low end first"),
         ({"free": {ADHESION: {"low": 1, "high": "1 J/m^2"}}}, "fit.free.work_of_adhesion.low: 1; allowed: text with a unit"),
