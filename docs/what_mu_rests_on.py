@@ -29,7 +29,8 @@ BULK = CONTACT.first.hardness / (2.8 * 3.0**0.5)
 class Switch:
     """One assumption switched. contact: what is replaced of the contact; laws: of the laws, model and options; kept: the share
     of its strength that an asperity keeps once it slides, and friction the maximum of the sliding curve; None: all together;
-    spread: friction is the mean and, either side of it, the standard deviation from one contact to the next."""
+    spread: friction is the mean and, either side of it, the standard deviation from one contact to the next; exponent: of
+    Weibull's distribution of heights, where that is chosen."""
 
     words: str
     laws: Mapping[str, str] = field(default_factory=dict)
@@ -37,6 +38,7 @@ class Switch:
     kept: float | None = None
     load: str = LOAD
     spread: bool = False
+    exponent: float | None = None
 
 
 def _strength(share: float) -> dict[str, float]:
@@ -115,7 +117,9 @@ def assumptions() -> dict[str, list[Switch]]:
                                        "jackson_green_2005", "thornton_ning_1998")
         ],
         "heights": [
-            Switch("exponential", {"heights": "exponential"}), Switch("Weibull, exponent 2 (worn)", {"heights": "weibull"}),
+            Switch("exponential", {"heights": "exponential"}),
+            *(Switch(f"Weibull, exponent {one:g} ({words})", {"heights": "weibull"}, exponent=one)
+              for one, words in ((2.0, "skewness 0.6"), (8.0, "worn, skewness -0.5"))),
         ],
     }  # fmt: skip
 
@@ -133,7 +137,7 @@ def solve(switch: Switch) -> Answer:
     """The contact at its load with one assumption switched."""
     laws = {name: law for name, law in (LAWS | dict(switch.laws)).items() if law}
     contact, heights = CONTACT.replace(**switch.contact), laws.pop("heights", "gaussian")
-    chosen = st.height_distribution(heights, **({"exponent": 2.0} if heights == "weibull" else {}))
+    chosen = st.height_distribution(heights, **({} if switch.exponent is None else {"exponent": switch.exponent}))
     if switch.kept is not None:
         found = st.slide(contact, load=switch.load, kept=switch.kept, heights=chosen, **laws)
         mu = [float(found["largest_friction_coefficient"])]

@@ -1,5 +1,7 @@
 """The page of assumptions: its picture shows every choice beside the base, and its numbers are those of the program."""
 
+import math
+
 import numpy as np
 import pytest
 from pages import make_tables
@@ -36,6 +38,18 @@ def test_the_assumption_of_plastic_junctions_weighs_most():
     assert max(factors, key=factors.get) == "plastic junctions resist"
     by_words = {one.words: one.mu[0] for one in rests.answers()["plastic junctions resist"]}
     assert by_words["full stick"] > 1e3 * by_words["nothing: chang_etsion_bogy_1988"]
+
+
+def test_worn_heights_are_skewed_down():
+    """Wear takes tops away. The skewness of a Weibull distribution in closed form, by its words and by their sign."""
+    known = {}
+    for one in rests.assumptions()["heights"]:
+        if one.exponent is not None:
+            first, second, third = (math.gamma(1.0 + power / one.exponent) for power in (1, 2, 3))
+            deviation = math.sqrt(second - first**2)
+            known[one.words] = (third - 3.0 * first * deviation**2 - first**3) / deviation**3
+    assert all(f"skewness {skewness:.1f}" in words for words, skewness in known.items())
+    assert [skewness < 0.0 for words, skewness in known.items() if "worn" in words] == [True]
 
 
 def test_the_curves_from_weak_to_full_stick():
