@@ -190,9 +190,9 @@ def read_case(path, *, ranges: bool | None = None) -> Case:
     """The case in a TOML file.
 
     path: of the file; scans and files of materials are looked for beside it. ranges: whether numbers of materials vary within
-    their ranges, in place of what the file says. Raises InputError, one line, if the file cannot be read or is not TOML, for a key that is not known, and
-    for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
-    are no rough surface: sigma and R swapped, a metre of roughness.
+    their ranges, in place of what the file says. Raises InputError, one line, if the file cannot be read or is not TOML, for
+    a key that is not known, and for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with
+    InputDoubt of numbers that are no rough surface: sigma and R swapped, a metre of roughness.
     """
     return parse_case(_with(read_content(path), ranges), Path(path).parent)
 
