@@ -72,17 +72,10 @@ def main() -> int:
 
 
 def _write(which: str, python: str, versions: dict[str, str], summary: str) -> None:
-    direct = [name_of(one) for one in _direct()]
+    direct = [name_of(one) for one in shared.direct()]
     rows = [[f"`{name}`", versions[name]] for name in direct if name in versions]
     said = f"Tried on {datetime.datetime.now(datetime.UTC):%Y-%m-%d} with Python {python}: {summary}."
     shared.write_table(f"{which} versions", ["package", "version"], rows, said)
-
-
-def _direct() -> list[str]:
-    """What stiction asks for itself, alone and with its extras."""
-    project = shared.project()
-    extras = [part for name, parts in project["optional-dependencies"].items() if name not in ("docs", "dev") for part in parts]
-    return [*project["dependencies"], *(part for part in dict.fromkeys(extras) if not part.startswith("stiction["))]
 
 
 if __name__ == "__main__":

@@ -176,8 +176,15 @@ def test_indices_can_be_compared_too():
     assert "persson_2001: roughness_parameter is not given" in data.attrs["left_out"]
 
 
+def test_a_model_that_is_left_out_for_a_number_says_that_number():
+    """N R sigma = 1.7e7 5e-5 4.8e-8 = 4.08e-05."""
+    sparse = SHEARED.replace(roughness=st.Roughness(**SURFACE | {"asperity_density": "1.7e7 1/m^2"}))
+    (line,) = (one for one in compare(sparse, separations=[0.0]).attrs["left_out"].splitlines() if "hariri" in one)
+    assert line.startswith("hariri_zu_ben_mrad_2006: roughness_parameter is 4.08e-05; allowed: 0.03965 to 1.015")
+
+
 def test_bad_input():
-    with pytest.raises(st.InputError, match="single numbers"):
+    with pytest.raises(st.InputError, match=r"theta: 2 numbers, 1 to 2; allowed: one number"):
         compare(st.Indices(theta=st.axis("theta", [1, 2]), lam=1))
     with pytest.raises(st.InputError, match="Contact"):
         compare("steel")

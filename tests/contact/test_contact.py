@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+import xarray
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
@@ -222,6 +223,14 @@ def test_arrays_that_disagree_about_a_dimension_are_refused():
             material("iron", hardness=axis("hardness", [1e9, 2e9])),
             material("iron", hardness=axis("hardness", [1e9, 2e9, 3e9])),
         )
+
+
+def test_samples_of_one_name_in_another_order_are_refused():
+    theta = xarray.DataArray([40.0, 50.0], dims="sample", coords={"sample": [1, 2]})
+    lam = xarray.DataArray([10.0, 20.0], dims="sample", coords={"sample": [2, 1]})
+    assert Indices(theta=theta, lam=lam.assign_coords(sample=[1, 2])).lam.values.tolist() == [10.0, 20.0]
+    with pytest.raises(InputError, match=r"^lam: .*'sample'.*; allowed: the values of theta along 'sample'"):
+        Indices(theta=theta, lam=lam)
 
 
 def test_work_of_adhesion_from_surface_energies():

@@ -91,6 +91,17 @@ def test_table_of_norms(body):
     assert_allclose(np.exp(table[0, 0]), hertz_norms(body.nu), rtol=5e-3)
 
 
+def test_a_soft_film_much_thinner_than_the_contact_is_pressed_alike_all_through():
+    """Without traction, between the two widest contacts that are solved: there the table is smooth, as the film is stressed
+    inside, at its last depth and, nearly, on its surface as where it has no thickness."""
+    body, place = CoatedBody(0.1, 0.3, 0.3), 151
+    pair = (Layer.of(1.0, body.ratio, body.nu, body.nu_below),)
+    radius = ((1.0 + PLACES[place]) / (1.0 - PLACES[place])) ** 2
+    surface, _, inside, last, _ = norms(Stresses(pair, body, radius), ANGLES[:1])[:, 0]
+    assert surface == pytest.approx(last, rel=2e-3) and inside == pytest.approx(last, rel=1e-4)
+    assert math.exp(table_of_norms(pair, (body,))[0, place, 0]) == pytest.approx(last, rel=5e-4)
+
+
 def test_tangential_stiffness():
     """Another basis of tractions, whose waves were solved one by one."""
     rows = read("layered_shear.csv")

@@ -86,7 +86,7 @@ def test_doubts_of_a_comparison_explain_their_symbols():
 
 def test_stresses_in_films_of_several_thicknesses_are_refused_in_a_line_that_says_what_to_do():
     case = parse_case(_case(["100 nm", "200 nm"]))
-    with pytest.raises(InputError, match=r"coating\.thickness: '2 numbers'; allowed: one, .* a case for each"):
+    with pytest.raises(InputError, match=r"coating\.thickness: 2 numbers, .* to .*; allowed: one, .* a case for each"):
         film_of_case(case, case.choice)
 
 

@@ -17,7 +17,7 @@ from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.studies.case.read import parse_case
 from stiction.studies.case.results import compare_case, solve_case
-from stiction.studies.uncertainty import bands
+from stiction.studies.uncertainty import bands, drawing
 from stiction.studies.uncertainty.bands import levels, quantiles
 from stiction.studies.uncertainty.drawing import Variant, draw, scrambled
 from stiction.studies.uncertainty.spreads import ends_of_models, weights_of_models
@@ -104,6 +104,18 @@ def test_separations_over_a_sigma_that_is_drawn_give_bands_of_the_load():
     np.testing.assert_allclose(ratio, np.stack([exact, exact], axis=1), rtol=0.03)
     low, high = (data["friction_coefficient_quantile"].values[at] / data["friction_coefficient"].values for at in (0, -1))
     np.testing.assert_allclose([low, high], [[exact[0] ** (1 / 3)] * 2, [exact[-1] ** (1 / 3)] * 2], rtol=0.02)
+
+
+def test_what_is_drawn_in_many_steps_is_as_in_one(monkeypatch):
+    """At most so many points are solved at once: of four rows a step, at two loads each."""
+    found, steps = case(), []
+    shares = scrambled(2, 16, 0)[0]
+    whole = draw(found, shares, [Variant(found.choice)])
+    monkeypatch.setattr(drawing, "_AT_ONCE", 8)
+    parts = draw(found, shares, [Variant(found.choice)], progress=lambda each: steps.extend(each) or each)
+    assert [len(rows) for _, rows in steps] == [4, 4, 4, 4]
+    for name, table in whole.tables.items():
+        np.testing.assert_allclose(parts.tables[name], table, rtol=1e-9)
 
 
 def test_without_anything_uncertain_there_are_no_bands():

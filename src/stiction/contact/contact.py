@@ -297,6 +297,11 @@ class Contact(Subject):
         return None if self.liquid is None else self.liquid.kelvin_radius
 
     @property
+    def kelvin_radius_over_confirmed(self):
+        """The same over the least at which Kelvin's equation was found to hold, see Liquid; None where there is no liquid."""
+        return None if self.liquid is None else self.liquid.kelvin_radius_over_confirmed
+
+    @property
     def plasticity_index(self):
         """psi = (E*/H) (sigma/R)^(1/2) of the bodies without film, H of the softer (GW 1966)."""
         hardness = self._bare.hardness

@@ -154,6 +154,8 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("size_effect", "R*/R", "R^*/R", "", _NOT_NEGATIVE, "",
      "square of the hardness that asperities find over that of large imprints, less one"),
     ("kelvin_radius", "r", "r", "m", _POSITIVE, "", "radius of a meniscus in equilibrium with the vapour"),
+    ("kelvin_radius_over_confirmed", "r/r_c", r"r/r_\mathrm{c}", "", _POSITIVE, "",
+     "radius of a meniscus over the least at which Kelvin's equation was confirmed"),
     ("meniscus_tabor_parameter", "mu_m", r"\mu_\mathrm{m}", "", _POSITIVE, "",
      "Tabor parameter with work and height of a meniscus"),
     ("meniscus_over_radius", "2 r c/R", r"2rc/R", "", _NOT_NEGATIVE, "", "height of a meniscus over the asperity radius"),

@@ -18,7 +18,7 @@ from stiction.laws.registry import all_options
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.choice import LAWS, Choice, without_old_names
+from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice, without_old_names
 from stiction.studies.case.distribution import Distribution, is_law
 from stiction.studies.case.own_materials import telling_the_file, with_materials_of_file, with_own_materials
 from stiction.studies.case.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
@@ -126,7 +126,7 @@ class _Solve(Input):
 
     separation: Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
     load: Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
-    model: str = Field("soft_coating_2015", description="key of a model, see `stiction models`")
+    model: str = Field(DEFAULT_MODEL, description="key of a model, see `stiction models`")
     asperity: str | None = Field(None, description="key of an asperity law in place of the model's own, see `stiction models`")
     tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
     film: str | None = Field(None, description="key of a film law, see `stiction models`")
@@ -282,8 +282,7 @@ def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[
         return
     for path, one in {**several, **uncertain}.items():
         if path[:2] == ("contact", "roughness"):
-            given = one.distribution.words if isinstance(one, Uncertain) else f"{len(one.values)} numbers"
-            raise InputError(one.where, given, "one number, where scans say the roughness")
+            raise InputError(one.where, one.words, "one number, where scans say the roughness")
 
 
 def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:

@@ -11,6 +11,7 @@ from stiction import __version__
 from stiction.contact.subject import Subject
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import several_in_words
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import LAWS, Choice
 from stiction.solving.sliding import slide
@@ -58,7 +59,9 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
 
     if case.is_several:
         name, array = next(iter(case.subject.arrays()))
-        raise InputError(name, f"{array.size} numbers", "one, as a film is looked at one contact at a time: a case for each")
+        raise InputError(
+            name, several_in_words(array, name), "one, as a film is looked at one contact at a time: a case for each"
+        )
     recommended = choice.model == RECOMMENDED
     if recommended:
         choice = replace(choice_of_case(case, replace(choice, film=None)), film=_LAYERED)

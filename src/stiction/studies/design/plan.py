@@ -143,10 +143,9 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
     except InputError as error:
         raise InputError(f"design.{error.field}", error.value, error.allowed) from None
     plain, several = opened(without_studies(content), folder)
-    for path, one in several.items():
+    for one in several.values():
         if not isinstance(one, Uncertain):
-            allowed = "one number; of several one is chosen under [design.choose]"
-            raise InputError(".".join(path), f"{one.values.size} numbers", allowed)
+            raise InputError(one.where, one.words, "one number; of several one is chosen under [design.choose]")
     plain = as_numbers(plain)
     free, options = _unknowns(design, plain)
     wishes, targets = _wishes(design)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import Input, require_names
 from stiction.studies.case.free import Free, read_free
 from stiction.studies.case.places import as_numbers, flat, placed, read_end
@@ -69,12 +69,10 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     except InputError as error:
         raise InputError(f"fit.{error.field}", error.value, error.allowed) from None
     plain, several = opened(without_studies(given), folder)
-    for path, one in several.items():
+    for one in several.values():
         if isinstance(one, Uncertain):
             continue  # its nominal value stands for it, which is said
-        raise InputError(
-            ".".join(path), f"{one.values.size} numbers", "one number in [contact]; several go under [fit.predict]"
-        )
+        raise InputError(one.where, one.words, "one number in [contact]; several go under [fit.predict]")
     plain = as_numbers(plain)
     free = _free(fit, plain)
     measured = read_measurements(data, plain)
@@ -104,7 +102,9 @@ def _free(fit: Fit, content: Mapping) -> tuple[Free, ...]:
             raise InputError(where, name, "each number once")
         found[path] = read_free(path, entry, where)
     if not 1 <= len(found) <= _MOST_FREE:
-        raise InputError("fit.free", f"{len(found)} numbers", f"1 to {_MOST_FREE} numbers of the case, each with its ends")
+        raise InputError(
+            "fit.free", InWords(f"{len(found)} numbers"), f"1 to {_MOST_FREE} numbers of the case, each with its ends"
+        )
     return tuple(found.values())
 
 
@@ -124,7 +124,7 @@ def _check(plan: FitPlan) -> None:
         raise InputError(".".join(RESISTANCE), "given", "nothing: no contact_resistance was measured")
     count = sum(len(plan.data.samples) if one.each_sample else 1 for one in plan.free)
     if len(plan.data) < count:
-        raise InputError("--data", f"{len(plan.data)} values", f"at least {count}, as many as there are free numbers")
+        raise InputError("--data", InWords(f"{len(plan.data)} values"), f"at least {count}, as many as there are free numbers")
     if len(plan.data) == count and not np.isfinite(plan.data.error).all():
         allowed = f"at least {count + 1}, one more than there are free numbers, or a column of their errors"
         raise InputError("--data", f"{count} values without errors", allowed)
