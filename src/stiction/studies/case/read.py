@@ -187,11 +187,12 @@ class _CaseFile(Input):
 
 
 def read_case(path, *, ranges: bool | None = None) -> Case:
-    """The case in a TOML file; ranges: whether numbers of materials vary within their ranges, in place of what the file says.
+    """The case in a TOML file.
 
-    Raises InputError, one line, if the file cannot be read or is not TOML, for a key that is not known, and
-    for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
-    are no rough surface: sigma and R swapped, a metre of roughness.
+    path: of the file; scans and files of materials are looked for beside it. ranges: whether numbers of materials vary within
+    their ranges, in place of what the file says. Raises InputError, one line, if the file cannot be read or is not TOML, for
+    a key that is not known, and for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with
+    InputDoubt of numbers that are no rough surface: sigma and R swapped, a metre of roughness.
     """
     return parse_case(_with(read_content(path), ranges), Path(path).parent)
 
