@@ -7,6 +7,7 @@ from rich.text import Text
 
 import stiction as st
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import to_si
 from stiction.report.comparison_doubts import doubts, doubts_with_meanings
 from stiction.report.comparison_rows import run_command
 from stiction.report.model_pictures import models_figure, rows_of_models
@@ -73,6 +74,9 @@ def test_the_command_of_a_comparison_has_a_load_that_is_read():
     load = xarray.DataArray(np.array([1.0]), dims="point", attrs={"units": "N"})
     data = xarray.Dataset({"load": load}, attrs={"working_load": 2.3604761904761906, "case_file": "a.toml"})
     assert run_command(data, "m").endswith("--load '2.36048 N'")
+    for load, said in ((1e-3, "1 mN"), (2.5e-6, "2.5 uN"), (2e4, "20 kN")):
+        assert run_command(data.assign_attrs(working_load=load), "m").endswith(f"--load '{said}'")
+        assert to_si(said, "load") == pytest.approx(load, rel=1e-12)
     assert run_command(data, "m", exact=True).endswith("--load '2.3604761904761906 N'")
 
 

@@ -234,10 +234,10 @@ def comparison_table(data: "xarray.Dataset") -> Table:
     methods of finding asperities stands in place of the contact area. The error is that of the contact area, measured on
     solved surfaces near this contact. Doubts are numbered as in `doubts`."""
     table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
-    table.add_column("model", overflow="fold")
+    table.add_column("model", no_wrap=True)
     with_range_over_methods = "friction_coefficient_at_load_low" in data
     for head in ("grade", "mu", "over methods" if with_range_over_methods else "contact\narea", "error", "plastic", "doubts"):
-        table.add_column(head, justify="left" if head in ("grade", "plastic", "doubts") else "right", no_wrap=True)
+        table.add_column(head, justify="left" if head in ("grade", "plastic", "doubts") else "right", no_wrap=head != "doubts")
     judged = "friction_coefficient_at_load" in data
     known = doubts(data)
     order = np.argsort(data["friction_coefficient_at_load"].values) if judged else range(data.sizes["model"])
@@ -246,7 +246,7 @@ def comparison_table(data: "xarray.Dataset") -> Table:
         mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
         unit = one["contact_area"].attrs.get("units", "1")
         size = _short(area) if unit == "1" else shown(area, "contact_area", digits=3)
-        numbers = ", ".join(str(1 + known.index(line)) for line in doubts_of_model(one))
+        numbers = ", ".join(map(str, sorted(1 + known.index(line) for line in doubts_of_model(one))))
         name = str(one["model"].item())
         look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
         fourth = over_methods(one) if with_range_over_methods else size
@@ -280,7 +280,8 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
             low, high = used["recommended_range"]
             weighed = f"mu {low:.3g} to {high:.3g}" if low < high else "one opinion, no range"
             lines.append(Text(f"two thirds of the weight of the models: {weighed}", style="bold"))
-            lines.append(Text(f"to run it: {run_command(data, used['recommended'])}"))
+            command = f"to run it: {run_command(data, used['recommended'])}"
+            lines.append(Text(command, no_wrap=True))  # it is copied
         lines += [Text(f"set aside: {line}", style="dim") for line in used["set_aside"].splitlines()]
         if used["advice"]:
             lines.append(Text(f"what would have to change: {used['advice']}", style="bold yellow"))

@@ -88,7 +88,7 @@ def models_band_table(data: "xarray.Dataset") -> Table:
     name = "friction_coefficient_at_load"
     told = [0, data.sizes["quantile"] // 2, -1]  # the ends and the median
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("over what is uncertain", overflow="fold")
+    table.add_column("over what is uncertain", no_wrap=True)
     for head in ("nominal", *(f"{share:.0%}" for share in data["quantile"].values[told]), "error"):
         table.add_column(head, justify="right", no_wrap=True)
     for at in np.argsort(data[name].values):
