@@ -56,7 +56,7 @@ def _lowered(column: Column, marked: list[bool]) -> Column:
     to be wrapped."""
     cells = [_text(cell) for cell in column._cells]
     least = max((cell_len(line) for one in (_text(column.header), *cells) for line in one.plain.splitlines()), default=0)
-    lowered = [Text.assemble("\n", cell) if lower else cell for cell, lower in zip(cells, marked, strict=True)]
+    lowered: list[Any] = [Text.assemble("\n", cell) if lower else cell for cell, lower in zip(cells, marked, strict=True)]
     return replace(column, _cells=lowered, min_width=least if column.no_wrap else column.min_width)
 
 
