@@ -38,7 +38,7 @@ PARTS = (
     Part("other laws", ("laws/composite/*.py", "laws/meniscus/*.py", "laws/ageing/*.py", "laws/contamination/*.py",
                         "laws/criterion/*.py", "laws/presliding/*.py", "laws/presliding/shared/*.py"),
          (*_tests("coating", "two_bodies", "films_published"), "tests/menisci",
-          *_tests("friction", "ageing", "contamination", "sliding_inception", "sliding"),
+          *_tests("friction", "ageing", "ageing_beyond_measured", "contamination", "sliding_inception", "sliding"),
           "tests/models/test_spectral.py")),
     Part("joining", ("laws/joining.py", "laws/piece.py"), (TABLES, *_tests("friction", "joining", "tangential_laws"))),
     Part("units", ("quantities/units.py", "quantities/dimensions.py", "quantities/inputs.py", "quantities/hardness.py",
