@@ -317,6 +317,13 @@ def test_compare_tells_the_spreads(tmp_path):
     assert [one["share"] for one in row["friction_coefficient_quantile"]] == pytest.approx([0.05, 0.25, 0.5, 0.75, 0.95])
 
 
+def test_the_error_of_a_quantile_is_the_scatter_of_the_parts_over_the_root_of_their_number():
+    """Parts that say 0 to 7, each of all of its points: their variance is 6, of eight that are independent 6/8."""
+    values = np.broadcast_to(np.arange(8.0)[:, None], (8, 50))
+    whole, error = quantiles(values, np.array([0.25, 0.5]))
+    assert error == pytest.approx(np.sqrt(6.0 / 8.0)) and whole == pytest.approx([1.75, 3.5], abs=0.3)
+
+
 def test_quantiles_are_of_those_that_are_known_while_these_are_half():
     values = np.arange(800.0).reshape(8, 100)
     values[:, 60:] = np.nan
