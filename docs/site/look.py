@@ -43,8 +43,10 @@ _BROKEN = r"""() => ({
     }
     return found;
   })(),
-  wide: [document.documentElement, ...document.querySelectorAll('.content')]
-    .filter(one => one.scrollWidth > one.clientWidth + 1).map(one => one.scrollWidth),
+  wide: [...document.querySelectorAll('html, article p, article li, article img, article .indextable, article .sig, span.math')]
+    .filter(one => !one.closest('.table-wrapper, div.math, pre') && one.getBoundingClientRect().right > window.innerWidth + 1)
+    .map(one => one.textContent)
+    .concat(document.documentElement.scrollWidth > window.innerWidth + 1 ? [document.documentElement.scrollWidth] : []),
 })"""
 
 
