@@ -57,7 +57,7 @@ def pages(site: Path, whole: bool) -> list[Path]:
     rest = [path for path in every if path not in first]
     if whole:
         return [*first, *rest]
-    step = max(1, len(rest) // (COUNT - len(first)))
+    step = max(1, len(rest) // max(1, COUNT - len(first)))
     return [*first, *rest[::step]][:COUNT]
 
 
