@@ -79,14 +79,14 @@ def broken(page: Page, path: Path, width: int, theme: str) -> Iterator[str]:
 def lost(page: Page, site: Path) -> Iterator[str]:
     """Links to a place in a page that leave the reader elsewhere, and words that the search does not find."""
     for link in PLACES:
-        page.goto(f"{site.as_uri()}/{link}")
+        page.goto(f"{site.as_uri()}/{link}", timeout=120_000)
         page.evaluate("() => window.MathJax ? MathJax.startup.promise.then(() => true) : true")
         page.wait_for_timeout(500)
         top = page.evaluate("() => document.getElementById(location.hash.slice(1)).getBoundingClientRect().top")
         if not -5 <= top <= 300:
             yield f"{link}: the place is {top:.0f} px below the top"
     for words in SEARCHED:
-        page.goto(f"{site.as_uri()}/index.html")
+        page.goto(f"{site.as_uri()}/index.html", timeout=120_000)
         page.fill("input[name=q]", words)
         page.press("input[name=q]", "Enter")
         try:
