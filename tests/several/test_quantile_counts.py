@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from stiction.studies.sweep import quantile_counts
 from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of, sizes_of, values_at
 
 # Sizes of every kind: of both signs, over many decades, few and many, equal, not numbers.
@@ -36,6 +37,20 @@ def test_counts_of_parts_add_up_in_any_order():
     for some in (parts, parts[::-1]):
         np.testing.assert_array_equal(quantiles_of(some, 3, [0.05, 0.5, 0.95]), whole)
     assert sum(int(part[1].sum()) for part in parts) == int(counted(values)[1].sum()) == values.size
+
+
+def test_counts_that_are_added_bit_by_bit_are_those_added_at_once(monkeypatch):
+    values = KINDS["of both signs"]
+    parts = [counted(values[at : at + 50]) for at in range(0, 500, 50)]
+    whole = quantiles_of(parts, 2, [0.05, 0.5, 0.95])
+    monkeypatch.setattr(quantile_counts, "_AT_ONCE", 1)
+    np.testing.assert_array_equal(quantiles_of(parts, 2, [0.05, 0.5, 0.95]), whole)
+
+
+def test_counts_are_as_wide_as_the_most_sizes_of_a_point():
+    values = np.array([[1.0, 1.0], [1.0, 2.0], [1.0, 3.0], [np.nan, 3.0]])
+    sizes, many = counted(values)
+    assert many.tolist() == [[3, 0, 0], [1, 1, 2]] and (sizes > 0).tolist() == [[True, False, False], [True] * 3]
 
 
 def test_sizes_are_in_the_order_of_the_values_and_hold_them():

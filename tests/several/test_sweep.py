@@ -134,6 +134,16 @@ def test_percentiles_are_those_of_all_points(tmp_path, count):
     np.testing.assert_array_equal(data["friction_coefficient"].sel(statistic="count"), count)
 
 
+@pytest.mark.parametrize("wide", [1, 3, 7])  # 8 contacts a block: some points have as many sizes, some fewer
+def test_counts_of_many_sizes_are_in_several_files(tmp_path, monkeypatch, wide):
+    case = changed(DRAWN, sweep={"keep": ["friction_coefficient"], "statistics": ["median", "percentile_95"]})
+    whole = sweep(case, tmp_path / "whole")["friction_coefficient"].values
+    monkeypatch.setattr(sweep_store, "_SIZES", wide)
+    cut = sweep(case, tmp_path / "cut")["friction_coefficient"].values
+    assert len(list((tmp_path / "cut" / "counts_by_block").rglob("c/0/0/0/*"))) == -(-8 // wide)
+    np.testing.assert_array_equal(cut, whole)
+
+
 def test_a_block_that_is_larger_than_what_is_solved_at_once_is_solved_in_pieces(tmp_path, monkeypatch):
     sizes = []
     whole = sweep(changed(DRAWN, sweep={"block": 192}), tmp_path / "whole")["friction_coefficient"].values
@@ -221,6 +231,8 @@ def test_what_is_refused_or_not_carried_is_said_and_the_rest_is_there(tmp_path):
     )
     assert ((data["doubts"] & refused) > 0).values.tolist() == [[at == 0] * 2 for at in range(9)]  # H below Y
     assert ((data["doubts"] & not_carried) > 0).values.tolist() == [[False, at > 0] for at in range(9)]
+    by_block = data["doubts_by_block"].values.sum(axis=0)
+    assert {int(by_block[bit]) for bit in range(2)} == {2, 8} and (by_block >= 0).all()  # points, of both
 
 
 class Stopped(Exception):

@@ -12,19 +12,18 @@ from stiction.laws.claims import Validity
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import Pointwise, solve_pointwise
-from stiction.studies.sweep.plan import MOMENTS, Plan
+from stiction.studies.sweep.plan import Plan
+from stiction.studies.sweep.table import MOMENTS
 
 __all__ = ["Block", "merged", "solve_block", "solve_region", "statistics_of"]
 
 
 @dataclass(frozen=True)
 class Block:
-    """Results of a region of the contacts: name -> array (dimensions of the contacts and the points), doubts as bits, and the
-    values of what is several by the name of its coordinate."""
+    """Results of a region of the contacts: name -> array (dimensions of the contacts and the points), and doubts as bits."""
 
     results: dict[str, np.ndarray]
     doubts: np.ndarray
-    coordinates: dict[str, np.ndarray]
 
 
 def solve_region(plan: Plan, choice: Choice, region: Mapping[str, slice], keep: Sequence[str] | None = None) -> Pointwise:
@@ -55,9 +54,7 @@ def solve_block(plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple
                 results[name][tuple(place.get(dim, slice(None)) for dim in of)] = _ordered(values, have, of)
         have, bits = solved.doubts
         doubts[tuple(place.get(dim, slice(None)) for dim in shape)] = _ordered(bits, have, tuple(shape))
-    named = {one.name: one for one in plan.several.values()}
-    arrays = plan.arrays(region)
-    return Block(results, doubts, {one.name: arrays[path].values for path, one in plan.several.items() if one.name in named})
+    return Block(results, doubts)
 
 
 def _ordered(values: np.ndarray, have: Sequence[str], wanted: Sequence[str]) -> np.ndarray:

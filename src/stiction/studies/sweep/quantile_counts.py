@@ -26,6 +26,7 @@ PERCENTILES: Mapping[str, float] = {
 _CUT = 52 - 7  # binary digits that are left out of the 52 that a number has
 _FLIPPED = np.int64(2**63 - 1)  # of a negative number all but the sign: then they are in order, too
 _MIDDLE = 1 << (63 - _CUT)  # sizes below belong to negative numbers
+_AT_ONCE = 250_000  # counts that are added together: as many as stay in a cache
 
 
 def sizes_of(values: np.ndarray) -> np.ndarray:
@@ -44,14 +45,13 @@ def values_at(sizes: np.ndarray) -> np.ndarray:
 
 
 def counted(values: np.ndarray) -> np.ndarray:
-    """Of values (n, points), not numbers left out: sizes and how many there are of each, (2, points, n) uint32; those of each
-    point ascend, and there are none of size 0, which fills the rest."""
+    """Of values (n, points), not numbers left out: sizes and how many there are of each, (2, points, m) uint32; those of each
+    point ascend, and there are none of size 0, which fills the rest; m: the most sizes that a point has."""
     there = np.isfinite(values)
     sizes = np.where(there, sizes_of(np.where(there, values, 0.0)), np.uint32(0)).T.copy()
     sizes.sort(axis=1)
-    found = np.zeros((2, *sizes.shape), dtype=np.uint32)
     if not sizes.size:
-        return found
+        return np.zeros((2, *sizes.shape), dtype=np.uint32)
     flat, (points, n) = sizes.ravel(), sizes.shape
     is_first = np.append(True, flat[1:] != flat[:-1])
     is_first[::n] = True
@@ -61,6 +61,7 @@ def counted(values: np.ndarray) -> np.ndarray:
     start, many = start[kept], many[kept]
     point = start // n
     place = np.arange(point.size) - np.searchsorted(point, np.arange(points))[point]
+    found = np.zeros((2, points, place.max(initial=0) + 1), dtype=np.uint32)
     found[0, point, place], found[1, point, place] = flat[start], many
     return found
 
@@ -68,10 +69,7 @@ def counted(values: np.ndarray) -> np.ndarray:
 def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[float]) -> np.ndarray:
     """The quantiles (shares, points) of all parts together, each (2, points, n) as `counted` gives: of the least size such that
     so large a share of the values is of no larger one. Not a number where there are no values."""
-    keys, counts = np.empty(0, dtype=np.uint64), np.empty(0, dtype=np.int64)
-    for sizes, many in parts:
-        there = np.nonzero(sizes)
-        keys, counts = _added(keys, counts, (there[0].astype(np.uint64) << np.uint64(32)) | sizes[there], many[there])
+    keys, counts = _together(parts)
     shares = list(shares)
     found = np.full((len(shares), points), np.nan)
     ends = np.searchsorted(keys >> np.uint64(32), np.arange(points + 1, dtype=np.uint64))
@@ -83,11 +81,29 @@ def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[floa
     return found
 
 
-def _added(keys: np.ndarray, counts: np.ndarray, more: np.ndarray, many: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Every key once, ascending, with its counts together; so are both that are given."""
-    place = np.searchsorted(keys, more)
-    known = place < keys.size
-    known[known] = keys[place[known]] == more[known]
-    counts[place[known]] += many[known]
-    new = ~known
-    return np.insert(keys, place[new], more[new]), np.insert(counts, place[new], many[new])
+def _together(parts: Iterable[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Every key, a point and a size, once, ascending; and how many there are of it in all parts."""
+    keys, counts = [np.empty(0, dtype=np.uint64)], [np.empty(0, dtype=np.int64)]
+    waiting = 0
+    for sizes, many in parts:
+        there = sizes > 0
+        point = np.repeat(np.arange(len(sizes), dtype=np.uint64), there.sum(axis=1))
+        keys.append((point << np.uint64(32)) | sizes[there])
+        counts.append(many[there])
+        waiting += point.size
+        if waiting > max(_AT_ONCE, keys[0].size):
+            keys, counts, waiting = *_added(keys, counts), 0
+    (keys_of_all,), (counts_of_all,) = _added(keys, counts)
+    return keys_of_all, counts_of_all
+
+
+def _added(keys: list[np.ndarray], counts: list[np.ndarray]) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """The same in one part: every key once, ascending, with its counts together. The keys of each part ascend, which is what
+    this way of sorting them is quick by."""
+    every = np.concatenate(keys)
+    order = np.argsort(every, kind="stable")
+    every = every[order]
+    is_first = np.ones(every.size, dtype=bool)
+    is_first[1:] = every[1:] != every[:-1]
+    first = np.flatnonzero(is_first)
+    return [every[first]], [np.add.reduceat(np.concatenate(counts)[order], first)]

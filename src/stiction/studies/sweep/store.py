@@ -38,6 +38,7 @@ _LAWS = ("title", "model", "asperity", "tangential", "film", "options", "heights
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "zarr")
 _MOST_RULES = 31 - len(WHY_NOT)
 _ROWS_AT_ONCE = 1_000_000  # numbers of blocks that are read together
+_SIZES = 2048  # of a point that one file holds; few results have more
 
 
 @dataclass(frozen=True)
@@ -52,6 +53,11 @@ class Store:
         import zarr
 
         return zarr.open_group(self.path, mode="r+", zarr_format=3, use_consolidated=False)
+
+    @cached_property
+    def _arrays(self) -> dict[str, Any]:
+        """All arrays by their paths, each opened once: it takes reading a file."""
+        return {path: one for path, one in self.group.members(max_depth=None) if hasattr(one, "shape")}
 
     @cached_property
     def _choice(self) -> Choice:
@@ -78,30 +84,34 @@ class Store:
         return found.doubts.size
 
     def _write(self, block: int, found: Any) -> None:
-        region = self.plan.region(block)
-        contacts = len(region)
         if self.plan.sweep.statistics:
-            self._write_statistics(block, found.results, contacts)
+            self._write_statistics(block, found.results)
         else:
-            for name, values in found.results.items():
-                place = tuple(region.get(dim, slice(None)) for dim in self._results[name])
-                self.group[name][place] = values.astype(self.group[name].dtype)
-            place = (*region.values(), *(slice(None) for _ in self._points))
-            self.group[_DOUBTS][place] = found.doubts
-        if SAMPLE in region and not self.plan.sweep.statistics:
-            for name, values in found.coordinates.items():
-                self.group[name][region[SAMPLE]] = values
-        bits = np.arange(self.group[_DONE].shape[1], dtype=np.uint32)
+            self._write_points(block, found)
+        bits = np.arange(self._arrays[_DONE].shape[1], dtype=np.uint32)
         counts = [int(((found.doubts >> bit) & 1).sum()) for bit in bits]
-        self.group[_DONE][block : block + 1] = np.array([counts])
+        self._arrays[_DONE][block : block + 1] = np.array([counts])
 
-    def _write_statistics(self, block: int, results: Mapping[str, np.ndarray], contacts: int) -> None:
+    def _write_points(self, block: int, found: Any) -> None:
+        region = self.plan.region(block)
+        for name, values in found.results.items():
+            place = tuple(region.get(dim, slice(None)) for dim in self._results[name])
+            self._arrays[name][place] = values.astype(self._arrays[name].dtype)
+        place = (*region.values(), *(slice(None) for _ in self._points))
+        self._arrays[_DOUBTS][place] = found.doubts
+        if SAMPLE in region:
+            drawn = self.plan.arrays(region)
+            for path, one in self.plan.several.items():
+                self._arrays[one.name][region[SAMPLE]] = drawn[path].values
+
+    def _write_statistics(self, block: int, results: Mapping[str, np.ndarray]) -> None:
+        contacts = len(self.plan.dims)
         for name, values in results.items():
-            self.group[_PARTS][name][block : block + 1] = statistics_of(values, contacts)[None]
+            self._arrays[f"{_PARTS}/{name}"][block : block + 1] = statistics_of(values, contacts)[None]
             if _percentiles(self.plan):
                 rows = values.reshape(math.prod(values.shape[:contacts]), -1)
-                counts = counted(rows)  # of the last contacts, which may be fewer than a block has, there are fewer
-                self.group[_COUNTS][name][block : block + 1, :, :, : counts.shape[-1]] = counts[None]
+                counts = counted(rows)
+                self._arrays[f"{_COUNTS}/{name}"][block : block + 1, :, :, : counts.shape[-1]] = counts[None]
 
     def finish(self) -> None:
         """When all blocks are done: the statistics of all together, and no file that an interruption left."""
@@ -111,7 +121,7 @@ class Store:
             wanted = _percentiles(self.plan)
             if wanted:
                 counts = self.group[_COUNTS][name]
-                found = quantiles_of(_each_row(counts), counts.shape[2], wanted.values())
+                found = quantiles_of(_each_counts(counts), counts.shape[2], wanted.values())
                 whole |= dict(zip(wanted, found, strict=True))
             target = self.group[name]
             rows = np.array([whole[one] for one in self.plan.sweep.statistics])
@@ -143,6 +153,18 @@ def _each_row(array: Any) -> Iterator[np.ndarray]:
     step = max(1, _ROWS_AT_ONCE // max(1, math.prod(array.shape[1:])))
     for start in range(0, array.shape[0], step):
         yield from array[start : start + step]
+
+
+def _each_counts(array: Any) -> Iterator[np.ndarray]:
+    """What is counted of each block, in parts: those that are not there, as the sizes of a point are few, are not read."""
+    wide = array.chunks[-1]
+    step = max(1, _ROWS_AT_ONCE // math.prod(array.chunks))
+    for start in range(0, array.shape[0], step):
+        for first in range(0, array.shape[-1], wide):
+            parts = array[start : start + step, :, :, first : first + wide]
+            yield from parts
+            if not parts[..., -1].any():  # sizes stand in front: none is after these
+                break
 
 
 def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
@@ -309,8 +331,9 @@ def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Map
         if _percentiles(plan):
             contacts = math.prod(plan.tile[dim] for dim in dims if dim in plan.dims)
             group.require_group(_COUNTS).create_array(
-                name, shape=(plan.blocks, 2, flat, contacts), chunks=(1, 2, flat, contacts), dtype="uint32", fill_value=0
-            )
+                name, shape=(plan.blocks, 2, flat, contacts), chunks=(1, 2, flat, min(contacts, _SIZES)), dtype="uint32",
+                fill_value=0,
+            )  # fmt: skip
         array = group.create_array(
             name, shape=[len(kinds), *shape], chunks=[len(kinds), *shape], dtype=plan.sweep.precision, fill_value=float("nan"),
             dimension_names=("statistic", *rest),
