@@ -56,6 +56,18 @@ def by_kind() -> str:
     return _table(("model", *kinds), [(_named(name), *map(_percent, each)) for _, name, each in sorted(rows)])
 
 
+def errors_of(model: str) -> str:
+    """The row of `elastic` of a model, in words; nothing if it was not compared."""
+    known = solved_set()
+    for name in _columns(known):
+        if name.split("|")[0] == model:
+            error = np.expm1(_of(known, name)[known.gaussian, 0])
+            at = [(p, _mean(error[:, _at(known, p)])) for p in _SHOWN]
+            each = ", ".join(f"{mean} % at {p:g}" for p, mean in at if mean != "-")
+            return f"elastic, Gaussian and isotropic, by $p/(E^*h')$: {each}; rms {_percent(_rms(known, error))} %"
+    return ""
+
+
 def with_hardness() -> str:
     """Mean error, and in brackets the root mean square, of the area of Gaussian isotropic surfaces, by hardness."""
     known = solved_set()
@@ -146,7 +158,7 @@ def _percent(value: float) -> str:
 
 
 def _range(values: np.ndarray) -> str:
-    return f"{values.min():.2g} to {values.max():.2g}"
+    return " to ".join(f"{float(f'{end:.2g}'):g}" for end in (values.min(), values.max()))
 
 
 def _table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:

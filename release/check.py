@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable
 from functools import partial
 
-from shared import DIST, ROOT, canonical, project, run
+from shared import DIST, PAGE, ROOT, canonical, direct, name_of, project, run
 
 VERSION = project()["version"]
 TOOLS = ROOT / "build" / "release-tools" / "bin"
@@ -65,11 +65,28 @@ def _lock() -> str:
     return f"requirements.lock lacks {', '.join(missing)}: make lock" if missing else ""
 
 
-def _make(target: str) -> str:
-    """A target of the Makefile, with what it says."""
-    print(f"  make {target} ...", flush=True)
-    done = run("make", target, cwd=ROOT)
-    return "" if done.returncode == 0 else f"make {target}:\n{(done.stdout + done.stderr)[-1500:]}"
+def _versions() -> str:
+    """The page tells with what tests ran: the smallest version of all that is allowed is what pyproject.toml allows."""
+    page = PAGE.read_text(encoding="utf-8")
+    tried = {which: _table(page, f"{which} versions") for which in ("lowest", "newest")}
+    limits = {name_of(one): re.search(r">=([\d.]+)", one)[1] for one in direct()}  # type: ignore[index]
+    wrong = [f"{name} {tried['lowest'].get(name, 'none')} for {least}" for name, least in limits.items()
+             if not f"{tried['lowest'].get(name, '')}.".startswith(f"{least}.")]  # fmt: skip
+    wrong += [f"no newest {name}" for name in limits if name not in tried["newest"]]
+    return f"{PAGE.name} has {', '.join(wrong[:5])}: release/try_versions.py" if wrong else ""
+
+
+def _table(page: str, name: str) -> dict[str, str]:
+    """Package -> version, of a table that `shared.write_table` wrote."""
+    inside = re.search(rf"<!-- {name}: begin.*?<!-- {name}: end -->", page, re.DOTALL)
+    return dict(re.findall(r"^\| `([^`]+)` \| (\S+) \|$", inside[0], re.MULTILINE)) if inside else {}
+
+
+def _does(*words: str) -> str:
+    """A command that takes its time, with what it says where it fails."""
+    print(f"  {' '.join(words)} ...", flush=True)
+    done = run(*words, cwd=ROOT)
+    return "" if done.returncode == 0 else f"{' '.join(words)}:\n{(done.stdout + done.stderr)[-1500:]}"
 
 
 # Step -> what is wrong, "" if it holds. What takes seconds stands first.
@@ -79,11 +96,13 @@ STEPS: dict[str, Callable[[], str]] = {
     f"the changelog has {VERSION} and its day": _changelog,
     f"the citation is valid and has {VERSION} and its day": _citation,
     "everything that is asked for is pinned": _lock,
-    "style, types and imports": partial(_make, "check"),
-    "wheel and sdist": partial(_make, "packages"),
-    "tests": partial(_make, "test"),
-    "the site": partial(_make, "docs"),
-    "empty environments": partial(_make, "try-install"),
+    "tests ran with the smallest and the newest versions": _versions,
+    "style, types and imports": partial(_does, "make", "check"),
+    "wheel and sdist": partial(_does, "make", "packages"),
+    "tests": partial(_does, "make", "test"),
+    "the site": partial(_does, "make", "docs"),
+    # Not `make try-install`, which would renew a page that is committed.
+    "empty environments": partial(_does, ".venv/bin/python", "release/try_install.py", "each"),
 }
 BY_HAND = f"""
 Left to do by hand, in this order:

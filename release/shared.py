@@ -20,6 +20,17 @@ def project() -> dict[str, Any]:
     return tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 
+def extras() -> dict[str, list[str]]:
+    """What users can ask for besides: the packages of each extra."""
+    return {name: parts for name, parts in project()["optional-dependencies"].items() if name not in ("docs", "dev")}
+
+
+def direct() -> list[str]:
+    """What stiction asks for itself, alone and with its extras."""
+    asked = [*project()["dependencies"], *(part for parts in extras().values() for part in parts)]
+    return [part for part in dict.fromkeys(asked) if not part.startswith("stiction[")]
+
+
 def name_of(requirement: str) -> str:
     """The package that a requirement names, in the spelling in which names are compared."""
     return canonical(re.match(r"[\w.-]+", requirement)[0])  # type: ignore[index]

@@ -1,7 +1,7 @@
 """Installs the wheel into empty environments, without extras and with each of them, and works there as a user does.
 
-    make try-install                                 # all of it, five minutes; what weighs is written into docs/installing.md
-    python release/try_install.py none web           # these alone; nothing is written
+    make try-install                                 # all of it, ten minutes; what weighs is written into docs/installing.md
+    python release/try_install.py none web           # these alone, or "each"; nothing is written
 
 Each environment solves the demo out of an empty folder, far from the source. Of each extra that it has the work is done; of
 each that it has not the command must end with exit code 2 and one line that says what to install.
@@ -9,6 +9,7 @@ each that it has not the command must end with exit code 2 and one line that say
 
 import datetime
 import platform
+import re
 import resource
 import shutil
 import socket
@@ -17,6 +18,7 @@ import sys
 import tempfile
 import time
 import urllib.request
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -28,16 +30,20 @@ CASE = ROOT / "examples" / "silver_on_steel.toml"
 SWEEP = '\n[sweep]\nsample = { method = "grid" }\n'
 FIT = '\n[fit.free]\nwork_of_adhesion = { low = "0.1 J/m^2", high = "10 J/m^2" }\n'
 MEASURED = "load [N],friction_coefficient\n0.1,0.09\n1,0.06\n10,0.03\n"
-TO_LIBRARY = "import stiction as st; s = st.SelfAffine(hurst=0.8, rolloff=1e-5, shortest=4e-6, deviation=8e-9); "
-TO_LIBRARY += "st.gaussian_surface((32, 32), (4e-5, 4e-5), s, seed=1).to_topography()"
-# Extra -> what it is for, done in the folder of `_prepare`; `serve` and the cluster are tried in a way of their own.
+# A scheduler with one worker, until its input ends.
+CLUSTER = """import sys, distributed
+where = {"host": "127.0.0.1", "protocol": "tcp", "dashboard_address": None}
+cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, **where)
+print(cluster.scheduler_address, flush=True)
+sys.stdin.read()"""
+# Extra -> the command that needs it; the cluster and the page are given an address and a port as last word.
 WORK = {
-    "pictures": ("-m", "stiction", "report", "case.toml", "--out", "report.html"),
-    "scans": ("-c", TO_LIBRARY),
-    "sweep": ("-m", "stiction", "sweep", "sweep.toml", "--out", "store"),
-    "fit": ("-m", "stiction", "fit", "fit.toml", "--data", "measured.csv"),
-    "cluster": ("-m", "stiction", "sweep", "sweep.toml", "--out", "other", "--scheduler", "tcp://127.0.0.1:1"),
-    "web": ("-m", "stiction", "serve", "case.toml", "--port"),
+    "pictures": ("report", "case.toml", "--out", "report.html"),
+    "scans": ("surface", "scan.sdf"),
+    "sweep": ("sweep", "sweep.toml", "--out", "store"),
+    "fit": ("fit", "fit.toml", "--data", "measured.csv"),
+    "cluster": ("sweep", "sweep.toml", "--out", "other", "--scheduler"),
+    "web": ("serve", "case.toml", "--port"),
 }
 
 
@@ -60,6 +66,10 @@ def _prepare(folder: Path) -> None:
     files = {"case.toml": text, "sweep.toml": several + SWEEP, "fit.toml": text + FIT, "measured.csv": MEASURED}
     for name, content in files.items():
         (folder / name).write_text(content, encoding="utf-8")
+    sys.path.append(str(ROOT / "tests" / "surfaces"))
+    from written_files import sdf_text
+
+    (folder / "scan.sdf").write_bytes(sdf_text())
 
 
 def _processor() -> float:
@@ -73,10 +83,7 @@ def _environment(folder: Path, extra: str) -> tuple[Path, float]:
     began = _processor()
     what = str(shared.wheel()) + ("" if extra == "none" else f"[{extra}]")
     python = folder / "bin" / "python"
-    if shutil.which("uv"):  # installs the same, in a tenth of the time
-        must("uv", "pip", "install", "--quiet", "--compile-bytecode", "--python", python, what, env=outside())
-    else:
-        must(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", what, env=outside())
+    must(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", what, env=outside())
     return python, _processor() - began
 
 
@@ -88,18 +95,35 @@ def _demo(python: Path, folder: Path, drawn: bool) -> None:
     assert names == ["curve.csv", "curve.nc", *(["curve.png"] if drawn else [])], names
 
 
-def _served(python: Path, folder: Path) -> None:
-    """The page answers within half a minute."""
+def _plain(python: Path, folder: Path, words: tuple[str, ...]) -> None:
+    must(python, "-m", "stiction", *words, cwd=folder, env=outside())
+
+
+def _shared_out(python: Path, folder: Path, words: tuple[str, ...]) -> None:
+    """A cluster of one worker computes every point of the sweep."""
+    where = {"cwd": folder, "env": outside(), "text": True}
+    with subprocess.Popen([python, "-c", CLUSTER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, **where) as cluster:
+        assert cluster.stdin and cluster.stdout
+        try:
+            said = must(python, "-m", "stiction", *words, cluster.stdout.readline().strip(), cwd=folder, env=outside())
+        finally:
+            cluster.stdin.close()
+    assert re.match(r"(\d+) points, \1 of them computed now", said), said
+
+
+def _served(python: Path, folder: Path, words: tuple[str, ...]) -> None:
+    """The page answers within half a minute, with the curve on it."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    server = subprocess.Popen([python, *WORK["web"], str(port)], cwd=folder, env=outside(), stdout=subprocess.DEVNULL)
+    words = ("-m", "stiction", *words, str(port))
+    server = subprocess.Popen([python, *words], cwd=folder, env=outside(), stdout=subprocess.DEVNULL)
     try:
         for _ in range(60):
             time.sleep(0.5)
             try:
                 with urllib.request.urlopen(f"http://127.0.0.1:{port}/", timeout=30) as answer:
-                    assert answer.status == 200
+                    assert "friction coefficient mu against" in answer.read().decode()
                     return
             except OSError:
                 assert server.poll() is None, "the server ended"
@@ -109,30 +133,33 @@ def _served(python: Path, folder: Path) -> None:
         server.wait()
 
 
+# The extras whose work is more than a command that ends well.
+DONE: dict[str, Callable[[Path, Path, tuple[str, ...]], None]] = {"cluster": _shared_out, "web": _served}
+
+
 def _there(environment: Path) -> set[str]:
     """The extras whose packages are there, also where another asked for them: SurfaceTopography brings matplotlib."""
     names = {shared.canonical(one.name) for one in installed(environment)}
-    own = {
-        extra: [shared.name_of(part) for part in parts] for extra, parts in shared.project()["optional-dependencies"].items()
-    }
+    own = {extra: [shared.name_of(part) for part in parts] for extra, parts in shared.extras().items()}
     return {extra for extra in WORK if {name for name in own[extra] if name != "stiction"} <= names}
+
+
+def _refused(python: Path, folder: Path, extra: str) -> None:
+    """Without an extra: one line with what to install, exit code 2."""
+    last = {"cluster": ("tcp://127.0.0.1:1",), "web": ("8080",)}.get(extra, ())
+    done = run(python, "-m", "stiction", *WORK[extra], *last, cwd=folder, env=outside())
+    told = done.stderr.strip().splitlines()[-1:] or [""]
+    assert done.returncode == 2 and f"pip install 'stiction[{extra}]'" in told[0], done.stderr
+    assert "Traceback" not in done.stderr, done.stderr
 
 
 def _worked(python: Path, folder: Path, there: set[str]) -> None:
     """Of each extra the work, or the one line."""
     for extra, words in WORK.items():
-        if extra in there and extra == "web":
-            _served(python, folder)
-            continue
-        done = run(python, *words, *(["8080"] if extra == "web" else []), cwd=folder, env=outside())
-        last = done.stderr.strip().splitlines()[-1:] or [""]
-        if extra == "cluster" and extra in there:  # nobody listens at that address: it says so
-            assert done.returncode == 2 and "--scheduler" in last[0], done.stderr
-        elif extra in there:
-            assert done.returncode == 0, done.stderr
+        if extra in there:
+            DONE.get(extra, _plain)(python, folder, words)
         else:
-            assert f"pip install 'stiction[{extra}]'" in last[0], done.stderr
-            assert words[0] == "-c" or (done.returncode == 2 and "Traceback" not in done.stderr), done.stderr
+            _refused(python, folder, extra)
 
 
 def tried(extra: str) -> Tried:
@@ -167,21 +194,18 @@ def _written(found: list[Tried]) -> None:
         [f"`{one.extra}`" if one is not base else "no extra", len(one.weights), f"{one.total / MB:.0f}", f"{one.seconds:.0f}"]
         for one in found
     ]
-    heads = ["installed with", "packages", "MB", "seconds of processor"]
-    shared.write_table(
-        "extras",
-        heads,
-        rows,
-        f"Tried on {when}: in each the demo was solved out of an empty folder, and the work of the extra done.",
-    )
+    said = f"""Tried on {when}, installed by pip: in each the demo was solved out of an empty folder, and the work of
+its extras was done (a report, a scan as an instrument writes it, a sweep, one on a cluster, a fit, the page); of every other
+extra the command said in one line what to install."""
+    shared.write_table("extras", ["installed with", "packages", "MB", "seconds of processor"], rows, said)
 
 
 def main(asked: list[str]) -> None:
-    known = ["none", *(extra for extra in shared.project()["optional-dependencies"] if extra not in ("docs", "dev"))]
-    if unknown := set(asked) - set(known):
-        sys.exit(f"{', '.join(sorted(unknown))}: one of {', '.join(known)}")
+    known = ["none", *shared.extras()]
+    if unknown := set(asked) - {*known, "each"}:
+        sys.exit(f"{', '.join(sorted(unknown))}: one of {', '.join(known)}, or each")
     found = []
-    for extra in asked or known:
+    for extra in known if not asked or "each" in asked else asked:
         found.append(tried(extra))
         print(f"{extra:9} {found[-1].total / MB:5.0f} MB {found[-1].seconds:5.0f} s", flush=True)
     if not asked:

@@ -67,22 +67,15 @@ def main() -> int:
         versions = {canonical(one.name): one.version for one in installed(Path(place) / "environment")}
         number = must(python, "-c", "import platform; print(platform.python_version())").strip()
     if not done.returncode:
-        _write(given.which, number, versions, summary[-1].strip("= "))
+        _write(given.which, number, versions, f"{summary[-1].strip('= ')}, of {', '.join(given.tests)}")
     return done.returncode
 
 
 def _write(which: str, python: str, versions: dict[str, str], summary: str) -> None:
-    direct = [name_of(one) for one in _direct()]
+    direct = [name_of(one) for one in shared.direct()]
     rows = [[f"`{name}`", versions[name]] for name in direct if name in versions]
     said = f"Tried on {datetime.datetime.now(datetime.UTC):%Y-%m-%d} with Python {python}: {summary}."
     shared.write_table(f"{which} versions", ["package", "version"], rows, said)
-
-
-def _direct() -> list[str]:
-    """What stiction asks for itself, alone and with its extras."""
-    project = shared.project()
-    extras = [part for name, parts in project["optional-dependencies"].items() if name not in ("docs", "dev") for part in parts]
-    return [*project["dependencies"], *(part for part in dict.fromkeys(extras) if not part.startswith("stiction["))]
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 """Fixtures that several folders use. This file also puts tests/ on the import path, where `tables` is."""
 
+import gc
 import os
+import signal
 
 # Tests run in processes side by side: with as many threads each, they would wait for each other. Before numpy is there.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -9,6 +11,19 @@ import numpy as np
 import pytest
 
 from stiction.engine import summation
+
+# What is imported stays, and compiling makes small objects without end: looking for rubbish among them took a seventh of it.
+gc.freeze()
+gc.set_threshold(100_000, 20, 100)
+
+
+# A shell starts what it puts into the background deaf to Ctrl-C, and so are the commands that tests start and interrupt.
+signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_collection_modifyitems(items):
+    """What one process does alone, as the browser, is begun first: at the end the others would wait for it."""
+    items.sort(key=lambda item: item.get_closest_marker("xdist_group") is None)
 
 
 @pytest.fixture(autouse=True)

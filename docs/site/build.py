@@ -70,6 +70,7 @@ def lay_out(out: Path) -> None:
             target.write_text(_alone(path) + text, encoding="utf-8")
         else:
             shutil.copyfile(ROOT / path, target)
+    model_pages.lead_here(out)
 
 
 def _alone(path: PurePosixPath) -> str:

@@ -1,10 +1,11 @@
 """The page of the case file, from its schema."""
 
+import re
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from docstrings import as_markdown, cell
+from docstrings import as_markdown, cell, said_of, summary
 
 from stiction.studies.case.read import json_schema
 
@@ -49,44 +50,48 @@ def page(schema: dict[str, Any]) -> Iterator[str]:
         + " It is TOML. `stiction schema` prints the schema from which this page is made, for editors that"
     )
     yield from ("complete and check as you type. Every number with a dimension is text with its unit.", "")
-    yield from _table(schema)
+    yield from _table(schema, schema["$defs"])
     for name, title in TABLES.items():
         part = schema["$defs"][name]
         yield from (f"({_anchor(name)})=", f"## {title}", "", as_markdown(_described(part), part.get("properties", ())), "")
-        yield from _table(part)
+        yield from _table(part, schema["$defs"])
 
 
 def _described(part: dict[str, Any]) -> str:
-    """Without its list of numbers, which the table has."""
-    return part.get("description", "").partition("\n\nNumbers, each")[0].replace("*", "\\*")
+    """Without its list of numbers, which the table has, and without what is Python's."""
+    said = part.get("description", "").partition("\n\nNumbers, each")[0]
+    return re.sub(r"\s*Raises InputError[^.]*\.", "", said).replace("*", "\\*")
 
 
 def _anchor(name: str) -> str:
     return f"case-{name.strip('_').lower()}"
 
 
-def _table(part: dict[str, Any]) -> Iterator[str]:
+def _table(part: dict[str, Any], defined: dict[str, Any]) -> Iterator[str]:
+    """The rows of a part; defined: all parts by name, of which those that a row leads to say what it is."""
     rows = part.get("properties", {})
     if not rows:
         return
     yield from ("| key | value | default | what it is |", "|---|---|---|---|")
     for name, one in rows.items():
         must = "**must be given**" if name in part.get("required", ()) else ""
-        default = (
-            f"`{one['default']}`" if one.get("default") not in (None, "") and not isinstance(one["default"], dict) else must
-        )
-        yield f"| `{name}` | {value_of(one)} | {default} | {_meaning(one)} |"
+        usual = one.get("default")
+        default = must if usual in (None, "") or isinstance(usual, dict) else f"`{_toml(usual)}`"
+        said = _meaning(one, defined) or cell(said_of(_described(part), name, rows))
+        yield f"| `{name}` | {value_of(one)} | {default} | {said} |"
     yield ""
 
 
-def _meaning(one: dict[str, Any]) -> str:
-    said = cell(one.get("description", "").replace("*", "\\*"))
+def _meaning(one: dict[str, Any], defined: dict[str, Any]) -> str:
+    parts = [defined[part["$ref"].rpartition("/")[2]] for part in (one, *one.get("anyOf", ())) if "$ref" in part]
+    described = one.get("description") or (summary(_described(parts[0])) if parts else "")
+    said = cell(described.replace("*", "\\*"))
     examples = ", ".join(f"`{_toml(each)}`" for each in one.get("examples", ()))
     return f"{said}; for example {examples}" if examples else said
 
 
 def _toml(value: Any) -> str:
-    return f'"{value}"' if isinstance(value, str) else str(value)
+    return f'"{value}"' if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def value_of(one: dict[str, Any]) -> str:

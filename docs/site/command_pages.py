@@ -47,7 +47,7 @@ def _plain(text: str) -> str:
 
 def _asked(one: Any) -> str:
     name = one.metavar or one.name.upper()
-    return f"[{name}]" if not one.required else name
+    return name if one.required or name.startswith("[") else f"[{name}]"
 
 
 def _row(one: Any) -> str:

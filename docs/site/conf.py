@@ -30,6 +30,7 @@ html_theme = "furo"
 html_title = f"stiction {version}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
+html_js_files = ["site.js"]
 html_copy_source = False
 html_show_sourcelink = False
 html_theme_options = {
@@ -42,11 +43,13 @@ pygments_dark_style = "github-dark"
 
 
 def setup(app):
-    """Tables of measured series are shown as they are; formulas with a number of their own are not wrapped."""
+    """Tables of measured series are shown as they are; what MyST and Sphinx leave to be done is done to every page."""
     from pygments.lexers.special import TextLexer
 
     app.add_lexer("csv", TextLexer)
     app.connect("doctree-read", numbered_as_written)
+    app.connect("doctree-read", sentences_wrap)
+    app.connect("doctree-read", pictures_open)
 
 
 def numbered_as_written(app, doctree):
@@ -59,3 +62,25 @@ def numbered_as_written(app, doctree):
             formula["nowrap"] = formula["no-wrap"] = True
             formula.children = [nodes.Text(text)]
             formula.rawsource = text
+
+
+LONG = 120  # characters: more than a table has
+
+
+def sentences_wrap(app, doctree):
+    """What a program says in sentences, such as its doubts, is wrapped, where a table scrolls."""
+    from docutils import nodes
+
+    for block in doctree.findall(nodes.literal_block):
+        if block.get("language") == "text" and any(len(line) > LONG for line in block.astext().splitlines()):
+            block["classes"].append("sentences")
+
+
+def pictures_open(app, doctree):
+    """A picture leads to itself in its full size, which a narrow screen needs."""
+    from docutils import nodes
+
+    for picture in doctree.findall(nodes.image):
+        if not isinstance(picture.parent, nodes.reference) and "sd-card-img-top" not in picture["classes"]:
+            picture["width"] = "100%"  # Sphinx links those that say a width; the style leaves it as it is
+            picture["classes"].append("opens")

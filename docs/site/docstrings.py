@@ -29,13 +29,26 @@ def _paragraph(text: str, names: Collection[str]) -> str:
             [_NUMBERS, "", *(f"- `{name}`: {rest}" for name, _, rest in (one.partition(": ") for one in lines[1:]))]
         )
     whole = " ".join(lines)
+    before, said = _parted(whole, names)
+    items = [f"- {_code(each)}: {words.rstrip(';')}" for each, words in said]
+    return "\n".join([before, "", *items] if before else items) if items else text
+
+
+def _parted(whole: str, names: Collection[str]) -> tuple[str, list[tuple[str, str]]]:
+    """What stands before a paragraph's first argument; and of each, or of several, their names and what is said of them."""
     found = [one for one in _SAYS.finditer(whole) if all(name.lstrip("*") in names for name in one[1].split(", "))]
-    if not found:
-        return text
-    ends = [one.start() for one in found[1:]] + [len(whole)]
-    items = [f"- {_code(one[1])}: {whole[one.end() : end].strip()}" for one, end in zip(found, ends, strict=True)]
-    before = whole[: found[0].start()].strip()
-    return "\n".join([before, "", *items] if before else items)
+    ends = [*(one.start() for one in found[1:]), len(whole)][: len(found)]
+    said = [(one[1], whole[one.end() : end].strip()) for one, end in zip(found, ends, strict=True)]
+    return whole[: found[0].start()].strip() if found else whole, said
+
+
+def said_of(text: str, name: str, names: Collection[str]) -> str:
+    """What a docstring says of one of its arguments, `names` being all; nothing, if it is silent."""
+    for one in re.split(r"\n\s*\n", text.strip()):
+        for each, words in _parted(" ".join(one.split("\n")), names)[1]:
+            if name in each.split(", "):
+                return words.rstrip(";.")
+    return ""
 
 
 def _code(names: str) -> str:

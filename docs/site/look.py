@@ -1,10 +1,12 @@
 """Opens pages of the built site in a browser, on a wide and a narrow screen, light and dark, and says what is broken.
 
-    python docs/site/look.py                        # thirty pages of build/docs/html
+    python docs/site/look.py                        # forty pages of build/docs/html
+    python docs/site/look.py --all                  # every page
     python docs/site/look.py --out /some/folder     # and keeps what they look like
 
-Broken is: a picture that is not there, a formula that is not set, a page that is wider than the screen, an error of a script,
-and anything that is asked of a network. Chromium must be installed.
+Broken is: a picture that is not there, a formula that is not set, marks of Markdown or TeX that are shown as they are written,
+a page that is wider than the screen, an error of a script, and anything that is asked of a network. Two links to places in long
+pages are followed, and words searched. Chromium must be installed.
 """
 
 import argparse
@@ -13,25 +15,46 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import TimeoutError as NotInTime
 
 SITE = Path(__file__).resolve().parents[2] / "build" / "docs" / "html"
-WIDTHS, THEMES, COUNT = (1280, 400), ("light", "dark"), 30
-FIRST = ("index", "tutorials/1-bare-metal", "theory", "published-models", "reference/case-file", "reference/command-line")
+WIDTHS, THEMES, COUNT = (1280, 400), ("light", "dark"), 40
+FIRST = (
+    "index", "installing", "tutorials/1-bare-metal", "tutorials/2-soft-film", "tutorials/3-micromachine",
+    "tutorials/4-soft-polymer", "tutorials/5-from-a-scan", "how-to/which-thickness", "how-to/measured-disagrees",
+    "how-to/which-asperity-method", "how-to/ten-million-contacts", "theory", "published-models", "numerics", "trust", "truth",
+    "which-film-law", "what-mu-rests-on", "gallery/index", "speed", "reference/names/index", "reference/case-file",
+    "reference/command-line", "models-by-name/index", "genindex",
+)  # fmt: skip
+PLACES = ("theory.html#8-departures-from-the-print", "models.html#grades")
+SEARCHED = ("plasticity index", "silver", "meniscus")
 # Pictures that come only as one scrolls are not asked for; what MathJax has not set stays in its delimiters.
-_BROKEN = """() => ({
+_BROKEN = r"""() => ({
   pictures: [...document.images].filter(one => one.complete && !one.naturalWidth).map(one => one.src),
   formulas: [...document.querySelectorAll('mjx-merror, mjx-container mtext[mathcolor=red]')].map(one => one.textContent)
     .concat([...document.querySelectorAll('.math')].filter(one => !one.querySelector('mjx-container'))
       .map(one => one.textContent)),
-  wide: document.documentElement.scrollWidth > window.innerWidth + 1 ? [document.documentElement.scrollWidth] : [],
+  marks: (() => {
+    const found = [], texts = document.createTreeWalker(document.querySelector('article'), NodeFilter.SHOW_TEXT);
+    while (texts.nextNode()) {
+      const at = texts.currentNode;
+      if (at.parentElement.closest('code, pre, script, style, .math, mjx-container, .sig')) continue;
+      if (/\$[^$]+\$|\\(frac|sqrt|mathrm|left|tag)|\]\(|\*\*|:::|`/.test(at.textContent)) found.push(at.textContent.trim());
+    }
+    return found;
+  })(),
+  wide: [document.documentElement, ...document.querySelectorAll('.content')]
+    .filter(one => one.scrollWidth > one.clientWidth + 1).map(one => one.scrollWidth),
 })"""
 
 
-def pages(site: Path) -> list[Path]:
-    """The first ones by name, and others evenly from all."""
+def pages(site: Path, whole: bool) -> list[Path]:
+    """The first ones by name, and others evenly from all; or all."""
     every = sorted(path for path in site.rglob("*.html") if "_" not in path.parts[len(site.parts)][:1])
     first = [site / f"{name}.html" for name in FIRST]
     rest = [path for path in every if path not in first]
+    if whole:
+        return [*first, *rest]
     step = max(1, len(rest) // (COUNT - len(first)))
     return [*first, *rest[::step]][:COUNT]
 
@@ -43,24 +66,47 @@ def broken(page: Page, path: Path, width: int, theme: str) -> Iterator[str]:
     wrong: list[str] = []
     page.on("pageerror", lambda error: wrong.append(f"script: {error}"))
     page.on("request", lambda one: wrong.append(f"asks {one.url}") if one.url.startswith("http") else None)
-    page.goto(path.as_uri())
-    page.wait_for_function("() => !window.MathJax || (MathJax.startup && MathJax.startup.promise)", timeout=60_000)
+    page.goto(path.as_uri(), timeout=120_000)
+    page.wait_for_function("() => !window.MathJax || (MathJax.startup && MathJax.startup.promise)", timeout=120_000)
     page.evaluate("() => window.MathJax ? MathJax.startup.promise.then(() => true) : true")
     yield from wrong
     for kind, found in page.evaluate(_BROKEN).items():
         yield from (f"{kind}: {str(one)[:120]}" for one in found)
 
 
+def lost(page: Page, site: Path) -> Iterator[str]:
+    """Links to a place in a page that leave the reader elsewhere, and words that the search does not find."""
+    for link in PLACES:
+        page.goto(f"{site.as_uri()}/{link}")
+        page.evaluate("() => window.MathJax ? MathJax.startup.promise.then(() => true) : true")
+        page.wait_for_timeout(500)
+        top = page.evaluate("() => document.getElementById(location.hash.slice(1)).getBoundingClientRect().top")
+        if not -5 <= top <= 300:
+            yield f"{link}: the place is {top:.0f} px below the top"
+    for words in SEARCHED:
+        page.goto(f"{site.as_uri()}/index.html")
+        page.fill("input[name=q]", words)
+        page.press("input[name=q]", "Enter")
+        try:
+            page.wait_for_selector("ul.search li", timeout=20_000)
+        except NotInTime:
+            yield f"search for {words}: nothing is found"
+
+
 def main() -> int:
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words.add_argument("--site", type=Path, default=SITE)
+    words.add_argument("--all", action="store_true", help="every page")
     words.add_argument("--out", type=Path, help="folder for pictures of the pages")
     words.add_argument("--browser", default="/usr/bin/chromium")
     given = words.parse_args()
     count = 0
     with sync_playwright() as play:
         browser = play.chromium.launch(executable_path=given.browser, args=["--no-sandbox"])
-        for path in pages(given.site.resolve()):
+        for one in lost(browser.new_page(), given.site.resolve()):
+            count += 1
+            print(one, flush=True)
+        for path in pages(given.site.resolve(), given.all):
             for width, theme in ((width, theme) for width in WIDTHS for theme in THEMES):
                 page = browser.new_page()
                 name = path.relative_to(given.site.resolve()).with_suffix("")

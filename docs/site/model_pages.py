@@ -5,11 +5,12 @@ from pathlib import Path, PurePosixPath
 
 import make_tables
 import matplotlib.pyplot as plt
+import truth_tables
 from links import relinked
 from model_pictures import picture
 
 import stiction as st
-from stiction.laws.registry import KINDS, Record, records
+from stiction.laws.registry import KINDS, Record, RoughSurface, records
 from stiction.laws.sources import bibliography
 
 TITLES = {
@@ -19,11 +20,18 @@ TITLES = {
     "film": "Films",
     "composite": "Film and substrate as one body",
     "presliding": "Before sliding",
+    "meniscus": "Menisci of humid air",
+    "ageing": "Time at rest",
+    "contamination": "What lies between the faces",
     "criterion": "Criteria",
     "asperity method": "Ways of finding asperities",
 }
+HEADING = "## Grade, evidence and validity"
+READ = "[How to read this list](published-models.md)."
 _PAGE = PurePosixPath("docs") / make_tables.SECTIONS
 _NAMED = re.compile(r"\[([a-z_]+_\d{4}\w*)\](?!\()")
+_SOURCE = re.compile(r"^- Source: (\w+)", re.MULTILINE)
+_SECTION = re.compile(rf"\]\((?P<up>[./]*){re.escape(make_tables.SECTIONS)}#(?P<place>[\w-]+)\)")
 
 
 def file_of(record: Record) -> str:
@@ -43,7 +51,7 @@ def write(out: Path) -> list[PurePosixPath]:
         plt.close(drawn)
         place = PurePosixPath("models-by-name") / f"{file_of(record)}.md"
         text, more = relinked(page(row, record), _PAGE, place)
-        (out / place).write_text(_with_sources(text, record), encoding="utf-8")
+        (out / place).write_text(_with_sources(text), encoding="utf-8")
         linked += more
     (folder / "index.md").write_text(index(), encoding="utf-8")
     (out / "reference").mkdir(exist_ok=True)
@@ -60,8 +68,15 @@ def page(row: dict, record: Record) -> str:
     named = _also_named(record)
     entries = st.cite(list(dict.fromkeys(source.key for source in record.sources))).strip() if record.sources else ""
     cited = f"\n\n## BibTeX\n\n```bibtex\n{entries}\n```" if entries else ""
-    parts = [heading, f"*{record.kind}: {record.title}.* {named}", rest, "## As a picture", drawn, "## Its record", points]
+    told = points + _measured(record)
+    parts = [heading, f"*{record.kind}: {record.title}.* {named}", rest, "## Picture", drawn, HEADING, told, READ]
     return "\n\n".join(parts) + f"{cited}\n"
+
+
+def _measured(record: Record) -> str:
+    """A line on its error against solved contacts, if it is a rough surface that was compared with them."""
+    off = truth_tables.errors_of(record.key) if isinstance(record, RoughSurface) else ""
+    return f"\n- Error of its contact area on solved surfaces ([all of them](truth.md)), {off}" if off else ""
 
 
 def _also_named(record: Record) -> str:
@@ -71,15 +86,27 @@ def _also_named(record: Record) -> str:
     return f'Chosen with `{record.keyword}="{record.key}"`.'
 
 
-def _with_sources(text: str, record: Record) -> str:
-    """Names of sources in brackets lead to the bibliography, those of models to their pages."""
+def _with_sources(text: str) -> str:
+    """Names of sources, in brackets or of the record, lead to the bibliography."""
     known = bibliography()
-    for one in records():  # a model leads to the page of another, not to its section on the page of all
-        there = make_tables.anchor({"key": one.key, "kind": one.kind})
-        text = text.replace(f"](../{make_tables.SECTIONS}#{there})", f"]({file_of(one)}.md)")
-    return _NAMED.sub(
-        lambda found: f"[{found[1]}](../reference/bibliography.md#{found[1]})" if found[1] in known else found[0], text
-    )
+
+    def led(found: re.Match) -> str:
+        link = f"[{found[1]}](../reference/bibliography.md#{found[1]})"
+        return found[0].replace(f"[{found[1]}]", found[1]).replace(found[1], link) if found[1] in known else found[0]
+
+    return _SOURCE.sub(led, _NAMED.sub(led, text))
+
+
+def lead_here(out: Path) -> None:
+    """Links to the section of a model on the page of all, which takes long to open, lead to its own page."""
+    own = {make_tables.anchor({"key": one.key, "kind": one.kind}): file_of(one) for one in records()}
+
+    def led(found: re.Match) -> str:
+        return f"]({found['up']}models-by-name/{own[found['place']]}.md)" if found["place"] in own else found[0]
+
+    for path in out.rglob("*.md"):
+        if path != out / make_tables.SECTIONS:
+            path.write_text(_SECTION.sub(led, path.read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def index() -> str:

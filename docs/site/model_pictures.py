@@ -294,7 +294,12 @@ def contamination(record: Contamination) -> Figure:
     figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
     axes.fill_between(loads, mu - spread, mu + spread, alpha=0.3, label="standard deviation")
     axes.semilogx(loads, mu, linewidth=2.5, label="mean")
-    axes.set(xlabel="load [N]", ylabel="static friction coefficient", title="Strength of junctions varies by all of its mean")
+    axes.set(
+        xlabel="load [N]",
+        ylabel="static friction coefficient",
+        ylim=(0.0, None),
+        title="Standard deviation of the strength: its mean",
+    )
     axes.grid(alpha=0.3)
     axes.legend()
     return figure
@@ -317,7 +322,7 @@ def criterion(record: Criterion) -> Figure:
         groups, _ = Groups.of(contact(roughness=rough, energy=st.axis("work_of_adhesion", energies)).indices())
         axes.loglog(energies, record.ratio(groups), linewidth=2.5, label=f"R = {radius * 1e6:g} um")
     axes.axhline(1.0, color="grey", linewidth=1.0)
-    axes.set(xlabel="work of adhesion [J/m$^2$]", ylabel="the number", title="Steel, sigma = 1 nm")
+    axes.set(xlabel="work of adhesion [J/m$^2$]", ylabel="ratio: below 1 it sticks", title="Steel, sigma = 1 nm")
     axes.grid(alpha=0.3)
     axes.legend()
     return figure

@@ -13,9 +13,11 @@ import json
 from dataclasses import dataclass, field
 from itertools import zip_longest
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 import matplotlib.pyplot as plt
 from links import ROOT, relinked
+from matplotlib.artist import Artist
 from matplotlib.figure import Figure
 from pages import Block, blocks, sandbox
 
@@ -103,10 +105,16 @@ def _run(block: Block, space: dict, name: str) -> Shown:
         figures.append(value)
     elif hasattr(value, "_repr_html_"):
         shown.html = value._repr_html_()
-    elif value is not None:
+    elif value is not None and not _drawn(value):
         shown.text += f"{value!r}\n"
     shown.pictures = [_png(figure) for figure in figures]
     return shown
+
+
+def _drawn(value: Any) -> bool:
+    """Whether it is something of a picture, such as a legend or lines, which as text says only where it is in memory."""
+    parts = value if isinstance(value, (list, tuple)) and len(value) else [value]
+    return all(isinstance(part, Artist) for part in parts)
 
 
 def _png(figure: Figure) -> bytes:

@@ -116,6 +116,19 @@ def test_composites_are_film_at_the_surface_and_substrate_far_below(n):
         assert hardness.value(n, 1e200, 0.5, 2.0) == pytest.approx(1.0, rel=1e-12)
 
 
+@pytest.mark.parametrize("key", [key for key, one in HARDNESSES.items() if one.landmarks])
+@pytest.mark.parametrize("exponent", [1.0, 2.0])
+def test_landmarks_part_the_fading_of_the_film_alike_whatever_its_constant(key, exponent):
+    """Where an integral over the depth is cut: between two of them the film's share of the hardness falls by half at most,
+    and beyond the last it is nothing to speak of."""
+    constant = np.array([0.02, 0.5, 1.0, 30.0])
+    depths = HARDNESSES[key].landmarks(constant, np.full(4, exponent))
+    share = np.array([[1.0 - HARDNESSES[key].value(0.0, v, c, exponent) for v in (0.0, *row)]
+                      for c, row in zip(constant, depths, strict=True)])  # fmt: skip
+    np.testing.assert_allclose(share - share[:1], 0.0, atol=1e-14)
+    assert (np.diff(share[0]) <= 0.0).all() and (np.diff(share[0]) > -0.51).all() and share[0, -1] < 1e-4
+
+
 FIRST_YIELD = 15  # among the parameters of a regime
 
 

@@ -176,8 +176,15 @@ def test_indices_can_be_compared_too():
     assert "persson_2001: roughness_parameter is not given" in data.attrs["left_out"]
 
 
+def test_a_model_that_is_left_out_for_a_number_says_that_number():
+    """N R sigma = 1.7e7 5e-5 4.8e-8 = 4.08e-05."""
+    sparse = SHEARED.replace(roughness=st.Roughness(**SURFACE | {"asperity_density": "1.7e7 1/m^2"}))
+    (line,) = (one for one in compare(sparse, separations=[0.0]).attrs["left_out"].splitlines() if "hariri" in one)
+    assert line.startswith("hariri_zu_ben_mrad_2006: roughness_parameter is 4.08e-05; allowed: 0.03965 to 1.015")
+
+
 def test_bad_input():
-    with pytest.raises(st.InputError, match="single numbers"):
+    with pytest.raises(st.InputError, match=r"theta: 2 numbers, 1 to 2; allowed: one number"):
         compare(st.Indices(theta=st.axis("theta", [1, 2]), lam=1))
     with pytest.raises(st.InputError, match="Contact"):
         compare("steel")
@@ -234,6 +241,19 @@ def test_command_for_people(case, tmp_path):
     lines = (out / "compare.csv").read_text().splitlines()
     assert lines[0] == "model,mean_separation [m],load [N],contact_area [m^2],friction_force [N],friction_coefficient"
     assert (len(lines) - 1) % 80 == 0
+
+
+@pytest.mark.parametrize("width", [80, 100])
+def test_what_is_to_be_copied_is_not_broken(case, width):
+    """On a narrow terminal: keys of the table, each at the start of a line, and the command that runs the recommended one."""
+    case.write_text(CASE + '[contact.coating]\nmaterial = "silver"\nthickness = "200 nm"\nbodies = "first"\n')
+    said = CliRunner().invoke(app, ["compare", str(case)], env={"COLUMNS": str(width)}).stdout.splitlines()
+    names = compare_case(read_case(case), 1.0)["model"].values
+    assert len(names) > 25
+    for name in names:
+        assert any(re.match(f"{re.escape(name)}( |$)", line.strip()) for line in said), name
+    (command,) = (line for line in said if line.startswith("to run it: "))
+    assert command.endswith("--load '10 N'")
 
 
 def test_command_refuses_in_one_line(case):

@@ -143,9 +143,9 @@ def test_friction_of_the_interface_is_off_as_the_area_and_less_where_strength_ri
     ("change", "pressure", "why"),
     (
         ({"work_of_adhesion": "50 J/m^2"}, 0.02, "adheres"),
-        ({}, 1e-6, "the nearest of the solved surfaces is at"),
+        ({}, 1e-6, "the nearest has nominal pressure over E* times rms slope 0.002 where this has 1e-06"),
         ({"roughness": st.Roughness(asperity_height_deviation="1 um", asperity_radius="1 um", asperity_density="1e13 1/m^2")},
-         0.02, "the nearest of the solved surfaces is at"),
+         0.02, "no solved surface is like this one: the nearest has Nayak's alpha "),
     ),
 )  # fmt: skip
 def test_far_from_the_set_nothing_is_stated(change, pressure, why):
@@ -155,6 +155,14 @@ def test_far_from_the_set_nothing_is_stated(change, pressure, why):
     assert measured(data)["area"] == [None]
     assert why in data.attrs["measured_error_in_words"]
     assert data.attrs["measured_error_in_words"].startswith("not measured here")
+
+
+@pytest.mark.parametrize(("pressure", "said"), ((0.02, ""), (0.0003, "slope 0.002 where this has 0.0003")))
+def test_in_what_the_nearest_differs_is_said_from_a_distance_of_one_on(pressure, said):
+    """A pressure of e^1.9 below the least of the set, 0.002, is at 1.9/1.4."""
+    one = contact(by_numbers(gaussian(9004)))
+    words = st.solve(one, load=pressure * MODULUS * SLOPE * SIDE**2, model="persson_2001").attrs["measured_error_in_words"]
+    assert words.startswith("contact area ") and said in words and ("the nearest has" in words) == bool(said)
 
 
 def test_film_like_those_of_the_set_and_another():

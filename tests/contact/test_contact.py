@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+import xarray
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
@@ -224,6 +225,14 @@ def test_arrays_that_disagree_about_a_dimension_are_refused():
         )
 
 
+def test_samples_of_one_name_in_another_order_are_refused():
+    theta = xarray.DataArray([40.0, 50.0], dims="sample", coords={"sample": [1, 2]})
+    lam = xarray.DataArray([10.0, 20.0], dims="sample", coords={"sample": [2, 1]})
+    assert Indices(theta=theta, lam=lam.assign_coords(sample=[1, 2])).lam.values.tolist() == [10.0, 20.0]
+    with pytest.raises(InputError, match=r"^lam: .*'sample'.*; allowed: the values of theta along 'sample'"):
+        Indices(theta=theta, lam=lam)
+
+
 def test_work_of_adhesion_from_surface_energies():
     assert work_of_adhesion("silver", "silver", interfacial=0) == 2.5  # twice 1.25
     assert work_of_adhesion("silver", "iron", interfacial="1 J/m^2") == pytest.approx(2.65)
@@ -262,6 +271,20 @@ def test_bad_contact_is_one_line_with_the_dotted_field(changes, message):
     with pytest.raises(InputError) as error:
         contact(**changes)
     assert str(error.value).startswith(message) and "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("record", "given", "message"),
+    [
+        (Contact, {}, "first: not given; allowed: a material: the name of a preset, or its numbers"),
+        (Contact, {"first": "iron", "second": "iron"}, "roughness: not given; allowed: a table with sigma, R and N"),
+        (Roughness, {}, "asperity_height_deviation: not given; allowed: standard deviation of the asperity heights, > 0 m"),
+    ],
+)
+def test_what_is_missing_is_told_in_its_own_words(record, given, message):
+    with pytest.raises(InputError) as error:
+        record(**given)
+    assert str(error.value).startswith(message)
 
 
 @pytest.mark.parametrize(

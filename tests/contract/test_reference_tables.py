@@ -43,7 +43,8 @@ def parts(record, rows):
 
 @pytest.mark.parametrize("law", of_kind(AsperityLaw).values(), ids=lambda law: law.key)
 def test_one_asperity(law):
-    """Load and area at w, on the piece that reaches there: 1e-10. Every asperity law has a table with these columns."""
+    """Load and area at w, on the piece that reaches there: 1e-10. Every asperity law has a table with these columns. No piece
+    is displaced less than it says."""
     compared = list(parts(law, read(f"{law.key}.csv")))
     assert compared, "no row has all the options of the law that are columns"
     for options, rows in compared:
@@ -51,6 +52,7 @@ def test_one_asperity(law):
         found = np.full_like(expected, np.nan)
         for piece in law.pieces(groups(**{"theta": np.ones(len(rows))} | columns_of_groups(rows)), **options):
             first, last = (normal_states(piece, piece.edges[:, end])[:, 0] for end in (0, -1))
+            assert (first >= piece.lowest - 1e-14)[piece.edges[:, 0] < piece.edges[:, -1]].all()
             rounding = 1e-12 * np.abs(w)  # a row may be the very displacement at which a contact is lost
             here = (first <= w + rounding) & (w <= last) & (piece.edges[:, 0] < piece.edges[:, -1])
             u = np.where(np.abs(w - first) <= rounding, piece.edges[:, 0], coordinates(piece, np.maximum(w, first)))

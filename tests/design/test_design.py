@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
+from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.solving.problem import make_problem
 from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
@@ -17,6 +18,7 @@ from stiction.studies.case.results import solve_case
 from stiction.studies.design import run as design_module
 from stiction.studies.design.plan import Limit
 from stiction.studies.design.run import _beyond, _front, _searched, design, plan_of_design, run_design
+from stiction.studies.design.space import _outside
 
 STRENGTH, AREA, LOAD = 200e6, 1e-6, 1.0
 ROUGH = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
@@ -152,6 +154,28 @@ def test_validity_is_a_limit():
     )
     assert float(free["roughness.asperity_height_deviation"][0]) > 0.09 * 50e-6
     assert float(claimed["roughness.asperity_height_deviation"][0]) <= 0.09 * 50e-6 and bool(claimed["kept"][0])
+
+
+@pytest.mark.parametrize(
+    ("deviation", "work", "load", "kinds"),
+    [
+        (48e-9, None, 1.0, set()),
+        (48e-9, None, 1e-4, {"statistics"}),
+        (48e-9, 50.0, 1.0, {"effect"}),
+        (6e-5, None, 1.0, {"statistics", "effect", "assumption", "impossible"}),
+    ],
+)
+def test_what_a_limit_of_validity_counts(deviation, work, load, kinds):
+    """Of scattering averages nothing, of what is neglected what is claimed, of what cannot be either."""
+    contact = subject_of(case(LEAST, RADIUS))
+    rough = contact.roughness.replace(asperity_radius=50e-6, asperity_height_deviation=deviation)
+    contact = contact.replace(roughness=rough, work_of_adhesion=work)
+    solved = solve_pointwise(contact, Choice("greenwood_williamson_1966"), load=load)
+    bits = int(solved.doubts[1]) >> len(WHY_NOT)
+    left = [rule.kind for at, rule in enumerate(solved.rules) if bits >> at & 1]
+    assert set(left) == kinds
+    counted = {"claimed": len(left) - left.count("statistics"), "possible": left.count("impossible"), "any": 0}
+    assert {validity: float(_outside(solved, validity)) for validity in counted} == counted
 
 
 TWO = [LEAST, {"minimise": "contact_area"}]
@@ -293,6 +317,9 @@ def test_an_interruption_keeps_the_best_so_far():
     assert found.stopped and 300 < found.archive.count < 400
     data = found.data()
     assert bool(data["kept"][0]) and float(data["friction_coefficient"][0]) > 0.19 and data.attrs["stopped"] == 1
+    so_far = data["best_so_far"].values
+    assert so_far.size == found.archive.count and (so_far[1:] <= so_far[:-1]).all()
+    assert -so_far[-1] == pytest.approx(float(data["friction_coefficient"][0]), rel=1e-12)
     with pytest.raises(KeyboardInterrupt):
         run_design(plan, stop, keep_on_interrupt=False)
 

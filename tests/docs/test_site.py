@@ -23,7 +23,7 @@ import model_pages  # noqa: E402
 import name_pages  # noqa: E402
 import notebooks  # noqa: E402
 from dead_links import dead_links  # noqa: E402
-from docstrings import as_markdown  # noqa: E402
+from docstrings import as_markdown, said_of  # noqa: E402
 from links import place_of, relinked  # noqa: E402
 from matplotlib.image import imread  # noqa: E402
 from model_pictures import picture  # noqa: E402
@@ -67,7 +67,8 @@ def test_links_of_a_text_that_stands_elsewhere_are_meant_from_where_it_was():
 def test_every_page_is_in_a_table_of_contents():
     """Of its folder; what stands at the root in that of the start page."""
     for folder in (ROOT / "docs", *(ROOT / "docs" / name for name in ("tutorials", "how-to"))):
-        listed = (folder / "index.md").read_text(encoding="utf-8").splitlines()
+        lines = (folder / "index.md").read_text(encoding="utf-8").splitlines()
+        listed = [re.sub(r"^.* <([\w-]+)>$", r"\1", line) for line in lines]  # with a title of its own, or not
         for page in folder.glob("*.md"):
             assert page.stem == "index" or page.stem in listed, f"{page.name} is in no toctree of {folder.name}/index.md"
 
@@ -100,6 +101,15 @@ def test_every_part_of_the_schema_has_its_section():
     for part in schema["$defs"].values():
         for key in part.get("properties", ()):
             assert f"| `{key}` |" in page, key
+    silent = [line for line in page.splitlines() if line.startswith("| `") and line.endswith("|  |")]
+    assert not silent, "a key that no word is said of"
+
+
+def test_what_is_said_of_one_argument():
+    text = "What it is.\n\npath: of the\nfile. unit, scale: of it; other: x."
+    names = {"path", "unit", "scale", "other"}
+    assert [said_of(text, name, names) for name in ("path", "scale", "other")] == ["of the file", "of it", "x"]
+    assert said_of(text, "none", names) == ""
 
 
 def test_every_option_of_every_command_is_on_the_page(tmp_path):
@@ -110,6 +120,7 @@ def test_every_option_of_every_command_is_on_the_page(tmp_path):
         assert section, name
         for one in command.params:
             assert one.hidden or all(f"`{opt}`" in section for opt in one.opts if opt.startswith("-")), (name, one.name)
+    assert "[CASE.toml]" in page and "[[" not in page
 
 
 @pytest.mark.parametrize(
@@ -125,9 +136,38 @@ def test_page_of_a_model(row, record):
         assert re.search(rf"^@\w+\{{{source.key},$", page, flags=re.MULTILINE), source.key
 
 
+def test_rough_surface_says_what_was_measured_of_it_and_leads_to_its_sources(tmp_path):
+    """The numbers are those of the table of docs/truth.md."""
+    key = "greenwood_williamson_1966"
+    row, record = next((row, one) for row, one in zip(st.models(), records(), strict=True) if one.key == key)
+    page = model_pages.page(row, record)
+    table = (ROOT / "docs" / "truth.md").read_text(encoding="utf-8")
+    *means, rms = re.search(rf"^\| `{key}` \| (.*) \|$", table, flags=re.MULTILINE)[1].split(" | ")
+    assert all(f"{mean} % at" in page for mean in means) and f"rms {rms} %" in page
+    assert f"- Source: [{key}](../reference/bibliography.md#{key})" in model_pages._with_sources(page)
+
+
+def test_links_to_the_section_of_a_model_lead_to_its_page(tmp_path):
+    (tmp_path / "how-to").mkdir()
+    link = "[a](published-models.md#hertz) [b](published-models.md#1-units)"
+    for name, text in (("x.md", link), ("how-to/y.md", link.replace("(p", "(../p")), ("published-models.md", link)):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    model_pages.lead_here(tmp_path)
+    assert (tmp_path / "x.md").read_text() == "[a](models-by-name/hertz.md) [b](published-models.md#1-units)"
+    assert (tmp_path / "how-to" / "y.md").read_text() == "[a](../models-by-name/hertz.md) [b](../published-models.md#1-units)"
+    assert (tmp_path / "published-models.md").read_text() == link
+
+
 def test_every_model_has_a_page_of_its_own():
     files = [model_pages.file_of(record) for record in records()]
     assert len({name.lower() for name in files}) == len(files)
+
+
+def test_list_of_models_leads_to_each_under_its_kind():
+    parts = dict(zip(KINDS, model_pages.index().split("\n## ")[1:], strict=True))
+    for kind, part in parts.items():
+        for key in of_kind(kind):
+            assert f"| [`{key}`](" in part, (kind.kind, key)
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.kind)
@@ -200,6 +240,15 @@ def test_tutorial_is_executed():
     json.dumps(notebook)
 
 
+def test_tutorial_does_not_show_where_a_picture_is_in_memory():
+    drawn_last = (
+        "# One\n\n```python\nimport matplotlib.pyplot as plt\n\nplt.plot([1, 2])\n```\n\n```python\nplt.legend()\n```\n"
+    )
+    page, _, pictures = notebooks.executed(drawn_last, "one")
+    assert " at 0x" not in page
+    assert len(pictures) == 2
+
+
 def test_dead_links_are_found(tmp_path):
     (tmp_path / "a.html").write_text(
         '<h1 id="x">A</h1><a href="b.html#y"></a><a href="#x"></a><img src="no.png">', encoding="utf-8"
@@ -211,4 +260,22 @@ def test_dead_links_are_found(tmp_path):
         "a.html: b.html#y: no such place in the page",
         "a.html: no.png: no such file",
         "b.html: a.html#z: no such place in the page",
+    ]
+
+
+def test_what_a_page_loads_from_a_network_is_found(tmp_path):
+    (tmp_path / "a.html").write_text(
+        '<script src="https://example.org/x.js"></script><link rel="stylesheet" href="//example.org/x.css">'
+        '<a href="https://example.org">elsewhere</a><img src="data:image/png;base64,AA==">',
+        encoding="utf-8",
+    )
+    (tmp_path / "a.css").write_text(
+        "@import 'https://example.org/y.css'; a { src: url(data:image/png;base64,AA==) }\nb { src: url(\"//example.org/z\") }",
+        encoding="utf-8",
+    )
+    assert list(dead_links(tmp_path)) == [
+        "a.html: https://example.org/x.js: needs a network",
+        "a.html: //example.org/x.css: needs a network",
+        "a.css: https://example.org/y.css: needs a network",
+        "a.css: //example.org/z: needs a network",
     ]

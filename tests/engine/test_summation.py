@@ -10,6 +10,7 @@ from scipy.special import erfc, gamma
 from stiction.engine.compiled import formula
 from stiction.engine.heights import empirical, exponential_heights, gaussian, weibull
 from stiction.engine.regime import Regime
+from stiction.engine.sum_kernels import map_piece
 from stiction.engine.summation import QUANTITIES, on_grid, scattered, totals_on_grid
 from tables import column, read
 
@@ -86,6 +87,21 @@ def test_empirical_heights(cells):
     for at, n in enumerate(POWERS):
         assert_allclose(sums[:, at], [polygon_moment(heights, one, n) for one in h], rtol=1e-10)
     assert_allclose(on_grid([power_law()], h, heights)[0, 0].T, sums, rtol=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("origins", "two_sided", "origin"),
+    [((), True, None), ((0.95,), False, 0.95), ((1.0,), False, 1.0), ((3.1, 0.9), True, 0.9), ((3.1, 0.5), True, 3.1),
+     ((3.0,), True, 3.0), ((3.1,), False, None), ((2.0, 0.5, 3.5), True, None)],
+)  # fmt: skip
+def test_pieces_are_mapped_from_end_to_end_by_the_root_of_the_distance_to_a_near_branch(origins, two_sided, origin):
+    low, high = 1.0, 3.0
+    linear, square = map_piece(low, high, np.array(origins), two_sided)
+    t = np.linspace(0.0, 1.0, 5)
+    u = low + linear * t + square * t**2
+    along = u if origin is None else np.sqrt(np.abs(u - origin))
+    assert_allclose(u[[0, -1]], [low, high], rtol=1e-14)
+    assert_allclose(along, np.linspace(along[0], along[-1], 5), atol=1e-7)
 
 
 def test_edges_between_cut_nothing_off(always_grid):

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -20,11 +21,12 @@ from stiction.studies.case.read import parse_case, read_case
 from stiction.studies.case.results import solve_case
 from stiction.studies.case.text import case_text
 from stiction.studies.fit import run as fit_module
-from stiction.studies.fit.answer import fitted
+from stiction.studies.fit.answer import Fitted, _over, _scaled, fitted
+from stiction.studies.fit.bands import draws_of
 from stiction.studies.fit.evidence import Rival, aicc_of, rank
 from stiction.studies.fit.model import forward_of
 from stiction.studies.fit.run import fit, plan_of_fit, run_fit
-from stiction.studies.fit.search import profiles, search
+from stiction.studies.fit.search import Best, _bounded, profiles, search
 
 pytest.importorskip("lmfit")
 
@@ -52,6 +54,18 @@ def exact(name="friction_coefficient", model="fuller_tabor_1975", loads=LOADS, *
     """What `solve` says at the loads."""
     contact = parse_case({key: table for key, table in case(model).items() if key != "fit"}).subject
     return solve(contact.replace(**changes), load=loads, model=model)[name].values
+
+
+def test_what_the_data_do_not_bound_is_spread_evenly_between_its_ends():
+    """Of two shares the first is seen with a slope of 2 in one residual and of 1 in another, the second in none: an even
+    spread has the variance 1/12, which adds to the precision that the data give, 5 over the square of their error."""
+    table = np.array([[2.0, 0.0], [1.0, 0.0]])
+    best = Best(np.full(2, 0.5), 1.0, np.ones(2), None, np.diag([1.0 / 17.0, 1.0 / 12.0]), table, None)
+    np.testing.assert_allclose(_bounded(table), best.bounded, rtol=1e-14)
+    for factor in (1.0, 3.0):
+        found = _over(best, factor)
+        np.testing.assert_allclose(found.bounded, np.diag([1.0 / (5.0 / factor**2 + 12.0), 1.0 / 12.0]), rtol=1e-14)
+        assert found.chi_square == pytest.approx(1.0 / factor**2)
 
 
 def written(path, columns):
@@ -287,6 +301,20 @@ def test_bands_are_those_of_the_closed_form(series):
     np.testing.assert_allclose((high - low) / best, 2 * 1.96 * deviation, rtol=0.05)
 
 
+@pytest.mark.parametrize(("share", "believed"), [(0.02, True), (0.6, True), (0.985, True), (0.995, False)])
+def test_stated_errors_are_believed_where_the_scatter_may_be_chance(share, believed):
+    """Up to the scatter that is larger in one of a hundred: four values, three to spare. Else they are as large as it is."""
+    chi_square, slope = float(stats.chi2.ppf(share, 3)), np.ones((4, 1))
+    best = Best(np.full(1, 0.5), chi_square, np.ones(4), None, _bounded(slope), slope, None)
+    found = _scaled("", None, best, (np.full(4, 2.0), True), False)
+    scale = 1.0 if believed else np.sqrt(chi_square / 3.0)
+    assert found.found != believed and found.scale == pytest.approx(scale)
+    np.testing.assert_allclose(found.errors, 2.0 * scale)
+    assert found.best.chi_square == pytest.approx(chi_square / scale**2)
+    wanted = stats.norm.ppf(0.975) ** 2 if believed else stats.t.ppf(0.975, 3) ** 2
+    assert found.threshold == pytest.approx(wanted, rel=1e-9)
+
+
 def test_bands_of_errors_that_are_found_are_those_of_student(tmp_path):
     """Linear in the strength, four values, no errors: the predicted mu is off by Student's t of three degrees of freedom."""
     loads, noise = LOADS[:4], np.array([0.01, -0.02, 0.015, -0.005])
@@ -301,6 +329,20 @@ def test_bands_of_errors_that_are_found_are_those_of_student(tmp_path):
     low, high = (found[f"predicted_friction_coefficient_{end}"] for end in ("low", "high"))
     np.testing.assert_allclose((high - low) / found["predicted_friction_coefficient"], wide, rtol=0.1)  # of a normal 0.62 times
     np.testing.assert_allclose((found["high"] - found["low"]) / best, wide, rtol=1e-4)
+
+
+@pytest.mark.parametrize(("middle", "deviation"), [(0.3, 0.35), (0.8, 0.1), (0.5, 50.0)])
+def test_draws_are_of_the_likelihood_between_the_ends(middle, deviation):
+    """One share that is measured itself: a normal that is cut off at 0 and 1, from a narrow one to one that is even."""
+    data = SimpleNamespace(value=np.array([middle]))
+    forward = SimpleNamespace(parameters=(None,), values=lambda shares: shares, data=data)
+    slope = np.array([[1.0 / deviation]])
+    best = Best(np.array([middle]), 0.0, np.zeros(1), None, _bounded(slope), slope, None)
+    sets, effective = draws_of(Fitted("", forward, best, np.array([deviation]), True, 1.0, 3.84, 0, False))
+    known = stats.truncnorm(-middle / deviation, (1.0 - middle) / deviation, middle, deviation)
+    shares = np.array([0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98])
+    np.testing.assert_allclose(np.quantile(sets[:, 0], shares), known.ppf(shares), atol=0.01)
+    assert effective > 1000.0
 
 
 def test_numbers_that_are_not_asked_for_take_no_value(series):
@@ -386,7 +428,7 @@ def test_files_of_values_are_named_from_where_the_case_goes(tmp_path):
 @pytest.mark.parametrize(
     ("table", "said"),
     [
-        ({"free": {}}, "fit.free: '0 numbers'"),
+        ({"free": {}}, "fit.free: 0 numbers"),
         ({"free": {"wrk": {"low": "1 mJ/m^2", "high": "1 J/m^2"}}}, "fit.free.wrk"),
         ({"free": {ADHESION: {"low": "1 J/m^2", "high": "1 mJ/m^2"}}}, "the low end first"),
         ({"free": {ADHESION: {"low": 1, "high": "1 J/m^2"}}}, "fit.free.work_of_adhesion.low: 1; allowed: text with a unit"),

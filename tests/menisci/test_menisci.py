@@ -246,6 +246,23 @@ def test_a_contact_in_humid_air():
     assert "Kelvin" in found.attrs["outside_validity"]
 
 
+@pytest.mark.parametrize(
+    ("changes", "radius", "doubted"),
+    [
+        ({"relative_humidity": 0.86}, 3.57e-9, True),
+        ({"relative_humidity": 0.91}, 5.71e-9, True),
+        ({"relative_humidity": 0.96}, 13.2e-9, False),
+        ({"relative_humidity": 0.91, "surface_tension": "72.74 mN/m", "molar_volume": "18.05 cm^3/mol"}, 5.71e-9, False),
+        ({"relative_humidity": 0.86, "surface_tension": "72.74 mN/m", "molar_volume": "18.05 cm^3/mol"}, 3.57e-9, True),
+    ],
+)
+def test_menisci_smaller_than_those_that_were_confirmed_are_doubted(changes, radius, doubted):
+    """gamma V/(R T) of water at 20 C is 0.5387 nm, over ln(p_s/p). Water was measured down to 9 nm, other liquids to 4 nm."""
+    found = st.solve(humid(**changes), load="1 mN", model=PLAIN)
+    assert_allclose(humid(**changes).kelvin_radius, radius, rtol=2e-3)
+    assert ("Kelvin's equation was confirmed" in found.attrs["outside_validity"]) == doubted
+
+
 @pytest.mark.parametrize("law", [one.key for one in MENISCI])
 @pytest.mark.parametrize("heights", [None, height_distribution("weibull", exponent=3.4)], ids=("gaussian", "weibull"))
 def test_the_largest_tension(law, heights):

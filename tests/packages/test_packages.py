@@ -71,29 +71,43 @@ def base_packages():
     return found
 
 
-def test_the_wheel_alone_solves_the_demo(built, tmp_path):
-    """Out of the source tree, with what a base installation has: every other package of this environment is hidden."""
+@pytest.fixture(scope="module")
+def alone(built, tmp_path_factory):
+    """The wheel as pip installs it, out of the source tree and without a network: its folder, and the environment in which
+    every package of this one is hidden that a base installation does not have."""
     (wheel,) = built.glob("*.whl")
-    with zipfile.ZipFile(wheel) as archive:
-        archive.extractall(tmp_path / "site")
+    site = tmp_path_factory.mktemp("site")
+    install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-index", "--no-deps", "--no-compile"]
+    subprocess.run([sys.executable, *install, "--target", str(site), str(wheel)], check=True, capture_output=True)
     base = base_packages()
     other = sorted(top for top, by in packages_distributions().items() if not {shared.canonical(one) for one in by} & base)
     assert {"matplotlib", "nicegui", "zarr", "lmfit", "pytest"} <= set(other)
     hide = (
         f"import sys\nfor name in {[name for name in other if name.isidentifier()]}:\n    sys.modules.setdefault(name, None)\n"
     )
-    (tmp_path / "site" / "sitecustomize.py").write_text(hide, encoding="utf-8")
-    environment = os.environ | {"PYTHONPATH": str(tmp_path / "site")}
-    where = "import stiction; print(stiction.__file__, stiction.__version__)"
-    case = ROOT / "examples" / "silver_on_steel.toml"
-    for words, wanted in (
-        (["-c", where], f"{tmp_path / 'site' / 'stiction' / '__init__.py'} {PROJECT['version']}"),
-        (["-m", "stiction", "run", str(case), "--out", "demo"], "friction"),
-    ):
-        done = subprocess.run(
-            [sys.executable, *words], cwd=tmp_path, env=environment, text=True, capture_output=True, check=False
-        )
-        assert done.returncode == 0 and wanted in done.stdout, done.stderr
+    (site / "sitecustomize.py").write_text(hide, encoding="utf-8")
+    return site, os.environ | {"PYTHONPATH": str(site)}
+
+
+def test_the_wheel_alone_is_installed_with_all_it_reads(alone):
+    site, environment = alone
+    about = site / f"stiction-{PROJECT['version']}.dist-info"
+    package = site / "stiction"
+    assert (about / "licenses" / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
+    assert (package / "py.typed").exists() and (package / "__init__.pyi").exists()
+    asked = (
+        "import stiction as st; print(st.__file__, st.__version__, st.material('silver').name, '@' in st.cite('hertz_1882'))"
+    )
+    told = subprocess.run([sys.executable, "-c", asked], cwd=site.parent, env=environment, text=True, capture_output=True)
+    assert told.stdout.split() == [str(package / "__init__.py"), PROJECT["version"], "silver", "True"], told.stderr
+
+
+def test_the_wheel_alone_solves_the_demo(alone, tmp_path):
+    """By the command that it brings, in an empty folder."""
+    site, environment = alone
+    words = [site / "bin" / "stiction", "run", ROOT / "examples" / "silver_on_steel.toml", "--out", "demo"]
+    done = subprocess.run(list(map(str, words)), cwd=tmp_path, env=environment, text=True, capture_output=True)
+    assert done.returncode == 0 and "friction" in done.stdout, done.stderr
     assert sorted(path.name for path in (tmp_path / "demo").iterdir()) == ["curve.csv", "curve.nc"]
 
 
@@ -143,3 +157,49 @@ def test_the_image_is_of_a_python_that_is_supported():
         version = re.fullmatch(r"python:(\d+)\.(\d+)-slim", image)
         assert version and tuple(map(int, version.groups())) >= least, image
     assert not [line for line in lines if re.search(r"https?://|index-url|token|password|^ARG|^ENV .*=.*secret", line, re.I)]
+
+
+@pytest.fixture
+def release(tmp_path, monkeypatch):
+    """The checklist of a release, over a folder in which everything is well."""
+    check = script("check")
+    version, rows = PROJECT["version"], {}
+    for one in shared.direct():
+        name, least = re.fullmatch(r"([\w-]+)>=([\d.]+)", one).groups()
+        rows[shared.canonical(name)] = f"{least}.0"
+    for which in ("lowest", "newest"):
+        (tmp_path / "page.md").touch()
+        table = "".join(f"| `{name}` | {version} |\n" for name, version in rows.items())
+        with (tmp_path / "page.md").open("a", encoding="utf-8") as page:
+            page.write(f"<!-- {which} versions: begin -->\n{table}<!-- {which} versions: end -->\n")
+    (tmp_path / "CHANGELOG.md").write_text(f"# Changelog\n\n## [{version}] - 2030-01-31\n\n## [0.0.1] - 2029-01-01\n", "utf-8")
+    (tmp_path / "CITATION.cff").write_text(f"version: {version}\ndate-released: 2030-01-31\n", encoding="utf-8")
+    monkeypatch.setattr(check, "ROOT", tmp_path)
+    monkeypatch.setattr(check, "PAGE", tmp_path / "page.md")
+    monkeypatch.setattr(check, "TOOLS", tmp_path)
+    return check, tmp_path
+
+
+def test_the_checklist_takes_what_is_well(release):
+    check, _ = release
+    assert (check._changelog(), check._citation()) == ("", "cffconvert is not there: make release-check brings it")
+    assert check._versions() == ""
+
+
+@pytest.mark.parametrize(
+    "file, before, after, step, said",
+    [
+        ("CHANGELOG.md", "## [", "## [Unreleased]: [", "_changelog", "begins with"),
+        ("CHANGELOG.md", "# Changelog\n", "# Changelog\n\n## [9.9.9] - 2030-02-01\n", "_changelog", "9.9.9"),
+        ("CITATION.cff", "2030-01-31", "2030-01-30", "_citation", "date-released: 2030-01-30, wanted 2030-01-31"),
+        ("CITATION.cff", "version: ", "version: 9.", "_citation", "version: 9."),
+        ("page.md", "| `numpy` | ", "| `numpy` | 1", "_versions", "numpy 1"),
+        ("page.md", "newest versions: begin", "other versions: begin", "_versions", "no newest numpy"),
+    ],
+)
+def test_the_checklist_sees_what_is_not(release, file, before, after, step, said):
+    check, folder = release
+    text = (folder / file).read_text(encoding="utf-8")
+    assert before in text
+    (folder / file).write_text(text.replace(before, after), encoding="utf-8")
+    assert said in getattr(check, step)()

@@ -156,7 +156,10 @@ def test_what_does_not_fit_in_memory_is_left_to_a_sweep():
 
 
 def test_models_are_compared_on_one_contact():
-    with pytest.raises(InputError, match=r"work_of_adhesion: '2 numbers'; allowed: single numbers, where models are compared"):
+    with pytest.raises(
+        InputError,
+        match=r"work_of_adhesion: 2 numbers, 500 mJ/m\^2 to 1 J/m\^2; allowed: one number, where models are compared",
+    ):
         compare_case(case({"work_of_adhesion": ["0.5 J/m^2", "1 J/m^2"]}), 1.0)
 
 

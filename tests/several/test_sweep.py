@@ -231,6 +231,8 @@ def test_what_is_refused_or_not_carried_is_said_and_the_rest_is_there(tmp_path):
     )
     assert ((data["doubts"] & refused) > 0).values.tolist() == [[at == 0] * 2 for at in range(9)]  # H below Y
     assert ((data["doubts"] & not_carried) > 0).values.tolist() == [[False, at > 0] for at in range(9)]
+    by_block = data["doubts_by_block"].values.sum(axis=0)
+    assert {int(by_block[bit]) for bit in range(2)} == {2, 8} and (by_block >= 0).all()  # points, of both
 
 
 class Stopped(Exception):

@@ -328,7 +328,7 @@ def test_a_sweep_of_a_scan_is_of_the_method_that_stands_for_it(folder, tmp_path)
         (
             ONE + '\nsecond = { asperity_height_deviation = ["1 nm", "2 nm"], asperity_radius = "5 um", '
             'asperity_density = "1e12 1/m^2" }',
-            "contact.roughness.second.asperity_height_deviation: '2 numbers'",
+            "contact.roughness.second.asperity_height_deviation: 2 numbers, 1 nm to 2 nm; ",
         ),
         (
             ONE + '\nsecond = { asperity_height_deviation = "1 +/- 0.1 nm", asperity_radius = "5 um", '

@@ -17,7 +17,7 @@ from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.studies.case.read import parse_case
 from stiction.studies.case.results import compare_case, solve_case
-from stiction.studies.uncertainty import bands
+from stiction.studies.uncertainty import bands, drawing
 from stiction.studies.uncertainty.bands import levels, quantiles
 from stiction.studies.uncertainty.drawing import Variant, draw, scrambled
 from stiction.studies.uncertainty.spreads import ends_of_models, weights_of_models
@@ -104,6 +104,18 @@ def test_separations_over_a_sigma_that_is_drawn_give_bands_of_the_load():
     np.testing.assert_allclose(ratio, np.stack([exact, exact], axis=1), rtol=0.03)
     low, high = (data["friction_coefficient_quantile"].values[at] / data["friction_coefficient"].values for at in (0, -1))
     np.testing.assert_allclose([low, high], [[exact[0] ** (1 / 3)] * 2, [exact[-1] ** (1 / 3)] * 2], rtol=0.02)
+
+
+def test_what_is_drawn_in_many_steps_is_as_in_one(monkeypatch):
+    """At most so many points are solved at once: of four rows a step, at two loads each."""
+    found, steps = case(), []
+    shares = scrambled(2, 16, 0)[0]
+    whole = draw(found, shares, [Variant(found.choice)])
+    monkeypatch.setattr(drawing, "_AT_ONCE", 8)
+    parts = draw(found, shares, [Variant(found.choice)], progress=lambda each: steps.extend(each) or each)
+    assert [len(rows) for _, rows in steps] == [4, 4, 4, 4]
+    for name, table in whole.tables.items():
+        np.testing.assert_allclose(parts.tables[name], table, rtol=1e-9)
 
 
 def test_without_anything_uncertain_there_are_no_bands():
@@ -303,6 +315,13 @@ def test_compare_tells_the_spreads(tmp_path):
     assert found["spreads"].keys() == {"inputs", "methods", "models"} and found["spreads"]["methods"]["factor"] is None
     row = next(one for one in found["models"] if one["model"] == "greenwood_williamson_1966")
     assert [one["share"] for one in row["friction_coefficient_quantile"]] == pytest.approx([0.05, 0.25, 0.5, 0.75, 0.95])
+
+
+def test_the_error_of_a_quantile_is_the_scatter_of_the_parts_over_the_root_of_their_number():
+    """Parts that say 0 to 7, each of all of its points: their variance is 6, of eight that are independent 6/8."""
+    values = np.broadcast_to(np.arange(8.0)[:, None], (8, 50))
+    whole, error = quantiles(values, np.array([0.25, 0.5]))
+    assert error == pytest.approx(np.sqrt(6.0 / 8.0)) and whole == pytest.approx([1.75, 3.5], abs=0.3)
 
 
 def test_quantiles_are_of_those_that_are_known_while_these_are_half():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from stiction.studies.uncertainty.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
+from stiction.studies.uncertainty.indices_of_variance import PARTS, effects, points_of_indices, sobol_indices, trajectories
 
 
 def ishigami(u, a=7.0, b=0.1):
@@ -69,6 +69,17 @@ def test_unknown_values_are_left_out_and_too_many_are_said():
     np.testing.assert_allclose(found.total, exact_ishigami()[1], atol=0.05)
     values[:, 0, ::2] = np.nan
     assert np.isnan(sobol_indices(values).total).all()
+
+
+def test_two_points_of_each_part_are_the_fewest_for_an_interval():
+    weights = np.array([3.0, 1.0])
+    two = points_of_indices(2, 2 * PARTS, 0) @ weights
+    assert two.shape == (PARTS, 4, 2)
+    found = sobol_indices(two)
+    assert found.points == 2 * PARTS and np.isfinite([found.first_low, found.total_high]).all()
+    assert found.total[0] > found.total[1]
+    two[0, 0, 0] = np.nan
+    assert np.isnan(sobol_indices(two).total).all() and sobol_indices(two).points == 0
 
 
 def test_trajectories_take_one_step_at_a_time():

@@ -180,7 +180,11 @@ def test_separations_tell_of_the_load():
 @pytest.mark.parametrize(
     ("changes", "given", "message"),
     [
-        ({"nominal_area": ["1 mm^2", "2 mm^2"]}, {}, "nominal_area: 'several numbers'; allowed: single or uncertain numbers"),
+        (
+            {"nominal_area": ["1 mm^2", "2 mm^2"]},
+            {},
+            "nominal_area: 2 numbers, 1 mm^2 to 2 mm^2; allowed: one number, or an uncertain one",
+        ),
         ({}, {"models": ["nothing"]}, "model: 'nothing'; allowed: "),
         ({}, {"models": "persson_2001"}, "models: 'persson_2001'; allowed: a list of names"),
         ({}, {"load": "-1 N"}, "load"),

@@ -1,5 +1,6 @@
 """Numbers of a case that are uncertain: what each form means, what is drawn, and one line about everything that is wrong."""
 
+import contextlib
 import json
 import tomllib
 
@@ -83,6 +84,16 @@ def test_a_distribution_is_cut_off_at_the_bounds_of_its_quantity():
     assert found.ppf(1.0) < 0.5 and found.ppf(0.0) > 0.3
     cut = scipy.stats.truncnorm((0.0 - 0.46) / 0.02, 2.0, 0.46, 0.02)
     np.testing.assert_allclose(found.ppf(SHARES), cut.ppf(SHARES), rtol=1e-9)
+    strength = read_distribution("10 MPa +/- 5 MPa", "interfacial_shear_strength", "tau")
+    cut = scipy.stats.truncnorm(-2.0, np.inf, 10e6, 5e6)
+    np.testing.assert_allclose(strength.ppf(SHARES), cut.ppf(SHARES), rtol=1e-9)
+
+
+def test_a_fortieth_may_be_beyond_the_bounds():
+    for share, allowed in ((0.0249, True), (0.0251, False)):
+        entry = scipy.stats.norm(1e7, 1e7 / scipy.stats.norm.isf(share))
+        with contextlib.nullcontext() if allowed else pytest.raises(InputError, match=r"but for 2.5%, here 2.5% is beyond"):
+            read_distribution(entry, "interfacial_shear_strength", "tau")
 
 
 @pytest.mark.parametrize(

@@ -119,9 +119,11 @@ def _tab(page, name):
     page.get_by_role("tab", name=name, exact=True).click()
 
 
-def _give(page, name, content, at=0):
-    """Choose a file in the upload of a tab."""
-    page.locator("input[type=file]").nth(at).set_input_files({"name": name, "mimeType": "text/plain", "buffer": content})
+def _give(page, upload, name, content):
+    """Choose a file in the upload of this name, which is not there before its tab has been opened."""
+    page.get_by_label(upload).locator("input[type=file]").set_input_files(
+        {"name": name, "mimeType": "text/plain", "buffer": content}
+    )
 
 
 # ---- the page as it is opened
@@ -161,15 +163,15 @@ def test_studies_are_made_and_stopped(page):
 
 def test_a_measured_series_calibrates_a_number(page):
     _tab(page, "Studies")
-    uploads = page.locator("input[type=file]").count() - 1
-    _give(page, "large.csv", b"0" * (2**21 + 1), uploads)
+    upload = "Upload measured series, .csv"
+    _give(page, upload, "large.csv", b"0" * (2**21 + 1))
     page.get_by_text("Upload measured series, .csv: refused; allowed: one file of 2 MiB at most").wait_for()
-    _give(page, "wrong.csv", b"load [N],mood\n1,2\n", uploads)
+    _give(page, upload, "wrong.csv", b"load [N],mood\n1,2\n")
     page.get_by_text("wrong.csv is here, until the page is closed").wait_for()
     page.get_by_role("button", name="Calibrate").click()
     page.get_by_text(re.compile("--data: 'mood'; allowed: ")).wait_for()
     rows = "".join(f"{load},{mu},0.003\n" for load, mu in ((0.5, 0.06), (1, 0.055), (2, 0.05), (5, 0.04), (10, 0.03)))
-    _give(page, "measured.csv", f"load [N],friction_coefficient,friction_coefficient_error\n{rows}".encode(), uploads)
+    _give(page, upload, "measured.csv", f"load [N],friction_coefficient,friction_coefficient_error\n{rows}".encode())
     page.get_by_text("measured.csv is here, until the page is closed").wait_for()
     page.get_by_role("button", name="Calibrate").click()
     page.get_by_role("img", name="measured and fitted").first.wait_for()
@@ -239,12 +241,10 @@ BAD = {
 def test_a_bad_scan_is_refused_in_a_sentence(page):
     _tab(page, "Surface")
     for name, content in BAD.items():
-        page.evaluate("window.before = [...document.querySelectorAll('[role=status]')].map(one => one.innerText).join()")
-        _give(page, name, content)
-        page.wait_for_function(
-            "() => { const said = [...document.querySelectorAll('[role=status]')].map(one => one.innerText).join();"
-            " return said !== window.before && said.includes('; allowed: ') }"
-        )
+        _give(page, "Upload a scan", name, content)
+        # Each by its name: what was said of the file before still stands there.
+        refusal = page.get_by_role("status").filter(has_text=Path(name).name).filter(has_text="; allowed: ")
+        refusal.first.wait_for()
         assert "/tmp" not in page.locator("body").inner_text(), name
     assert page.evaluate("window.broken") is None
     _tab(page, "Contact")

@@ -19,6 +19,7 @@ class Coating(Input):
     "both", the default and the paper's case, film meets film and `thickness` is the sum of the two.
     work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact. friction_constant: C
     of mu = (C t/W)^(1/3), which one film law takes (Ravindran et al. 1980); left out, it follows from strength and hardness.
+
     The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
     yield_stress or tangent_modulus of the film is not used, but to say whether it or a body as hard yields first. Raises
     InputError.

@@ -38,13 +38,16 @@ class Contact(Subject):
     of a case file, with a scan or numbers as `first`, `second` or both, and how asperities are found. With a scan, results say
     the spread over the ways of finding asperities, and `roughness.measured` what each finds.
     work_of_adhesion: of the bodies' surfaces, see the function of that name; left out or zero, nothing adheres, and models
-    that need it say so. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that
-    has no yield_stress. interfacial_shear_strength and pressure_coefficient are needed by the tangential laws that shear an
-    interface; peeling, 1 if left out, is the share of the tangential energy release that peels an adhesive asperity (Savkoor
-    and Briggs: all). liquid: Liquid, or dict of its numbers: its vapour condenses between asperities, and the menisci pull.
-    waiting_time, cut_off_time and strengthening: how the interface strengthens at rest, as measured; strength_variation: how
-    its strength varies from junction to junction. Every number may be an array with a named dimension (`stiction.axis`).
-    Raises InputError.
+    that need it say so. nominal_area: on which the load rests. coating: Coating, or dict of its numbers; left out, there is
+    no film. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that has no
+    yield_stress. interfacial_shear_strength, pressure_coefficient: what a square metre of real contact resists, and how that
+    grows with the pressure; tangential laws that shear an interface need the first. peeling: the share of the tangential
+    energy release that peels an adhesive asperity; left out, 1 (Savkoor and Briggs: all).
+    liquid: Liquid, or dict of its numbers: its vapour condenses between asperities, and the menisci pull. waiting_time,
+    cut_off_time, strengthening: how the interface strengthens at rest, as measured. strength_variation: how its strength
+    varies from junction to junction.
+
+    Every number may be an array with a named dimension (`stiction.axis`). Raises InputError.
     """
 
     first: Body = Field(description="a material: the name of a preset, or its numbers")
@@ -292,6 +295,11 @@ class Contact(Subject):
     def kelvin_radius(self):
         """Radius of the menisci [m], see Liquid; None where there is no liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius
+
+    @property
+    def kelvin_radius_over_confirmed(self):
+        """The same over the least at which Kelvin's equation was found to hold, see Liquid; None where there is no liquid."""
+        return None if self.liquid is None else self.liquid.kelvin_radius_over_confirmed
 
     @property
     def plasticity_index(self):

@@ -12,6 +12,9 @@ __all__ = ["Liquid"]
 GAS_CONSTANT = 8.31446261815324
 # Molar volume of liquid water at 20 C [m^3/mol]: 18.015 g/mol over 0.99821 g/cm^3; between 0 and 60 C it changes by 1.7 %.
 WATER = 18.05e-6
+# Least radii [m] at which experiments found Kelvin's equation to hold: of organic liquids, and of water, measured down to a
+# relative humidity of 94.5 % (Fisher, Gamble & Middlehurst 1981, and what they cite).
+CONFIRMED, CONFIRMED_OF_WATER = 4e-9, 9e-9
 # Critical temperature of water, and between which temperatures it is a liquid [K] (IAPWS R1-76, revised 2014).
 _CRITICAL, _LIQUID = 647.096, (248.15, 647.096)
 
@@ -63,6 +66,13 @@ class Liquid(Input):
         """Radius of a meniscus that neither grows nor dries up [m]: gamma_L V/(R_g T ln(p_s/p)) (Thomson 1871)."""
         volume = WATER if self.molar_volume is None else self.molar_volume
         return self.tension * volume / (GAS_CONSTANT * self.temperature * -np.log(self.relative_humidity))
+
+    @property
+    def kelvin_radius_over_confirmed(self):
+        """Kelvin's radius over the least at which his equation was found to hold, of water or of other liquids; what takes a
+        number of water's counts as water."""
+        of_water = self.molar_volume is None or self.surface_tension is None
+        return self.kelvin_radius / (CONFIRMED_OF_WATER if of_water else CONFIRMED)
 
     @property
     def height(self):

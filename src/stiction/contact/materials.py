@@ -25,6 +25,7 @@ class Material(Input):
     result uses it. characteristic_depth: h* of a hardness that grows as imprints get smaller (Nix and Gao 1998), under a
     pyramid; hardness is then that of large imprints, and asperities find more (stiction.contact.size_effect). Left out, the
     hardness is that of every asperity; the contact of a map, solved point by point, always takes it so.
+
     Numbers are SI floats, text with a unit ("210 GPa"), or arrays with a named dimension (`stiction.axis`).
     Raises InputError naming the field, its value and the allowed range.
     """
@@ -91,7 +92,8 @@ def material_names() -> list[str]:
 def material(name: str, /, **changes) -> Material:
     """The preset of that name, changed where fields are given: material("silver", hardness="1 GPa").
 
-    Raises InputError for an unknown name, listing those near to it, and for a bad number.
+    changes: fields of `Material`, in SI or text with a unit; what is replaced loses its source and its range. Raises InputError
+    for an unknown name, listing those near to it, and for a bad number.
     """
     if not isinstance(name, str) or name not in _presets():
         raise InputError("material", name, "a preset: " + nearest(name, material_names()))

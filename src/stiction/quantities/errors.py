@@ -4,15 +4,21 @@ import difflib
 import re
 from collections.abc import Iterable
 
-__all__ = ["InputDoubt", "InputError", "nearest"]
+__all__ = ["InWords", "InputDoubt", "InputError", "nearest"]
 
 _LONGEST = 80  # of a longer value the two ends are shown: of a path, the end says most
+
+
+class InWords(str):
+    """What was given, described: no text that somebody wrote, and shown without quotes."""
 
 
 def _short(value) -> str:
     """The value on one line: quoted if text, "not given" for None, without its middle if long."""
     if value is None:
         return "not given"
+    if isinstance(value, InWords):
+        return re.sub(r"\s+", " ", value)
     if hasattr(value, "item") and getattr(value, "size", 1) == 1:
         value = value.item()  # 0.6 rather than np.float64(0.6)
     text = re.sub(r"\s+", " ", repr(value))
@@ -24,18 +30,19 @@ class InputError(ValueError):
     """Something given by the user is not usable; `str()` of it is one line.
 
     field: dotted name of what was given ("contact.coating.thickness"); value: what was given, None if
-    nothing; allowed: text saying what would have been accepted, with its unit.
+    nothing; allowed: text saying what would have been accepted, with its unit; hint: what else would help, or "".
     """
 
-    def __init__(self, field: str, value, allowed: str):
+    def __init__(self, field: str, value, allowed: str, hint: str = ""):
         self.field = field
         self.value = value
         self.allowed = allowed
-        super().__init__(field, value, allowed)  # the three arguments, so that the error can be pickled
+        self.hint = hint
+        super().__init__(field, value, allowed, *filter(None, [hint]))  # the arguments, so that the error can be pickled
 
     def __str__(self) -> str:
         field, allowed = (re.sub(r"\s+", " ", text) for text in (self.field, self.allowed))
-        return f"{field}: {_short(self.value)}; allowed: {allowed}"
+        return "; ".join(filter(None, [f"{field}: {_short(self.value)}", f"allowed: {allowed}", self.hint]))
 
 
 def nearest(word, known: Iterable[str]) -> str:

@@ -15,12 +15,12 @@ import numpy as np
 from stiction.quantities import foreign
 from stiction.quantities.cache import cache_folder
 from stiction.quantities.dimensions import check_names, without_indexes
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.quantities.hardness import from_hardness_test
 from stiction.quantities.hints import meant, too_soft, with_a_point
 from stiction.quantities.table import QUANTITIES, Quantity
 
-__all__ = ["axis", "from_series", "show", "to_si"]
+__all__ = ["axis", "from_series", "reason_of", "several_in_words", "show", "to_si"]
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 # pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
@@ -71,6 +71,28 @@ def show(value, name: str, digits: int = 6) -> str:
     exponent = int(f"{value:.5e}".partition("e")[2]) // (3 * power) * 3
     exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
     return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{raised}{rest}"
+
+
+def several_in_words(values, where: str, count: int | None = None) -> InWords:
+    """Numbers in SI units that stand where one is meant, in words: "3 numbers, 100 nm to 2 um". where: dotted name of what was
+    given, which ends in a key of QUANTITIES; count: how many there are, where only their ends are given."""
+    numbers, name = np.asarray(values, dtype=float).ravel(), where.rpartition(".")[2]
+    count = numbers.size if count is None else count
+    many = f"{count} number{'' if count == 1 else 's'}"
+    if not numbers.size or name not in QUANTITIES:
+        return InWords(many)
+    ends = dict.fromkeys(show(end, name, 4) for end in (numbers.min(), numbers.max()))
+    return InWords(f"{many}, {' to '.join(ends)}")
+
+
+def reason_of(error: InputError) -> str:
+    """Why a model cannot be asked: what is missing; or of a quantity what it is beside what is allowed; or what is allowed."""
+    if error.value is None:
+        return f"{error.field} is not given: {error.allowed}"
+    name, value = error.field.rpartition(".")[2], error.value
+    if name not in QUANTITIES:
+        return error.allowed
+    return f"{error.field} is {show(value, name, 4) if isinstance(value, Real) else value}; allowed: {error.allowed}"
 
 
 def axis(name: str, values=None, dimension: str | None = None):

@@ -10,6 +10,9 @@ from stiction.quantities.errors import InputError
 # Keywords of the kinds of records that a user chooses.
 LAWS = ("model", "asperity", "tangential", "film", "presliding", "meniscus", "ageing", "contamination")
 
+# The model that answers where none is named.
+DEFAULT_MODEL = "soft_coating_2015"
+
 
 @dataclass(frozen=True)
 class Choice:
@@ -18,7 +21,7 @@ class Choice:
     there were no liquid), how the interface strengthens at rest ("none": it does not), and how it varies; keys of the
     registry. options: options of any of these, by name; None for a default."""
 
-    model: str = "soft_coating_2015"
+    model: str = DEFAULT_MODEL
     asperity: str | None = None
     tangential: str | None = None
     film: str | None = None

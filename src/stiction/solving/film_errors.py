@@ -109,15 +109,16 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 
 def on_solved_maps(problem: Problem, points: int) -> tuple[np.ndarray, ...] | None:
     """Of an area law of surfaces on a film, on the maps of truth/films.csv near each contact, repeated for its points: mean of
-    ln(area over that of the map), its rms, the relative rms, distance (0, infinite where nothing is near) and number of maps.
-    None of other models, which the set of solved surfaces has."""
+    ln(area over that of the map), its rms, the relative rms, distance (0, infinite where nothing is near), number of maps, and
+    of the nearest nothing. None of other models, which the set of solved surfaces has."""
     if not problem.record.on_film:
         return None
     found, _ = _on_maps(problem, problem.record.key)
     if found is None:
         return None
     near = np.isfinite(found.rms)
-    each = np.log(found.mean), found.rms, np.expm1(found.rms), np.where(near, 0.0, np.inf), np.where(near, _MAPS, 0)
+    nearest = np.full(near.shape, "")  # they are looked up by film alone
+    each = np.log(found.mean), found.rms, np.expm1(found.rms), np.where(near, 0.0, np.inf), np.where(near, _MAPS, 0), nearest
     return tuple(np.repeat(one, points) for one in each)
 
 

@@ -11,27 +11,29 @@ error is that of the area, less where the strength rises with pressure. Adhesion
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from stiction.contact.indices import Groups
 from stiction.solving.film_errors import on_solved_maps
 from stiction.solving.problem_base import Problem
+from stiction.solving.solved_near import (
+    Difference,
+    Place,
+    differences,
+    film_differences,
+    nearest_in_words,
+    pressure_difference,
+    squared_distance,
+)
 from stiction.solving.solved_set import SolvedSet, solved_set
 from stiction.solving.state import state_of
-from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, slope_over_sharpness
 
 __all__ = ["MeasuredErrors", "measured_errors"]
 
 FAR = 2.0  # distance beyond which nothing near was measured
-_SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # that count as a distance of 1; logarithms but skewness
-_LEAST_TOP = 0.03
-_PRESSURE = 1.4  # ln of the pressure beyond those of the set, a distance of 1; where all flows it hardly counts
-_FLOWING, _FLOWING_PRESSURE = 0.1, 7.0  # hardness over E* h' below that is so
 _ELASTIC = 3.0  # hardness over E* h' from which on nothing flows
-_FILM_SCALES = (0.7, 0.8)  # ln of the modulus over the substrate's, of the thickness over sqrt(m2/m4)
 _MOST_ADHESION = 0.1  # pull-off forces over the load, in the set there are none
 _LEAST_SHARE = 0.8  # of the compliance that is the coated body's: in the set the other is rigid
 _MOST_POINTS = 200
@@ -45,7 +47,8 @@ class MeasuredErrors:
     """At k points. area: ln(A/solved A) on average near each, not a number where nothing near was measured; expected: its root
     mean square over the surfaces near, and relative: that of A/solved A - 1; friction: of mu as area, where it is of the
     interface; distance: of the nearest surface, pressure, hardness; surfaces: how many count. column: the model and the way of
-    finding asperities; why_not: why there is nothing at some of them, "" if there is."""
+    finding asperities; why_not: why there is nothing at some of them, "" if there is; nearest: in what the nearest surface
+    differs, "" where it hardly does."""
 
     column: str
     area: np.ndarray
@@ -55,6 +58,7 @@ class MeasuredErrors:
     distance: np.ndarray
     surfaces: np.ndarray
     why_not: str = ""
+    nearest: np.ndarray = field(default_factory=lambda: np.empty(0, dtype=str))
 
     @property
     def known(self) -> bool:
@@ -85,11 +89,11 @@ class MeasuredErrors:
         low, high = np.expm1(self.area[some].min()), np.expm1(self.area[some].max())
         most = self.relative[some].max()
         ends = f"{low:+.0%}" if f"{low:+.0%}" == f"{high:+.0%}" else f"{low:+.0%} to {high:+.0%}"
-        count, near = int(self.surfaces[some].max()), float(np.min(self.distance[some]))
+        nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))] if self.nearest.size else ""
         where = "" if some.all() else f" at {int(some.sum())} of {some.size} points"
         of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
-        nearest = f"{count} near, the nearest at {near:.1f}"
-        return f"contact area {ends} against solved surfaces{where} (rms {most:.0%}; {nearest}){of_mu}"
+        like = "; ".join(filter(None, [f"rms {most:.0%} over {int(self.surfaces[some].max())} like this one", nearest]))
+        return f"contact area {ends} against solved surfaces{where} ({like}){of_mu}"
 
 
 def _plain(values: np.ndarray) -> list[float | None]:
@@ -128,7 +132,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
     why = _why_not(problem, results, column, load.size)
     if why:
         return _unknown(column, load.size, why)
-    place = _Place.of(problem, load)
+    place = Place.of(problem, load)
     known = solved_set()
     coated = problem.groups.has_film
     found = _on_film(known, column, place, problem) if coated else _bare(known, column, place)
@@ -136,13 +140,12 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
         found = on_solved_maps(problem, load.size // len(problem.groups))
     if found is None:
         return _unknown(column, load.size, "this model was not measured")
-    distance, surfaces = found[3], found[4]
-    far = ~(distance <= FAR) | ~np.isfinite(found[0])
-    error, expected, relative = (np.where(far, np.nan, one) for one in found[:3])
-    why = _far(distance[far]) if far.any() else ""
-    if far.any() and coated and np.isfinite(distance[far]).any():
-        why = "; ".join(filter(None, [_film_far(known, place), why]))
-    return MeasuredErrors(column, error, expected, relative, _of_friction(problem, results, error), distance, surfaces, why)
+    *numbers, distance, surfaces, nearest = found
+    far = ~(distance <= FAR) | ~np.isfinite(numbers[0])
+    error, expected, relative = (np.where(far, np.nan, one) for one in numbers)
+    why = _far(distance[far], nearest[far]) if far.any() else ""
+    friction = _of_friction(problem, results, error)
+    return MeasuredErrors(column, error, expected, relative, friction, distance, surfaces, why, nearest)
 
 
 def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
@@ -150,15 +153,12 @@ def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
     return MeasuredErrors(column, nothing, nothing, nothing, nothing, nothing, np.zeros(points), why)
 
 
-def _far(distance: np.ndarray) -> str:
-    least = float(np.min(distance, initial=np.inf, where=np.isfinite(distance)))
-    if math.isinf(least):
+def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
+    """distance, and what is said of the nearest solved surface, at the points where nothing near was measured."""
+    at = int(np.argmin(distance))
+    if math.isinf(distance[at]):
         return "the film is not as in the set, elastic and on one body under a rigid one"
-    return (
-        f"the nearest of the solved surfaces is at {least:.1f}, above {FAR:g}"
-        if least > FAR
-        else "it carries no such load there"
-    )
+    return f"no solved surface is like this one: {nearest[at]}" if distance[at] > FAR else "it carries no such load there"
 
 
 def _why_not(problem: Problem, results: Mapping[str, np.ndarray], column: str, points: int) -> str:
@@ -186,87 +186,9 @@ def _largest(share: np.ndarray | None) -> float:
     return float(np.max(known, initial=-np.inf))
 
 
-@dataclass(frozen=True)
-class _Place:
-    """Where k points are. pressure, hardness: over E* h'; alpha: Nayak's; shape: skewness, lay and top of the map, None where
-    there is none; thickness, modulus: of the film, over sqrt(m2/m4) and the substrate's."""
-
-    pressure: np.ndarray
-    hardness: np.ndarray
-    alpha: np.ndarray
-    shape: tuple[float, float, float] | None
-    modulus: np.ndarray | None = None
-    thickness: np.ndarray | None = None
-
-    @classmethod
-    def of(cls, problem: Problem, load: np.ndarray) -> "_Place":
-        groups, points = problem.groups, load.shape[1]
-        density = groups.roughness_parameter[:, None]
-        pressure = reduced_pressure(load, density)
-        hardness = groups.eta[:, None] * (4.0 / 3.0) / math.pi / slope_over_sharpness(density)
-        alpha, shape = np.broadcast_to(bandwidth(density), load.shape).ravel(), None
-        surface = None if problem.subject is None else problem.subject.with_surface_moments().map
-        if surface is not None:
-            pressure, hardness, alpha, shape = _of_map(surface, problem, load)
-        film = _film_of(groups, points) if groups.has_film else (None, None)
-        return cls(pressure.ravel(), np.broadcast_to(hardness, load.shape).ravel(), alpha, shape, *film)
-
-
-def _of_map(surface: Any, problem: Problem, load: np.ndarray):
-    """The same by the map itself, whose slopes decide, whatever the asperities."""
-    from stiction.surfaces.boundary_elements.map_area import map_area
-
-    area, whole = map_area(surface), problem.subject.with_surface_moments()
-    h = area.slopes.gradient
-    factors = problem.subject.scales().factors()
-    strength = whole.contact_modulus * h
-    pressure = load * float(factors["N"]) / whole.nominal_area / strength
-    groups = problem.groups
-    of_load = groups.eta[:, None] * (4.0 / 3.0) / math.pi * groups.sharpness[:, None] / h
-    z = surface.heights - surface.heights.mean()
-    skewness = float(np.mean(z**3)) / float(np.mean(z**2)) ** 1.5
-    return pressure, of_load, np.full(load.size, area.slopes.alpha), (skewness, area.slopes.lay, area.slopes.top(0.05))
-
-
-def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
-    """sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) (Nayak 1971); film_aspect is t/sqrt(R sigma)."""
-    thickness = groups.film_aspect * np.sqrt(6.0 * math.pi * math.sqrt(3.0) * groups.roughness_parameter)
-    return np.repeat(groups.film_modulus, points), np.repeat(thickness, points)
-
-
-def _film_far(known: SolvedSet, place: _Place) -> str:
-    """How the film leaves the solved ones, in modulus and thickness; "" where it does not."""
-    assert place.modulus is not None and place.thickness is not None
-    moduli, thicknesses = known["films"].T
-    waves = known["gradient_over_shortest"][known["film_surfaces"]] / known.feature("wave")[known["film_surfaces"]]
-    rows = (
-        ("modulus", "that of the body", place.modulus, moduli.min(), moduli.max()),
-        ("thickness", "sqrt(m2/m4)", place.thickness, thicknesses.min() * waves.min(), thicknesses.max() * waves.max()),
-    )
-    beyond = [
-        f"the film's {what} is {given.min():.3g}{'' if given.min() == given.max() else f' to {given.max():.3g}'} of {unit}, "
-        f"the solved films have {low:.3g} to {high:.3g}"
-        for what, unit, given, low, high in rows
-        if given.min() < 0.999 * low or given.max() > 1.001 * high
-    ]
-    return "; ".join(beyond)
-
-
-def _surface_distance(known: SolvedSet, place: _Place, at: int) -> np.ndarray:
-    """Squared distance (s,) of every surface from a point; infinite of those that are not Gaussian where no map is known."""
-    total = ((np.log(known.feature("alpha")) - math.log(place.alpha[at])) / _SCALES["alpha"]) ** 2
-    if place.shape is None:
-        return np.where(known.gaussian, total, np.inf)
-    skewness, lay, top = place.shape
-    total += ((known.feature("skewness") - skewness) / _SCALES["skewness"]) ** 2
-    total += (np.log(known.feature("lay") / lay) / _SCALES["lay"]) ** 2
-    tops = np.maximum(known.feature("top"), _LEAST_TOP)
-    return total + (np.log(tops / max(top, _LEAST_TOP)) / _SCALES["top"]) ** 2
-
-
-def _bare(known: SolvedSet, column: str, place: _Place):
-    """Mean, root mean square of logarithm and ratio, distance, number of surfaces at k points; None of a model that was not
-    measured. A solution of the map is as good on any surface: then only pressure and hardness tell how near."""
+def _bare(known: SolvedSet, column: str, place: Place):
+    """Mean, root mean square of logarithm and ratio, distance, number of surfaces, words of the nearest, at k points; None of
+    a model that was not measured. A solution of the map is as good on any surface: there only pressure tells how near."""
     errors = known.errors(column)
     if errors is None:
         return None
@@ -275,41 +197,37 @@ def _bare(known: SolvedSet, column: str, place: _Place):
     return tuple(np.array(values) for values in zip(*rows, strict=True))
 
 
-def _at_point(known: SolvedSet, errors: np.ndarray, place: _Place, at: int, anywhere: bool):
+def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywhere: bool):
     pressure, hardness = float(place.pressure[at]), float(place.hardness[at])
     if not (pressure > 0.0 and hardness > 0.0):
         return _NONE
-    loads = known["loads"]
-    softest = float(known["hardnesses"][1:].min())
-    if hardness < softest:  # all flows: what counts is the pressure over the hardness
-        pressure, hardness = pressure * softest / hardness, softest
-    low, high = float(loads[0]), float(loads[-1])
-    scale = _FLOWING_PRESSURE if hardness <= _FLOWING else _PRESSURE
-    beyond = max(math.log(low / pressure), math.log(pressure / high), 0.0) / scale
-    inside = min(max(pressure, low), high)
+    of_pressure, inside, hardness = pressure_difference(known, pressure, hardness)
     found, solved = (_between(known, one, inside, hardness) for one in (errors, known.areas))
-    squared = np.zeros(len(found)) if anywhere else _surface_distance(known, place, at)
+    apart = [*([] if anywhere else differences(known, place, at)), of_pressure]
     asked = np.isfinite(solved) & np.isfinite(errors).any(axis=(1, 2))  # there, and of this model at all
-    return _averaged(found, np.where(asked, squared + beyond**2, np.inf))
+    return _averaged(found, np.where(asked, squared_distance(apart), np.inf), apart)
 
 
-_NONE = (math.nan, math.nan, math.nan, math.inf, 0)
+_NONE = (math.nan, math.nan, math.nan, math.inf, 0, "")
 
 
-def _averaged(found: np.ndarray, squared: np.ndarray):
-    """Weighted by exp(-d^2/2), of those that are numbers; none where most of what is near says nothing."""
+def _averaged(found: np.ndarray, squared: np.ndarray, apart: list[Difference]):
+    """Weighted by exp(-d^2/2), of those that are numbers; none where most of what is near says nothing. apart: what the squared
+    distances are made of."""
     if not np.isfinite(squared).any():
         return _NONE
     least = float(squared.min())
     weights = np.exp(-0.5 * (squared - least))
     told = np.isfinite(found)
     if not told.any() or weights[told].sum() < 0.5 * weights[np.isfinite(squared)].sum():
-        return math.nan, math.nan, math.nan, math.sqrt(least), 0
+        return math.nan, math.nan, math.nan, math.sqrt(least), 0, nearest_in_words(apart, int(np.argmin(squared)))
+    nearest = nearest_in_words(apart, int(np.argmin(np.where(told, squared, np.inf))))
     weights, values = weights[told] / weights[told].sum(), found[told]
     mean = float(np.sum(weights * values))
     expected = math.sqrt(float(np.sum(weights * values**2)))
     relative = math.sqrt(float(np.sum(weights * np.expm1(values) ** 2)))
-    return mean, expected, relative, math.sqrt(float(squared[told].min())), int(np.count_nonzero(weights > 0.1 * weights.max()))
+    count = int(np.count_nonzero(weights > 0.1 * weights.max()))
+    return mean, expected, relative, math.sqrt(float(squared[told].min())), count, nearest
 
 
 def _between(known: SolvedSet, errors: np.ndarray, pressure: float, hardness: float) -> np.ndarray:
@@ -337,7 +255,7 @@ def _at_pressure(loads: np.ndarray, errors: np.ndarray, pressure: float) -> np.n
     return np.where(np.isfinite(next_one), left + part * (next_one - left), left)  # the last that was solved stands for more
 
 
-def _on_film(known: SolvedSet, column: str, place: _Place, problem: Problem):
+def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem):
     """As `_bare`, on a film that is elastic, on one body, the other rigid."""
     groups, film = problem.groups, problem.chosen.film
     name = column.split("|")[0]
@@ -354,22 +272,12 @@ def _on_film(known: SolvedSet, column: str, place: _Place, problem: Problem):
     return tuple(np.array(values) for values in zip(*rows, strict=True))
 
 
-def _film_point(known: SolvedSet, errors: np.ndarray, place: _Place, at: int):
-    assert place.modulus is not None and place.thickness is not None
-    some = known["film_surfaces"]
-    squared = _surface_distance(known, place, at)[some][:, None]
-    moduli, thicknesses = known["films"].T
-    waves = (known["gradient_over_shortest"][some] / known.feature("wave")[some])[:, None]
-    by_film = (np.log(moduli / place.modulus[at]) / _FILM_SCALES[0])[None, :]
-    by_thickness = np.log(thicknesses[None, :] * waves / place.thickness[at]) / _FILM_SCALES[1]
-    loads = known["film_loads"]
-    pressure = float(place.pressure[at])
-    ends = np.log(loads[..., 0] / pressure), np.log(pressure / loads[..., -1])
-    beyond = np.maximum(np.maximum(*ends), 0.0) / _PRESSURE
+def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):
+    apart, loads = film_differences(known, place, at), known["film_loads"]
     found = np.empty(loads.shape[:2])
     for one in np.ndindex(*found.shape):
-        found[one] = np.interp(math.log(pressure), np.log(loads[one]), errors[one])
-    return _averaged(found.ravel(), (squared + by_film**2 + by_thickness**2 + beyond**2).ravel())
+        found[one] = np.interp(math.log(place.pressure[at]), np.log(loads[one]), errors[one])
+    return _averaged(found.ravel(), squared_distance(apart).ravel(), apart)
 
 
 def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.ndarray) -> np.ndarray:

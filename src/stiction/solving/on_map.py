@@ -10,6 +10,7 @@ from stiction.laws.joining import resistances
 from stiction.laws.registry import select_options
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import several_in_words
 from stiction.solving.point_shear import POINT_SHEARS, points_of
 from stiction.solving.problem_base import Problem, with_coefficient
 
@@ -87,7 +88,7 @@ class OnMap(Problem):
                 "roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves its contact"
             )
         for name, array in self.subject.arrays():
-            raise InputError(name, f"{array.size} numbers", f"one number, where {self.record.key} solves a map")
+            raise InputError(name, several_in_words(array, name), f"one number, where {self.record.key} solves a map")
         return self.subject
 
     def surface(self) -> "HeightMap":

@@ -17,7 +17,7 @@ from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.candidates import with_ageing, with_contamination, with_interface, with_menisci
-from stiction.solving.choice import Choice
+from stiction.solving.choice import DEFAULT_MODEL, Choice
 from stiction.solving.chosen import look_up
 from stiction.solving.on_map import OnMap
 from stiction.solving.problem_base import Problem, with_coefficient
@@ -290,6 +290,14 @@ def _wanted(name: str) -> str:
     return replace(quantity, lower_included=False).wanted if name == "work_of_adhesion" else quantity.wanted
 
 
+def _others(model: str) -> str:
+    """Said where a model wants what there is not, and maybe nobody chose it."""
+    if model != DEFAULT_MODEL:
+        return ""
+    which = "`stiction compare CASE.toml` shows those that do without it, --model names one"
+    return f"{model} is the model where none is named: {which}"
+
+
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
     """Normalised results at the loads that were asked for: these are the load, and what friction is compared to, but where they
     are lost in rounding: there it is the load that is carried. What the search for a separation leaves of no load makes no
@@ -388,7 +396,8 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
             if not groups.knows(name):
                 given = subject.given_as(name) if subject is not None else name
                 whose = "" if record is chosen.model else f", which {chosen.model.key} takes here,"
-                raise InputError(given, getattr(subject, given, None), f"{_wanted(given)}: {record.key}{whose} needs it")
+                allowed = f"{_wanted(given)}: {record.key}{whose} needs it"
+                raise InputError(given, getattr(subject, given, None), allowed, _others(choice.model))
     kind: type[Problem] = Sum if chosen.asperity is not None else OnMap if chosen.model.of_map is not None else ClosedForm
     groups = groups if chosen.ageing is None else chosen.ageing.aged(groups)
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

@@ -18,7 +18,7 @@ from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import without_old_names
+from stiction.solving.choice import DEFAULT_MODEL, without_old_names
 from stiction.solving.problem import Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
 from stiction.solving.solve import all_dims, check_reach, inverted, point_coordinates, points_asked, summed
@@ -43,7 +43,7 @@ def slide(
     load: Any = None,
     displacement: Any = None,
     kept: float = 1.0,
-    model: str = "soft_coating_2015",
+    model: str = DEFAULT_MODEL,
     heights: Heights | str | None = None,
     **laws: str | None,
 ) -> "xarray.Dataset":

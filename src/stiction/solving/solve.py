@@ -17,7 +17,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
 from stiction.quantities.units import axis, from_series
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import Choice, without_old_names
+from stiction.solving.choice import DEFAULT_MODEL, Choice, without_old_names
 from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, solved_at
 from stiction.solving.method_spread import with_measured
@@ -35,7 +35,7 @@ def solve(
     *,
     separation: Any = None,
     load: Any = None,
-    model: str = "soft_coating_2015",
+    model: str = DEFAULT_MODEL,
     heights: Heights | str | None = None,
     threads: int = 1,
     **laws: str | None,
@@ -70,7 +70,7 @@ def solve(
         data = _at_points(contact, separation, load, choice, heights, threads)
     except InputError as error:
         doubts = "".join(f"; {doubt}" for doubt in (measured.doubts if measured else ()))
-        raise InputError(error.field, error.value, error.allowed + doubts) from None
+        raise InputError(error.field, error.value, error.allowed + doubts, error.hint) from None
     if measured is None:
         return data
     if find(choice.model, RoughSurface).of_map is not None:

@@ -6,6 +6,7 @@ from typing import Any
 from nicegui import ui
 
 from stiction.quantities.errors import InputError
+from stiction.solving.choice import DEFAULT_MODEL
 from stiction.web.asked import CHOSEN_BY_KEY, law_keys, model_names, option_values
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
@@ -58,7 +59,7 @@ class Form:
         tables = self._explorer.question.tables
         solve = tables.get("solve", {})
         with ui.expansion("Model and laws", value=True).classes("w-full").props("dense"):
-            given = str(solve.get("model", "soft_coating_2015"))
+            given = str(solve.get("model", DEFAULT_MODEL))
             names = model_names(self._explorer.good.case)
             self._select("model", [*names, *([] if given in names else [given])], given, ("solve", "model"), None)
             with ui.expansion("Other laws than its own").classes("w-full").props("dense"):

@@ -114,8 +114,10 @@ class SurfaceTab:
         try:
             surface = replace(await run(read_bounded, Path(path), told), name=name)
         except InputError as error:
-            # Before the line is made, which shortens long paths.
-            value, allowed = (str(one).replace(path, name) for one in (error.value, error.allowed))
+            # Before the line is made, which shortens long paths. An archive is named without its folder.
+            value, allowed = (
+                str(one).replace(path, name).replace(Path(path).name, name) for one in (error.value, error.allowed)
+            )
             self._said.set_text(str(InputError(error.field, value, allowed)))
             return
         whole = await run(spectrum_of, surface, Band(int(self._form.value)))

@@ -22,10 +22,12 @@ def upload_button(
     taken; most: bytes."""
 
     async def arrived(event: UploadEventArguments) -> None:
-        await taken(explorer.upload(event.file.name, await event.file.read()), event.file.name)
-        hidden.reset()  # another one may come
+        path = explorer.upload(event.file.name, await event.file.read())
+        # Another one may come, and may be on its way already: `reset` would end it.
+        hidden.run_method("removeUploadedFiles")
+        await taken(path, event.file.name)
 
-    hidden = ui.upload(auto_upload=True, max_files=1, max_file_size=most, on_upload=arrived)
+    hidden = ui.upload(auto_upload=True, max_file_size=most, on_upload=arrived)
     hidden.on_rejected(lambda: refused(f"{label}: refused; allowed: one file of {most // 2**20} MiB at most"))
     # Of the library's own box only what sends the file is used: it has parts without a name.
     attributes(hidden, aria_label=label).style("display: none")

@@ -18,7 +18,7 @@ from stiction.laws.registry import all_options
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.choice import LAWS, Choice, without_old_names
+from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice, without_old_names
 from stiction.studies.case.distribution import Distribution, is_law
 from stiction.studies.case.own_materials import telling_the_file, with_materials_of_file, with_own_materials
 from stiction.studies.case.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
@@ -34,10 +34,10 @@ from stiction.studies.case.uncertain import (
     usual,
     with_ranges,
 )
-from stiction.studies.design.plan import Design
-from stiction.studies.fit.plan import Fit
+from stiction.studies.design.table import Design
+from stiction.studies.fit.table import Fit
 from stiction.studies.scans.measured import Measured, MeasuredRoughness, measure
-from stiction.studies.sweep.plan import Sweep
+from stiction.studies.sweep.table import Sweep
 
 __all__ = ["Case", "as_case", "case_in", "json_schema", "parse_case", "read_case"]
 
@@ -126,7 +126,7 @@ class _Solve(Input):
 
     separation: Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
     load: Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
-    model: str = Field("soft_coating_2015", description="key of a model, see `stiction models`")
+    model: str = Field(DEFAULT_MODEL, description="key of a model, see `stiction models`")
     asperity: str | None = Field(None, description="key of an asperity law in place of the model's own, see `stiction models`")
     tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
     film: str | None = Field(None, description="key of a film law, see `stiction models`")
@@ -166,7 +166,7 @@ class _Solve(Input):
 class _CaseFile(Input):
     """The tables of a case file: [contact] or [indices], [solve], those of studies of it, and materials of its own."""
 
-    title: str = Field("", description="text")
+    title: str = Field("", description="text: what reports and pictures call the case")
     materials: dict[str, Body] | str = Field(
         default_factory=dict, description="tables of numbers by name, or the name of a file beside the case that has them"
     )
@@ -187,11 +187,12 @@ class _CaseFile(Input):
 
 
 def read_case(path, *, ranges: bool | None = None) -> Case:
-    """The case in a TOML file; ranges: whether numbers of materials vary within their ranges, in place of what the file says.
+    """The case in a TOML file.
 
-    Raises InputError, one line, if the file cannot be read or is not TOML, for a key that is not known, and
-    for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
-    are no rough surface: sigma and R swapped, a metre of roughness.
+    path: of the file; scans and files of materials are looked for beside it. ranges: whether numbers of materials vary within
+    their ranges, in place of what the file says. Raises InputError, one line, if the file cannot be read or is not TOML, for
+    a key that is not known, and for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with
+    InputDoubt of numbers that are no rough surface: sigma and R swapped, a metre of roughness.
     """
     return parse_case(_with(read_content(path), ranges), Path(path).parent)
 
@@ -267,6 +268,11 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...
     return content, numbers | {one.path: one for one in named(list(used.values()))}
 
 
+def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables without those of studies of many contacts."""
+    return {key: value for key, value in content.items() if key not in ("fit", "design", "sweep")}
+
+
 def wants_ranges(content: Mapping) -> bool:
     """Whether numbers of materials vary within their ranges, as the tables say."""
     table = content.get("uncertainty", {})
@@ -281,8 +287,7 @@ def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[
         return
     for path, one in {**several, **uncertain}.items():
         if path[:2] == ("contact", "roughness"):
-            given = one.distribution.words if isinstance(one, Uncertain) else f"{len(one.values)} numbers"
-            raise InputError(one.where, given, "one number, where scans say the roughness")
+            raise InputError(one.where, one.words, "one number, where scans say the roughness")
 
 
 def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:

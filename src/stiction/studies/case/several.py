@@ -10,10 +10,10 @@ from pydantic import BeforeValidator, Field
 
 from stiction.contact.indices import plain_number
 from stiction.contact.subject import Subject
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import to_si
+from stiction.quantities.units import several_in_words, to_si
 from stiction.studies.case.distribution import Distribution, is_law
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ class Range(Input):
     start: _Point = Field(description="the first point")
     stop: _Point = Field(description="the last point")
     count: int = Field(ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}")
-    spacing: Literal["linear", "log"] = "linear"
+    spacing: Literal["linear", "log"] = Field("linear", description="linear: even steps of the number; log: of its logarithm")
 
 
 def _along(value):
@@ -114,6 +114,11 @@ class Several:
     @property
     def where(self) -> str:
         return ".".join(self.path)
+
+    @property
+    def words(self) -> InWords:
+        """How many there are, and their ends."""
+        return several_in_words(self.values, self.where, self.count)
 
     def numbers(self) -> np.ndarray:
         """All values (n,). Raises InputError for a range that does not say how many there are."""

@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from stiction.contact.materials import Material, as_material
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
@@ -75,7 +75,9 @@ class _Between(Input):
 
     low: _Point = Field(description="the low end")
     high: _Point = Field(description="the high end")
-    spacing: Literal["linear", "log"] = "linear"
+    spacing: Literal["linear", "log"] = Field(
+        "linear", description="linear: the number is as likely anywhere; log: its logarithm is"
+    )
     along: Along = Field(None, validate_default=False, description=_TOGETHER)
 
 
@@ -112,10 +114,14 @@ class Uncertain(Several):
         name = path[-1]
         return cls(path, dimension or name, name, np.array([distribution.nominal]), distribution=distribution)
 
+    @property
+    def words(self) -> InWords:
+        return InWords(self.distribution.words)
+
     def numbers(self) -> np.ndarray:
         """Refused: there are as many as are drawn."""
         drawn = 'a number, a list or a range; or points that are drawn, sample = { method = "sobol", count = 1024 }'
-        raise InputError(self.where, self.distribution.words, drawn)
+        raise InputError(self.where, self.words, drawn)
 
     def as_table(self) -> dict[str, Any]:
         return self.distribution.as_table() | {"along": self.dimension}

@@ -15,6 +15,7 @@ from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import reason_of, several_in_words
 from stiction.solving import film_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
@@ -91,7 +92,7 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[
 
 def _refuse_arrays(subject: Subject) -> None:
     for name, array in subject.arrays():
-        raise InputError(name, f"{array.size} numbers", "single numbers, where models are compared")
+        raise InputError(name, several_in_words(array, name), "one number, where models are compared")
 
 
 def _over_methods(
@@ -140,7 +141,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         problem = make_problem(situation.contact, candidate.choice)
         curve = _curve(problem, situation)
     except InputError as error:
-        answer.why_not = _reason(error)
+        answer.why_not = reason_of(error)
         return answer
     records = problem.records()
     answer.grade = max(record.grade for record in records)
@@ -181,11 +182,6 @@ def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.
     return {name: table * factors.get(QUANTITIES[name].scale, 1.0) for name, table in results.items()}
 
 
-def _reason(error: InputError) -> str:
-    """Why a model cannot be asked: what is missing, or what it wants in place of what there is."""
-    return f"{error.field} is not given: {error.allowed}" if error.value is None else error.allowed
-
-
 def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
     """Normalised results (points,) along the separations, or the loads in their place."""
     if problem.needs_load:
@@ -209,7 +205,7 @@ def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[st
         high, low = (problem.subject.show(load * unit, "load", 4) for load in (error.high, error.low))
         answer.why_not = f"{TOO_MUCH} {high}" if wanted.item() > error.high else f"carries loads above {low}"
     except InputError as error:
-        answer.why_not = _reason(error)
+        answer.why_not = reason_of(error)
     return None
 
 

@@ -16,6 +16,7 @@ from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import reason_of
 from stiction.solving.candidates import candidates
 from stiction.solving.solve import solve
 from stiction.studies.case.places import with_numbers
@@ -96,9 +97,8 @@ def read_entry(path: Any) -> Entry:
     folder = Path(path).parent
     asked, several = opened(tables, folder)
     if several:
-        raise InputError(
-            ".".join(next(iter(several))), "several numbers", "one; what differs from row to row is a column of the file"
-        )
+        one = next(iter(several.values()))
+        raise InputError(one.where, one.words, "one number; what differs from row to row is a column of the file")
     values = read_measurements(folder / origin.file, asked)
     _check(values, origin.file)
     entry = Entry(str(content.get("title", "")), origin, asked, values)
@@ -180,7 +180,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
         try:
             data = solve(subject, load=values.load[rows], model=name)
         except InputError as error:
-            why = f"{error.field} is not given: {error.allowed}" if error.value is None else error.allowed
+            why = reason_of(error)
             if len(rows) > 1 and error.field == "load":  # one that is not carried says nothing of the others
                 waiting += [(subject, rows[at : at + 1]) for at in range(len(rows))]
             continue

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import reason_of
 from stiction.studies.fit.answer import Fitted, fitted, refitted
 from stiction.studies.fit.model import forward_of
 from stiction.studies.fit.plan import FitPlan
@@ -32,7 +33,7 @@ def rival(plan: FitPlan, name: str, fit: Fitted | None = None) -> Rival:
         one = fit or fitted(name, forward_of(plan, name), with_profiles=False)
         return Rival(name, one, aicc_of(one), _left_out(plan, one))
     except InputError as error:
-        return Rival(name, None, why_not=f"{error.field}: {error.allowed}")
+        return Rival(name, None, why_not=reason_of(error))
 
 
 def aicc_of(one: Fitted) -> float:

@@ -6,33 +6,20 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import Field
 
-from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input, require_names
+from stiction.quantities.errors import InputError, InWords
+from stiction.quantities.inputs import require_names
 from stiction.studies.case.free import Free, read_free
 from stiction.studies.case.places import as_numbers, flat, placed, read_end
+from stiction.studies.case.read import opened, without_studies
 from stiction.studies.case.uncertain import Uncertain
 from stiction.studies.fit.measurements import Measurements, read_measurements
+from stiction.studies.fit.table import Fit
 
-__all__ = ["RESISTANCE", "Fit", "FitPlan", "make_fit_plan"]
+__all__ = ["RESISTANCE", "FitPlan", "make_fit_plan"]
 
 RESISTANCE = ("fit", "specific_contact_resistance")
 _MOST_FREE = 8
-
-
-class Fit(Input):
-    """What is fitted to measured series.
-
-    free: numbers of the case by their names, each with its ends. models: names of models that are compared, besides that of
-    [solve]. predict: numbers of the contact, one or several, for which the fitted model predicts at the points of [solve].
-    specific_contact_resistance: contact resistance times real area, where resistance was measured and this is not free.
-    """
-
-    free: dict[str, Any] = Field(description="a table of numbers of the case, each with its low and high end")
-    models: list[str] = Field(default_factory=list, description="a list of names of models, as `stiction compare` shows them")
-    predict: dict[str, Any] = Field(default_factory=dict, description="a table of numbers of the contact, one or several")
-    specific_contact_resistance: str | None = Field(None, description='text with a unit, e.g. "1e-12 ohm m^2"')
 
 
 @dataclass(frozen=True)
@@ -56,8 +43,6 @@ class FitPlan:
 def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
     """The plan of the tables of a case file and a file of measured series; folder: from which scans are named. Raises
     InputError."""
-    from stiction.studies.case.read import opened
-
     require_names(content)
     given = dict(content)
     table = given.get("fit")
@@ -69,12 +54,10 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     except InputError as error:
         raise InputError(f"fit.{error.field}", error.value, error.allowed) from None
     plain, several = opened(without_studies(given), folder)
-    for path, one in several.items():
+    for one in several.values():
         if isinstance(one, Uncertain):
             continue  # its nominal value stands for it, which is said
-        raise InputError(
-            ".".join(path), f"{one.values.size} numbers", "one number in [contact]; several go under [fit.predict]"
-        )
+        raise InputError(one.where, one.words, "one number in [contact]; several go under [fit.predict]")
     plain = as_numbers(plain)
     free = _free(fit, plain)
     measured = read_measurements(data, plain)
@@ -90,11 +73,6 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     return replace(plan, uncertain=names)
 
 
-def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
-    """The tables without those of studies of many contacts."""
-    return {key: value for key, value in content.items() if key not in ("fit", "design", "sweep")}
-
-
 def _free(fit: Fit, content: Mapping) -> tuple[Free, ...]:
     found: dict[tuple[str, ...], Free] = {}
     for name, entry in flat(fit.free, "fit.free", lambda table: "low" in table or "high" in table):
@@ -104,7 +82,9 @@ def _free(fit: Fit, content: Mapping) -> tuple[Free, ...]:
             raise InputError(where, name, "each number once")
         found[path] = read_free(path, entry, where)
     if not 1 <= len(found) <= _MOST_FREE:
-        raise InputError("fit.free", f"{len(found)} numbers", f"1 to {_MOST_FREE} numbers of the case, each with its ends")
+        raise InputError(
+            "fit.free", InWords(f"{len(found)} numbers"), f"1 to {_MOST_FREE} numbers of the case, each with its ends"
+        )
     return tuple(found.values())
 
 
@@ -124,7 +104,7 @@ def _check(plan: FitPlan) -> None:
         raise InputError(".".join(RESISTANCE), "given", "nothing: no contact_resistance was measured")
     count = sum(len(plan.data.samples) if one.each_sample else 1 for one in plan.free)
     if len(plan.data) < count:
-        raise InputError("--data", f"{len(plan.data)} values", f"at least {count}, as many as there are free numbers")
+        raise InputError("--data", InWords(f"{len(plan.data)} values"), f"at least {count}, as many as there are free numbers")
     if len(plan.data) == count and not np.isfinite(plan.data.error).all():
         allowed = f"at least {count + 1}, one more than there are free numbers, or a column of their errors"
         raise InputError("--data", f"{count} values without errors", allowed)

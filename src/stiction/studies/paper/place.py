@@ -15,6 +15,7 @@ import numpy as np
 from stiction.contact.indices import hardness_group
 from stiction.contact.subject import Subject
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import several_in_words
 
 __all__ = ["ADHESION_MATTERS", "PLASTICITY", "Place", "place_of", "plasticity_line"]
 
@@ -34,7 +35,7 @@ class Place:
 def place_of(subject: Subject) -> Place:
     """Where a contact is. Raises InputError for one that does not adhere, and for numbers that are several."""
     for name, array in subject.arrays():
-        raise InputError(name, f"{array.size} numbers", "single numbers, for one place")
+        raise InputError(name, several_in_words(array, name), "one number, for one place")
     groups = subject.indices().resolved()
     if groups.theta is None:
         raise InputError("work_of_adhesion", None, "above 0: without adhesion both indices are infinite")

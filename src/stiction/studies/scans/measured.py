@@ -33,7 +33,7 @@ _Length = Annotated[str, BeforeValidator(_length)]
 class Scan(Input):
     """A scan of one body.
 
-    file: path, from the folder of the case file. size: along x, in place of what the file says; unit and height_unit: of the
+    file: path, from the folder of the case file. size: along x, in place of what the file says; unit, height_unit: of the
     numbers in the file; height_scale: factor on the heights; channel: of a file with several; periodic: the scan is one period
     of a surface without end. Raises InputError.
     """

@@ -23,6 +23,7 @@ from stiction.contact.layered.stresses import Stresses, cartesian
 from stiction.contact.subject import Subject
 from stiction.laws.tangential.shared.hamilton_field import first_yield, stress, von_mises
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import several_in_words
 
 __all__ = ["OneAsperity", "one_asperity", "section"]
 
@@ -60,7 +61,7 @@ def one_asperity(subject: Subject, radius: float, traction: float) -> OneAsperit
     for numbers that are several, and for a film out of proportion.
     """
     for name, array in subject.arrays():
-        raise InputError(name, f"{array.size} numbers", "single numbers, for one asperity")
+        raise InputError(name, several_in_words(array, name), "one number, for one asperity")
     if not (math.isfinite(radius) and radius > 0.0 and math.isfinite(traction) and traction >= 0.0):
         raise InputError("radius", (radius, traction), "a contact radius above 0, and a traction of 0 or more")
     groups, _ = Groups.of(subject.indices())

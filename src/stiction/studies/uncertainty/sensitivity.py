@@ -10,6 +10,7 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import require_callable
+from stiction.quantities.units import several_in_words
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import LAWS, Choice
 from stiction.solving.solve import solve
@@ -62,8 +63,8 @@ def sensitivity(
     require_callable(progress, "progress")
     case = as_case(case, ranges)
     if case.is_several:
-        where = next(name for name, _ in case.subject.arrays())
-        raise InputError(where, "several numbers", "single or uncertain numbers, for sensitivity")
+        where, array = next(iter(case.subject.arrays()))
+        raise InputError(where, several_in_words(array, where), "one number, or an uncertain one, for sensitivity")
     case = case if load is None else case.at_load(load)
     at = working_load(case, None)
     case = _at_few_loads(case, at)
