@@ -174,7 +174,7 @@ def test_a_number_beside_a_scan_is_not_uncertain(tmp_path):
     np.save(tmp_path / "scan.npy", st.gaussian_surface((32, 32), (40e-6, 40e-6), spectrum, seed=1).heights)
     scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
     other = {"asperity_height_deviation": "5 +/- 1 nm", "asperity_radius": "50 um", "asperity_density": "1e11 1/m^2"}
-    with pytest.raises(InputError, match=r"roughness\.second\.asperity_height_deviation: '5 nm ± 1 nm'; allowed: one number"):
+    with pytest.raises(InputError, match=r"roughness\.second\.asperity_height_deviation: 5 nm ± 1 nm; allowed: one number"):
         case({"roughness": {"first": scan, "second": other}})
 
 
