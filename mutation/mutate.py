@@ -84,6 +84,16 @@ def _of_part(part: Part, seed: int) -> Iterator[Mutant]:
                 yield Mutant(part, file.relative_to(ROOT).as_posix(), left[file].pop())
 
 
+def again(rows: dict[str, dict]) -> Iterator[Mutant]:
+    """The edits that survived, where they are now: in a module that changed they may not be drawn any more."""
+    parts = {part.name: part for part in PARTS}
+    for identity, row in rows.items():
+        file = ROOT / row["module"]
+        if row["outcome"] == "survived" and file.is_file():
+            every = (Mutant(parts[row["part"]], row["module"], edit) for edit in edits(file.read_text(encoding="utf-8")))
+            yield from (one for one in every if _identity(one.key) == identity)
+
+
 def copy(folder: Path) -> Path:
     """The tracked files, and the kernels that are compiled already, in a folder of their own."""
     tree = folder / "tree"
@@ -263,11 +273,11 @@ def main() -> None:
 def run(given: argparse.Namespace, rows: dict[str, dict]) -> None:
     """Ask for what is not known, and keep each verdict as it comes."""
     end = time.monotonic() + 60.0 * given.minutes
-    wanted = [one for one in chosen(given.count, given.seed) if given.only in (None, one.part.name)]
     if given.again:
-        wanted = [one for one in wanted if rows.get(_identity(one.key), {}).get("outcome") == "survived"]
+        wanted = list(again(rows))
     else:
-        wanted = [one for one in wanted if _identity(one.key) not in rows]
+        wanted = [one for one in chosen(given.count, given.seed) if _identity(one.key) not in rows]
+    wanted = [one for one in wanted if given.only in (None, one.part.name)]
     with tempfile.TemporaryDirectory() as folder:
         asking = Asking(Path(folder))
         for at, mutant in enumerate(wanted, 1):

@@ -67,7 +67,7 @@ def main() -> int:
         versions = {canonical(one.name): one.version for one in installed(Path(place) / "environment")}
         number = must(python, "-c", "import platform; print(platform.python_version())").strip()
     if not done.returncode:
-        _write(given.which, number, versions, summary[-1].strip("= "))
+        _write(given.which, number, versions, f"{summary[-1].strip('= ')}, of {', '.join(given.tests)}")
     return done.returncode
 
 

@@ -82,4 +82,5 @@ def pictures_open(app, doctree):
 
     for picture in doctree.findall(nodes.image):
         if not isinstance(picture.parent, nodes.reference) and "sd-card-img-top" not in picture["classes"]:
-            picture["width"] = "auto"  # Sphinx links those that say a width; this one leaves it as it is
+            picture["width"] = "100%"  # Sphinx links those that say a width; the style leaves it as it is
+            picture["classes"].append("opens")

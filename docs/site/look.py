@@ -43,8 +43,10 @@ _BROKEN = r"""() => ({
     }
     return found;
   })(),
-  wide: [document.documentElement, ...document.querySelectorAll('.content')]
-    .filter(one => one.scrollWidth > one.clientWidth + 1).map(one => one.scrollWidth),
+  wide: [...document.querySelectorAll('html, article p, article li, article img, article .indextable, article .sig, span.math')]
+    .filter(one => !one.closest('.table-wrapper, div.math, pre') && one.getBoundingClientRect().right > window.innerWidth + 1)
+    .map(one => one.textContent)
+    .concat(document.documentElement.scrollWidth > window.innerWidth + 1 ? [document.documentElement.scrollWidth] : []),
 })"""
 
 
@@ -55,7 +57,7 @@ def pages(site: Path, whole: bool) -> list[Path]:
     rest = [path for path in every if path not in first]
     if whole:
         return [*first, *rest]
-    step = max(1, len(rest) // (COUNT - len(first)))
+    step = max(1, len(rest) // max(1, COUNT - len(first)))
     return [*first, *rest[::step]][:COUNT]
 
 
@@ -77,14 +79,14 @@ def broken(page: Page, path: Path, width: int, theme: str) -> Iterator[str]:
 def lost(page: Page, site: Path) -> Iterator[str]:
     """Links to a place in a page that leave the reader elsewhere, and words that the search does not find."""
     for link in PLACES:
-        page.goto(f"{site.as_uri()}/{link}")
+        page.goto(f"{site.as_uri()}/{link}", timeout=120_000)
         page.evaluate("() => window.MathJax ? MathJax.startup.promise.then(() => true) : true")
         page.wait_for_timeout(500)
         top = page.evaluate("() => document.getElementById(location.hash.slice(1)).getBoundingClientRect().top")
         if not -5 <= top <= 300:
             yield f"{link}: the place is {top:.0f} px below the top"
     for words in SEARCHED:
-        page.goto(f"{site.as_uri()}/index.html")
+        page.goto(f"{site.as_uri()}/index.html", timeout=120_000)
         page.fill("input[name=q]", words)
         page.press("input[name=q]", "Enter")
         try:

@@ -20,6 +20,7 @@ from stiction.laws.asperity import hertz
 from stiction.laws.asperity import jackson_green_2005 as jg
 from stiction.laws.asperity import kogut_etsion_2002 as ke
 from stiction.laws.asperity import zhao_maietta_chang_2000 as zmc
+from stiction.laws.asperity.shared.transition import FULLY_PLASTIC, plastic_share
 from stiction.laws.joining import Law
 from tables import column, read
 
@@ -331,3 +332,18 @@ def test_records():
         assert record.key == law.__name__.rsplit(".", 1)[-1]
         assert "no adhesion" in record.traits and ("Hertz" in record.traits) == (law is not bke)
         assert law.pieces(contact())[0].state == "elastic"
+
+
+def test_the_share_that_flows_is_the_step_of_zhao_maietta_and_chang():
+    """3 xi^2 - 2 xi^3 of the square of the pressure over hardness r, xi from 0 at r = 1 to 1 at r^2 = 54 x 0.4^2; slopes by
+    differences."""
+    end = math.sqrt(54.0) * 0.4
+    assert FULLY_PLASTIC == pytest.approx(end, rel=1e-15)
+    assert plastic_share(0.3) == plastic_share(1.0) == (0.0, 0.0)
+    assert plastic_share(end) == plastic_share(9.0) == (pytest.approx(1.0), pytest.approx(0.0, abs=1e-12))
+    for r in (1.01, 1.5, 2.2, 2.9):
+        xi = (r**2 - 1.0) / (end**2 - 1.0)
+        share, slope = plastic_share(r)
+        assert share == pytest.approx(3.0 * xi**2 - 2.0 * xi**3, rel=1e-13)
+        near, far = plastic_share(r - 1e-5)[0], plastic_share(r + 1e-5)[0]
+        assert slope == pytest.approx((far - near) / 2e-5, rel=1e-6)

@@ -116,4 +116,4 @@ def test_text_with_control_characters(text):
 
 
 def test_a_title_that_is_no_text():
-    assert refused(st.sensitivity, {**CASE, "title": 3}) == "title: 3; allowed: text"
+    assert refused(st.sensitivity, {**CASE, "title": 3}).startswith("title: 3; allowed: text")

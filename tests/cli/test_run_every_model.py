@@ -25,9 +25,11 @@ def matplotlib_does_its_own_arithmetic(no_silent_nan):
 
 
 def run(*words):
-    """Run the command; a warning is an error."""
+    """Run the command; a warning is an error, but not what libraries tell each other of names that will go."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
+        warnings.filterwarnings("ignore", category=DeprecationWarning)
+        warnings.filterwarnings("error", category=DeprecationWarning, module="stiction")
         result = CliRunner().invoke(cli.app, ["run", *map(str, words)])
     assert (result.exit_code, result.stderr) == (0, ""), (result.output, result.exception)
     return result.stdout

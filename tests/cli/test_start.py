@@ -57,6 +57,7 @@ class Finder:
         if name == "typer":
             signal.raise_signal(signal.SIGINT)
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # tests in the background of a shell inherit that it is ignored
 sys.meta_path.insert(0, Finder)
 from stiction.cli import main
 main()

@@ -49,7 +49,7 @@ def test_how_many_rows_are_shown_is_said(case):
 def test_the_table_begins_with_what_it_is_and_pandas_reads_it(case, tmp_path):
     run(case(3), "--out", tmp_path / "out")
     path = tmp_path / "out" / "curve.csv"
-    table = pd.read_csv(path, comment="#")
+    table = pd.read_csv(path, comment="#", float_precision="round_trip")
     read = st.read_case(case(3))
     solved = st.solve_case(read)
     np.testing.assert_array_equal(table["friction_coefficient"], solved["friction_coefficient"])

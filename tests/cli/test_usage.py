@@ -11,11 +11,11 @@ from stiction.quantities import paths
 from stiction.quantities.errors import InputError
 
 CASES = {
-    "surface scan.npy --form 5": ("--form: '5'", "less than or equal to 4"),
+    "surface scan.npy --form 5": ("--form: '5'", "4"),
     "surface scan.npy --form 1.5": ("--form: '1.5'", "integer"),
-    "surface scan.npy --spikes abc": ("--spikes: 'abc'", "number"),
+    "surface scan.npy --spikes abc": ("--spikes: 'abc'", "a valid "),
     "surface scan.npy --spikes": ("--spikes: not given", "a value after it"),
-    "figures --theta many": ("--theta: 'many'", "number"),
+    "figures --theta many": ("--theta: 'many'", "a valid "),
     "run": ("CASE.toml: not given", "Case file"),
     "run one.toml two.toml": ("arguments: 'two.toml'", "CASE.toml and options"),
     "schema here": ("arguments: 'here'", "options only"),

@@ -243,6 +243,19 @@ def test_command_for_people(case, tmp_path):
     assert (len(lines) - 1) % 80 == 0
 
 
+@pytest.mark.parametrize("width", [80, 100])
+def test_what_is_to_be_copied_is_not_broken(case, width):
+    """On a narrow terminal: keys of the table, each at the start of a line, and the command that runs the recommended one."""
+    case.write_text(CASE + '[contact.coating]\nmaterial = "silver"\nthickness = "200 nm"\nbodies = "first"\n')
+    said = CliRunner().invoke(app, ["compare", str(case)], env={"COLUMNS": str(width)}).stdout.splitlines()
+    names = compare_case(read_case(case), 1.0)["model"].values
+    assert len(names) > 25
+    for name in names:
+        assert any(re.match(f"{re.escape(name)}( |$)", line.strip()) for line in said), name
+    (command,) = (line for line in said if line.startswith("to run it: "))
+    assert command.endswith("--load '10 N'")
+
+
 def test_command_refuses_in_one_line(case):
     result = CliRunner().invoke(app, ["compare", str(case), "--load", "2 m"])
     assert result.exit_code == 2 and len(result.output.strip().splitlines()) == 1 and "load" in result.output

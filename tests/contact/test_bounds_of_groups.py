@@ -47,6 +47,13 @@ def test_a_film_alone_is_within_the_same_bounds(given, field):
             ask()
 
 
+@pytest.mark.parametrize("name", ["theta", "lam"])
+def test_a_film_alone_may_be_at_a_bound(name):
+    """As those of the bodies may be: a film like its substrate has the same groups."""
+    for end in (QUANTITIES[name].lower, QUANTITIES[name].upper):
+        assert getattr(st.Indices(**FILM | {name: end}), name) == end
+
+
 @pytest.mark.parametrize("theta", [1e-8, 1e-6, 1e10, QUANTITIES["theta"].upper])
 def test_within_the_bounds_nothing_is_lost(theta):
     """Far from touch the one and the other end are known: JKR's pull-off force under strong adhesion, Hertz without."""

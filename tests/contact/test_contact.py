@@ -274,6 +274,20 @@ def test_bad_contact_is_one_line_with_the_dotted_field(changes, message):
 
 
 @pytest.mark.parametrize(
+    ("record", "given", "message"),
+    [
+        (Contact, {}, "first: not given; allowed: a material: the name of a preset, or its numbers"),
+        (Contact, {"first": "iron", "second": "iron"}, "roughness: not given; allowed: a table with sigma, R and N"),
+        (Roughness, {}, "asperity_height_deviation: not given; allowed: standard deviation of the asperity heights, > 0 m"),
+    ],
+)
+def test_what_is_missing_is_told_in_its_own_words(record, given, message):
+    with pytest.raises(InputError) as error:
+        record(**given)
+    assert str(error.value).startswith(message)
+
+
+@pytest.mark.parametrize(
     ("given", "message"),
     [
         ({"theta": -1}, "theta: -1.0; allowed: >= 1e-12 and <= 1e+40"),

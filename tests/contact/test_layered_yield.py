@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from stiction.contact.layered.bodies import bodies_of
+import stiction as st
+from stiction.contact.layered.bodies import bodies_of, per_root
 from stiction.contact.layered.compliance import Layer
 from stiction.contact.layered.edge import edge_curves
 from stiction.contact.layered.first_yield import ANGLES, PLACES, at_interface, first_yield, norms, table_of_norms
@@ -89,6 +90,18 @@ def test_table_of_norms(body):
     assert np.abs(off).max() < 0.03 and np.abs(off).mean() < 2e-3
     assert_allclose(np.exp(table[1, -1]), hertz_norms(body.nu_below), rtol=5e-3)
     assert_allclose(np.exp(table[0, 0]), hertz_norms(body.nu), rtol=5e-3)
+
+
+@pytest.mark.parametrize(("bodies", "films"), [("first", 1), ("both", 2)])
+def test_contact_radius_over_the_thickness_of_one_film(bodies, films):
+    """Of an asperity pressed by w, a = (R w)^(1/2): its root over that of t_1 goes as the fourth root of the area, w/sigma."""
+    sigma, radius, thickness, w = 5e-8, 4e-5, 3e-7, 2e-8
+    rough = {"asperity_height_deviation": sigma, "asperity_radius": radius, "asperity_density": 1e10}
+    coating = {"material": "silver", "thickness": thickness, "bodies": bodies}
+    coated = st.Contact(first="iron", second="iron", roughness=rough, coating=coating, nominal_area=1e-6)
+    given = coated.indices()
+    found = per_root(groups(**FILM | {"film_aspect": given.film_aspect, "films": given.films}))
+    assert found * (w / sigma) ** 0.25 == pytest.approx(math.sqrt(math.sqrt(radius * w) / (thickness / films)), rel=1e-12)
 
 
 def test_a_soft_film_much_thinner_than_the_contact_is_pressed_alike_all_through():

@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -17,6 +18,7 @@ from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.fit_tables import evidence_table, fit_notes
 from stiction.solving.solve import solve
+from stiction.studies.case.free import Free
 from stiction.studies.case.read import parse_case, read_case
 from stiction.studies.case.results import solve_case
 from stiction.studies.case.text import case_text
@@ -24,8 +26,8 @@ from stiction.studies.fit import run as fit_module
 from stiction.studies.fit.answer import Fitted, _over, _scaled, fitted
 from stiction.studies.fit.bands import draws_of
 from stiction.studies.fit.evidence import Rival, aicc_of, rank
-from stiction.studies.fit.model import forward_of
-from stiction.studies.fit.run import fit, plan_of_fit, run_fit
+from stiction.studies.fit.model import Parameter, forward_of
+from stiction.studies.fit.run import _standard_errors, fit, plan_of_fit, run_fit
 from stiction.studies.fit.search import Best, _bounded, profiles, search
 
 pytest.importorskip("lmfit")
@@ -299,6 +301,18 @@ def test_bands_are_those_of_the_closed_form(series):
     np.testing.assert_allclose(best[0], exact(loads=np.array([0.01, 2.0])), rtol=1e-6)
     deviation = ((exact() / 200e6 / error) ** 2).sum() ** -0.5 / 200e6
     np.testing.assert_allclose((high - low) / best, 2 * 1.96 * deviation, rtol=0.05)
+
+
+def test_standard_errors_are_of_the_numbers_and_not_of_their_shares():
+    """A share goes to the number by the slope there, by differences: one that is searched by its logarithm, and one evenly."""
+    free = (Free(("contact", STRENGTH), 1e6, 1e9, True), Free(("contact", "pressure_coefficient"), 0.1, 0.5, False))
+    parameters = tuple(Parameter(one) for one in free)
+    shares, covariance = np.array([0.4, 0.7]), np.array([[0.0004, 0.0001], [0.0001, 0.0009]])
+    best = Best(shares, 1.0, np.ones(3), covariance, covariance, np.ones((3, 2)), None)
+    found = Fitted("", SimpleNamespace(parameters=parameters), best, np.ones(3), True, 1.0, 3.84, 1, False)
+    slopes = np.array([(one.at(s + 1e-6) - one.at(s - 1e-6)) / 2e-6 for one, s in zip(free, shares, strict=True)])
+    np.testing.assert_allclose(_standard_errors(found), [0.02, 0.03] * slopes, rtol=1e-6)
+    assert np.isnan(_standard_errors(replace(found, best=replace(best, covariance=None)))).all()
 
 
 @pytest.mark.parametrize(("share", "believed"), [(0.02, True), (0.6, True), (0.985, True), (0.995, False)])

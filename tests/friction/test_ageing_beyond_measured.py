@@ -27,7 +27,7 @@ def doubts(result) -> list:
     return [doubt["most"] for doubt in json.loads(result.attrs["doubts"]) if doubt.get("quantity") == "waiting"]
 
 
-@pytest.mark.parametrize("time", ["0 s", "1 h", "1 day"])
+@pytest.mark.parametrize("time", ["0 s", "1 h", "1 day", "99500 s"])
 def test_times_that_were_measured_are_not_doubted(time):
     assert doubts(solved(time)) == []
 
@@ -37,3 +37,7 @@ def test_a_year_of_a_contact_that_begins_to_age_after_a_second_is():
     assert doubts(year) == [pytest.approx(365.25 * 86400)]
     ratio = float(year["friction_coefficient"] / solved("0 s")["friction_coefficient"])
     assert ratio == pytest.approx(1.0 + 0.02 * math.log(365.25 * 86400), rel=1e-9)
+
+
+def test_beyond_five_decades_it_is():
+    assert doubts(solved("100500 s")) == [pytest.approx(100500.0)]

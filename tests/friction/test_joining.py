@@ -79,7 +79,9 @@ def test_kinks_stand_in_order_between_the_ends(kinks, expected):
     [(1.5, 3.0, [1.5, 2.0, 3.0]), (-1.0, 9.0, [1.0, 2.0, 4.0]), (2.5, 3.0, [2.5, 2.5, 3.0]), (3.0, np.inf, [3.0, 3.0, 4.0])],
 )
 def test_a_part_of_a_piece(low, high, expected):
-    (whole,) = hertz.RECORD.pieces(groups(theta=10.0, lam=1.0))
-    whole = replace(whole, edges=np.array([[1.0, 2.0, 4.0]]))
-    assert_array_equal(within(whole, np.array([low]), high).edges, [expected])
-    assert (np.diff(within(whole, 3.0, 2.5).edges) <= 0.0).all()
+    """Of each of two laws its own part."""
+    (whole,) = hertz.RECORD.pieces(groups(theta=[10.0, 10.0], lam=1.0))
+    whole = replace(whole, edges=np.array([[1.0, 2.0, 4.0], [5.0, 6.0, 7.0]]))
+    found = within(whole, np.array([low, 5.5]), np.array([high, 6.5])).edges
+    assert_array_equal(found, [expected, [5.5, 6.0, 6.5]])
+    assert (np.diff(within(whole, 3.0, 2.5).edges[0]) <= 0.0).all()

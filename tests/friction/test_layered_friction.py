@@ -11,7 +11,7 @@ from scipy.interpolate import CubicSpline
 import stiction as st
 from stiction.contact.layered.bodies import bodies_of
 from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.first_yield import norms
+from stiction.contact.layered.first_yield import ANGLES, PLACES, norms
 from stiction.contact.layered.shear import shear_compliance
 from stiction.contact.layered.stresses import Stresses
 from stiction.contact.layered.waves import CoatedBody
@@ -22,6 +22,7 @@ from stiction.laws.film.layered import elastic
 from stiction.laws.joining import Law, states
 from stiction.laws.registry import AsperityLaw, TangentialLaw, find, resolve_options
 from stiction.laws.tangential.hamilton_1983 import shear_at_yield
+from stiction.laws.tangential.shared.coated_strength import _norms_at
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
@@ -30,6 +31,18 @@ from tables import REFERENCE, groups
 PLAIN = "greenwood_williamson_1966"
 FILM = {"n_E": 1.0, "n_H": 1.0, "tau": 1.0, "film_aspect": 1.0}
 OF_LIKE_BODIES = [("layered_first_yield", "hertz", "hamilton_1983"), ("layered_peeling", "jkr", "savkoor_briggs_1977")]
+
+
+@pytest.mark.parametrize(("p", "felt"), [(0.0, 0.0), (1.0, 0.5), (1e14, 1.0), (1e16, 1.0), (1e40, 1.0)])
+def test_norms_of_film_and_body_are_read_within_their_table(p, felt):
+    """N of film and body at p = (a/t)^(1/2): as tabled at p = 0, 1 and without end, the body's as far as it is felt; what
+    stands in memory behind the table is not looked at."""
+    memory = np.full((3, PLACES.size, ANGLES.size), np.nan)
+    memory[0], memory[1] = 2.0 + PLACES[:, None], 5.0 + PLACES[:, None]
+    at = (p - 1.0) / (p + 1.0)
+    weak, strong = (_norms_at(p, memory[:2], 7, strength, 1.0) for strength in (1e-3, 1e3))
+    assert weak == pytest.approx((2.0 + at) / 1e-3, rel=1e-8)
+    assert strong == pytest.approx(max((2.0 + at) / 1e3, felt * (5.0 + at)), rel=1e-8)
 
 
 def joined(asperity, tangential, given, **options):

@@ -11,8 +11,10 @@ from scipy.special import gamma, gammainc
 
 import stiction as st
 from stiction.contact.indices import Groups, stiffness_group
+from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
-from stiction.laws.presliding.mindlin_1949 import force, loss_share, slip_share
+from stiction.laws.presliding.mindlin_1949 import force, loss_share, slip_share, stiffness
+from stiction.laws.presliding.shared.partial_slip import _slipping
 from stiction.laws.registry import AsperityLaw, TangentialLaw, find
 from stiction.quantities.errors import InputError
 
@@ -52,6 +54,25 @@ def test_energy_of_a_cycle_of_one_asperity(s):
     assert float(abs(loop / closed - 1)) < 1e-9
     assert loss_share(float(s)) == pytest.approx(float(closed), rel=3e-12)
     assert slip_share(float(s)) == pytest.approx(float(q), rel=1e-14)
+
+
+@formula
+def half_the_load(u, w, load, area):
+    return 0.5 * load, 0.0
+
+
+@pytest.mark.parametrize("kept", [1.0, 0.2])
+def test_one_asperity_carries_nothing_without_strength_and_what_is_kept_beyond(kept):
+    """Slides at 3 T beta/(16 a), here of T = f P: (force, energy lost) at displacements below it and beyond it."""
+    slipping = _slipping(half_the_load, 0)
+    load, area, compliance = 0.8, 0.25, 0.3
+    slides_at = 1.5 * 0.5 * load / stiffness(area, compliance)
+    for s in (0.3, 2.0):
+        carried, lost = slipping(1.0, 1.0, load, area, compliance, s * slides_at, kept)
+        assert carried == pytest.approx(0.5 * load * (slip_share(s) if s < 1.0 else kept))
+        assert lost == pytest.approx(0.5 * load * slides_at * loss_share(s))
+    assert slipping(1.0, 1.0, 0.0, area, compliance, 0.1, kept) == (0.0, 0.0)
+    assert slipping(1.0, 1.0, -1.0, area, compliance, 0.1, kept) == (0.0, 0.0)
 
 
 # Rough surfaces ---------------------------------------------------------------------------------------------------------
@@ -180,6 +201,7 @@ def test_asperities_without_strength_do_not_stiffen():
     found = st.slide(given, separation=1.0, **laws)
     every = st.solve(given, separation=1.0, presliding="mindlin_1949", **laws)["tangential_stiffness"]
     assert 0.0 < float(found["tangential_stiffness"]) < 0.8 * float(every)
+    assert np.isfinite(found["energy_loss"]).all() and float(found["energy_loss"][-1]) > 0.0
     filled = st.slide(given.with_changes(shear_strength=0.1), separation=1.0, plastic_junctions="tabor_1959", **laws)
     assert_allclose(filled["tangential_stiffness"], every, rtol=1e-9)
 

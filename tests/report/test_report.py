@@ -231,3 +231,15 @@ def test_the_command(tmp_path):
     for words in (["--out", "x.txt"], [], ["--out", str(out), "--load", "1 N"], ["--out", str(out), "--load", "-1 N"]):
         bad = CliRunner().invoke(app, ["report", str(case), *words])
         assert bad.exit_code == 2 and bad.stderr.count("\n") == 1, (words, bad.output)
+
+
+def test_that_a_case_is_read_is_shown_while_it_is(tmp_path):
+    said = []
+
+    def progress(text):
+        said.append(text)
+        return iter
+
+    with pytest.raises(InputError):
+        write_report({"contact": {"first": "hardened_steel_52100"}}, tmp_path / "report.html", progress=progress)
+    assert said == ["Reading the case"]

@@ -7,15 +7,18 @@ from rich.text import Text
 
 import stiction as st
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import to_si
 from stiction.report.comparison_doubts import doubts, doubts_with_meanings
 from stiction.report.comparison_rows import run_command
 from stiction.report.model_pictures import models_figure, rows_of_models
+from stiction.report.report_answer import answer_in_words
 from stiction.report.sensitivity_tables import sensitivity_notes
 from stiction.report.several_pictures import several_figure
 from stiction.report.uncertainty_pictures import spread_figure
 from stiction.report.uncertainty_tables import uncertain_notes
 from stiction.studies.case.read import parse_case
 from stiction.studies.case.results import film_of_case
+from stiction.studies.comparison.findings import find_out
 from stiction.studies.uncertainty.spreads import with_spreads
 from stiction.web.first import first_case
 
@@ -51,11 +54,12 @@ def test_draws_are_called_what_they_are():
     attributes = {
         "uncertain_inputs": "x: 1 to 2",
         "uncertainty": "64 points, seed 0",
-        "doubts_of_points": '{"y is not 1": 0.333}',
+        "doubts_of_points": '{"y is not 1": 0.333, "area_fraction is not 0 to 0.1: too near": 0.2}',
     }
     said = "\n".join(one.plain for one in uncertain_notes(xarray.Dataset(attrs=attributes)))
     assert "random draws of what is uncertain: 64, seed 0" in said
     assert "in 33.3% of the random draws, each a possible set of the uncertain inputs: y is not 1" in said
+    assert "inputs: real contact area over the nominal one is not 0 to 0.1: too near" in said
 
 
 def test_no_model_is_left_out_of_the_dots_however_little_it_says():
@@ -73,6 +77,9 @@ def test_the_command_of_a_comparison_has_a_load_that_is_read():
     load = xarray.DataArray(np.array([1.0]), dims="point", attrs={"units": "N"})
     data = xarray.Dataset({"load": load}, attrs={"working_load": 2.3604761904761906, "case_file": "a.toml"})
     assert run_command(data, "m").endswith("--load '2.36048 N'")
+    for load, said in ((1e-3, "1 mN"), (2.5e-6, "2.5 uN"), (2e4, "20 kN")):
+        assert run_command(data.assign_attrs(working_load=load), "m").endswith(f"--load '{said}'")
+        assert to_si(said, "load") == pytest.approx(load, rel=1e-12)
     assert run_command(data, "m", exact=True).endswith("--load '2.3604761904761906 N'")
 
 
@@ -108,3 +115,13 @@ def test_sensitivity_names_every_law_that_answers():
     assert "models: soft_coating_2015 + reading published 100%" in said
     line = next(one for one in said.splitlines() if one.startswith("elasticities: "))
     assert "tangential law soft_coating_2015, film law printed, reading published" in line
+
+
+def test_uncertain_inputs_that_a_model_does_not_take_do_not_change_its_answer():
+    """A law that shears no interface has no use for its strength, which the case states with an error."""
+    strength = {"interfacial_shear_strength": "200 +/- 40 MPa"}
+    case = _case()
+    case["contact"] = case["contact"] | strength
+    case["uncertainty"] = {"count": 64}
+    said = answer_in_words(find_out(parse_case(case)))
+    assert "what the case states as uncertain of its inputs does not change it" in said and "states no errors" not in said

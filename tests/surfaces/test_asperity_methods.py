@@ -9,6 +9,7 @@ from scipy import fft, ndimage, stats
 
 import stiction
 from stiction import InputError
+from stiction.laws.asperity_method.n_point import _rises
 from stiction.laws.asperity_method.persistence import persistent_maxima
 from stiction.laws.asperity_method.shared.summits import FITS
 from stiction.laws.finding import asperities, combine, methods, methods_for
@@ -523,3 +524,10 @@ def test_lengths_may_be_text_with_a_unit():
     for size in ("10 um", ("10 um",), ("10 um", "far"), (1.0, np.inf), 3.0):
         with pytest.raises(stiction.InputError, match="size"):
             stiction.HeightMap(surface.heights, size)
+
+
+def test_rises_through_a_level_are_of_the_neighbours_that_are_known():
+    gap = np.nan
+    assert _rises(np.array([[0.0, 2.0]]), 1.0) == 1.0 and _rises(np.array([[2.0, 0.0]]), 1.0) == 0.0
+    assert _rises(np.array([[0.0, 2.0, 0.5, gap, 3.0, 0.0, 4.0]]), 1.0) == 2.0 / 4.0
+    assert _rises(np.array([[gap, 2.0], [0.0, gap]]), 1.0) == 0.0

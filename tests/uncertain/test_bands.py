@@ -174,7 +174,7 @@ def test_a_number_beside_a_scan_is_not_uncertain(tmp_path):
     np.save(tmp_path / "scan.npy", st.gaussian_surface((32, 32), (40e-6, 40e-6), spectrum, seed=1).heights)
     scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
     other = {"asperity_height_deviation": "5 +/- 1 nm", "asperity_radius": "50 um", "asperity_density": "1e11 1/m^2"}
-    with pytest.raises(InputError, match=r"roughness\.second\.asperity_height_deviation: '5 nm ± 1 nm'; allowed: one number"):
+    with pytest.raises(InputError, match=r"roughness\.second\.asperity_height_deviation: 5 nm ± 1 nm; allowed: one number"):
         case({"roughness": {"first": scan, "second": other}})
 
 
@@ -315,6 +315,13 @@ def test_compare_tells_the_spreads(tmp_path):
     assert found["spreads"].keys() == {"inputs", "methods", "models"} and found["spreads"]["methods"]["factor"] is None
     row = next(one for one in found["models"] if one["model"] == "greenwood_williamson_1966")
     assert [one["share"] for one in row["friction_coefficient_quantile"]] == pytest.approx([0.05, 0.25, 0.5, 0.75, 0.95])
+
+
+def test_the_error_of_a_quantile_is_the_scatter_of_the_parts_over_the_root_of_their_number():
+    """Parts that say 0 to 7, each of all of its points: their variance is 6, of eight that are independent 6/8."""
+    values = np.broadcast_to(np.arange(8.0)[:, None], (8, 50))
+    whole, error = quantiles(values, np.array([0.25, 0.5]))
+    assert error == pytest.approx(np.sqrt(6.0 / 8.0)) and whole == pytest.approx([1.75, 3.5], abs=0.3)
 
 
 def test_quantiles_are_of_those_that_are_known_while_these_are_half():

@@ -7,5 +7,6 @@ window.addEventListener("load", () => {
   for (const kind of ["wheel", "touchmove", "keydown", "mousedown"]) {
     window.addEventListener(kind, () => { moved = true; }, { once: true, passive: true });
   }
-  set.then(() => { if (!moved) place.scrollIntoView(); });
+  const follow = () => { if (!moved) place.scrollIntoView({ behavior: "instant" }); };
+  set.then(follow).then(() => document.fonts.ready).then(() => requestAnimationFrame(follow));
 });

@@ -47,17 +47,18 @@ def compare(
         print_json(comparison(data) | measured)
         return
     from stiction.report.tables import comparison_summary, comparison_table
+    from stiction.report.whole_keys import WholeKeys
 
     terminal = console()
-    terminal.print(comparison_table(data))
+    terminal.print(WholeKeys(comparison_table(data)))
     for line in comparison_summary(data):
-        terminal.print(line)
+        terminal.print(line, soft_wrap=bool(line.no_wrap))
     if "spread_factor" in data:
         from stiction.report.uncertainty_tables import models_band_table, spread_table, uncertain_notes
 
         terminal.print(spread_table(data))
         if "uncertain_inputs" in data.attrs:
-            terminal.print(models_band_table(data), *uncertain_notes(data), sep="\n")
+            terminal.print(WholeKeys(models_band_table(data)), *uncertain_notes(data), sep="\n")
     if chosen.measured is not None:
         from stiction.report.surface_tables import roughness_notes, roughness_table
 

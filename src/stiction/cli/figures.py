@@ -60,7 +60,7 @@ def figures(
     if json:
         print_json({"theta": theta, "lambda": lam, "reading": reading or "corrected", "claims": rows})
         return
-    from stiction.report.tables import claims_meaning, claims_table
+    from stiction.report.claims_tables import claims_meaning, claims_table
 
     terminal = console()
     terminal.print(claims_meaning(rows), "", "Shares of the plane theta 1 to 1e4, lambda 1e-3 to 1e4, logarithmic:")

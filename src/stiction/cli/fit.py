@@ -53,6 +53,7 @@ def fit(
 
 def _print(data: "xarray.Dataset", title: str) -> None:
     from stiction.report.fit_tables import evidence_table, fit_notes, parameter_table
+    from stiction.report.whole_keys import WholeKeys
 
     terminal = console()
     if title:
@@ -62,7 +63,7 @@ def _print(data: "xarray.Dataset", title: str) -> None:
     for note in fit_notes(data):
         terminal.print(note)
     if "model" in data.dims:
-        terminal.print("", evidence_table(data))
+        terminal.print("", WholeKeys(evidence_table(data)))
 
 
 def _figure(found: "Fitting", data: "xarray.Dataset"):

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 import typer
 
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, Ranges, app, bar, console
+from stiction.cli.program import Json, Ranges, app, bar, busy, console
 
 
 @app.command()
@@ -22,8 +22,8 @@ def report(
     It is read without a network and without scripts, on paper too, and holds the case file to run it again. With --json the
     answer is printed as numbers, besides. Where numbers of the case are several, models are not compared.
     """
-    from stiction.report.html_report import write_report
-
+    with busy("Reading the case"):
+        from stiction.report.html_report import write_report
     found: dict[str, Any] = write_report(case, out, load=load, ranges=ranges, progress=bar)
     if json:
         print_json(found | {"file": str(out)})

@@ -55,10 +55,11 @@ def sensitivity(
         print_json(record(data, chosen.subject.groups()))
         return
     from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes
+    from stiction.report.whole_keys import WholeKeys
 
     terminal = console()
     if "input" in data.dims:
-        terminal.print(indices_table(data), "", sep="\n")
+        terminal.print(WholeKeys(indices_table(data)), "", sep="\n")
     terminal.print(elasticities_table(data), "", *sensitivity_notes(data), sep="\n")
     if out is not None:
         written(out, files)

@@ -49,11 +49,12 @@ def validate(
 
 def _print(data: "xarray.Dataset") -> None:
     from stiction.report.validation_tables import origin_lines, validation_table
+    from stiction.report.whole_keys import WholeKeys
 
     terminal = console()
     for line in origin_lines(data):
         terminal.print(line)
-    terminal.print(validation_table(data))
+    terminal.print(WholeKeys(validation_table(data)))
     for line in data.attrs["left_out"].splitlines():
         terminal.print(f"left out: {line}", style="dim", highlight=False, markup=False)
 

@@ -92,7 +92,8 @@ def material_names() -> list[str]:
 def material(name: str, /, **changes) -> Material:
     """The preset of that name, changed where fields are given: material("silver", hardness="1 GPa").
 
-    Raises InputError for an unknown name, listing those near to it, and for a bad number.
+    changes: fields of `Material`, in SI or text with a unit; what is replaced loses its source and its range. Raises InputError
+    for an unknown name, listing those near to it, and for a bad number.
     """
     if not isinstance(name, str) or name not in _presets():
         raise InputError("material", name, "a preset: " + nearest(name, material_names()))

@@ -162,7 +162,12 @@ DISTRIBUTIONS: dict[str, Callable[..., Heights]] = {
 
 
 def height_distribution(key: str, **parameters) -> Heights:
-    """The distribution of this name; `weibull` needs exponent=..., `empirical` samples=..."""
+    """The distribution of this name; `weibull` needs exponent=..., `empirical` samples=...
+
+    key: gaussian, exponential, weibull or empirical. parameters: of weibull its exponent, a number; of empirical the measured
+    samples (n,), in any unit: every distribution is brought to mean 0 and standard deviation 1. Returns what `heights` of
+    `solve` takes. Raises InputError for a name that is not known, and for parameters that are missing or out of bounds.
+    """
     if key not in DISTRIBUTIONS:
         raise InputError("height_distribution", key, ", ".join(DISTRIBUTIONS))
     try:

@@ -208,7 +208,7 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("nominal_pressure_over_hardness", "P/(A_n H)", r"P/(A_\mathrm{n}H)", "", _ANY, "",
      "nominal pressure over the hardness of what is softest"),
     ("mean_pressure_over_hardness", "P/(A H)", r"P/(AH)", "", _ANY, "",
-     "mean pressure in contacts over the hardness of what bears the load"),
+     "mean pressure in contacts over hardness (of a coated body by what film and body carry)"),
     ("touching_share", "n/(N A_n)", r"n/(NA_\mathrm{n})", "", _SHARE, "", "share of the asperities that touch"),
     ("asperity_area_over_yield", "A/(n A_c)", r"A/(nA_\mathrm{c})", "", _NOT_NEGATIVE, "",
      "mean contact area of a touching asperity over that at first yield"),

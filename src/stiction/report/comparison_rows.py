@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from stiction.laws.validity import read_doubts
+from stiction.quantities.units import show
 from stiction.studies.comparison.compare import RESULTS
 
 if TYPE_CHECKING:
@@ -27,7 +28,9 @@ def _load_in_words(data: "xarray.Dataset", exact: bool) -> str:
     if "working_load" not in data.attrs:
         return ""
     unit, load = data["load"].attrs.get("units", "1"), float(data.attrs["working_load"])
-    return (f"{load!r}" if exact else f"{load:.{_DIGITS}g}") + ("" if unit == "1" else f" {unit}")
+    if unit == "1":
+        return f"{load!r}" if exact else f"{load:.{_DIGITS}g}"
+    return f"{load!r} {unit}" if exact else show(load, "load", _DIGITS).replace("µ", "u")  # which every keyboard has
 
 
 def comparison(data: "xarray.Dataset") -> dict[str, Any]:

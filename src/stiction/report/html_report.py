@@ -44,7 +44,7 @@ def write_report(
     """
     require("report", "matplotlib")
     check_place(Path(path), case)
-    read = as_case(case, ranges)
+    (read,) = progress("Reading the case")(as_case(one, ranges) for one in [case])
     text, name = "", "case.toml"
     if isinstance(case, str | os.PathLike):
         text, name = text_of_file(Path(case)), Path(case).name

@@ -190,18 +190,25 @@ def _span(data: "xarray.Dataset", name: str) -> str:
     return f"{symbol} = {of_value(data, name, 0)} to {of_value(data, name, -1)}"
 
 
+def _of_inputs(findings: Findings) -> str:
+    """What is said of errors of the inputs where they spread nothing."""
+    if not findings.case.uncertain:
+        return "the case states no errors of its inputs, so what they do is not known"
+    told = any(one.name == "inputs" and one.known for one in spreads(findings))
+    return "what the case states as uncertain of its inputs " + ("does not change it" if told else "has no known effect on it")
+
+
 def _error_in_words(findings: Findings) -> str:
     """What is known of the error, and what is not: from one sentence to the next."""
     known = {one.name: one for one in spreads(findings) if one.known and one.high > one.low}
     said = {
-        "inputs": "with what is uncertain of the inputs it is {} to {} in {:.0%} of the draws",
-        "methods": "by other ways of finding asperities in the scans it is {} to {}",
-        "models": "the models that count here say {} to {} ({:.0%} of their weight)",
+        "inputs": "with what is uncertain of the inputs it is {} in {:.0%} of the draws",
+        "methods": "by other ways of finding asperities in the scans it is {}",
+        "models": "the models that count here say {} ({:.0%} of their weight)",
     }
     share = findings.case.uncertainty.coverage
-    parts = [text.format(*(rounded(end, []) for end in (known[name].low, known[name].high)), share)
-             for name, text in said.items() if name in known]  # fmt: skip
-    silent = [] if "inputs" in known else ["the case states no errors of its inputs, so what they do is not known"]
+    parts = [text.format(_alike(known[name].low, known[name].high), share) for name, text in said.items() if name in known]
+    silent = [] if "inputs" in known else [_of_inputs(findings)]
     if "models" not in known:
         silent.append("how far models differ is not known, as fewer than two count here")
     return "; ".join([*parts, *silent])

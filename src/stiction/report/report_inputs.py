@@ -23,6 +23,7 @@ _PARTS = {
 _NOT_NUMBERS = {"bodies": "which body carries the film", "height_distribution": "distribution of asperity heights"}
 
 
+_MOMENTS = "surface."  # of a roughness: the asperities that theories of the whole surface take
 _HEADS = ["quantity", "symbol", "value", "how well it is known", "source"]
 
 
@@ -76,6 +77,9 @@ def _split(dotted: str) -> tuple[str, str]:
 
 
 def _meaning(name: str) -> tuple[str, str]:
+    if name.startswith(_MOMENTS):
+        meaning, symbol = _meaning(name.removeprefix(_MOMENTS))
+        return f"{meaning}, by the moments of the surface", symbol
     row = QUANTITIES.get(name)
     return (_NOT_NUMBERS.get(name, name.replace("_", " ")), "") if row is None else (row.meaning, row.symbol)
 
@@ -90,7 +94,7 @@ def _range(material: Material | None, name: str) -> str:
     """What tables and makes give of a number that is taken as it is."""
     if material is None or name not in material.range:
         return ""
-    return with_powers(f"known between {range_in_words(*material.range[name], name)}: not counted")
+    return with_powers(f"known to be {range_in_words(*material.range[name], name)}: not counted")
 
 
 def _source_of_material(material: Material, name: str, here: tuple[str, ...], places: frozenset) -> str:
@@ -107,7 +111,8 @@ def _source_of_material(material: Material, name: str, here: tuple[str, ...], pl
 def _source(findings: Findings, dotted: str, here: tuple[str, ...], places: frozenset) -> str:
     measured = findings.case.measured
     if dotted.startswith("roughness.") and measured is not None:
-        return f"measured in scans, by {measured.method}"
+        by = "their moments" if dotted.startswith(f"roughness.{_MOMENTS}") else measured.method
+        return f"measured in scans, by {by}"
     return "the case" if here in places or not places else "what holds where a case says nothing"
 
 

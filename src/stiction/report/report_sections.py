@@ -22,7 +22,7 @@ from stiction.report.html_words import letters
 from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
 from stiction.report.report_inputs import groups_of_inputs, with_powers
 from stiction.report.tables import comparison_table, curve_table, run_notes
-from stiction.report.uncertainty_tables import draws_in_words, in_draws
+from stiction.report.uncertainty_tables import draws_in_words, in_draws, with_meaning
 from stiction.studies.comparison.findings import Findings
 
 if TYPE_CHECKING:
@@ -153,7 +153,7 @@ def uncertainty_lines(findings: Findings) -> list[str]:
     if "uncertainty" in used:
         lines.append(f"R{draws_in_words(used)[1:]} (Sobol's sequence, scrambled).")
     shares: dict[str, float] = json.loads(used.get("doubts_of_points", "{}"))
-    return lines + [f"I{in_draws(share, _with_meaning(text))[1:]}." for text, share in shares.items()]
+    return lines + [f"I{in_draws(share, letters(with_meaning(text)))[1:]}." for text, share in shares.items()]
 
 
 def _unknown(some: "list[Uncertain]") -> str:
@@ -161,13 +161,6 @@ def _unknown(some: "list[Uncertain]") -> str:
     names = dict.fromkeys(QUANTITIES[one.quantity].meaning for one in some)
     places = ", ".join(one.where for one in some)
     return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"
-
-
-def _with_meaning(text: str) -> str:
-    name = re.match(r"\w+", text)
-    if name is None or name[0] not in QUANTITIES:
-        return letters(text)
-    return letters(QUANTITIES[name[0]].meaning + text.removeprefix(name[0]))
 
 
 def doubt_table(findings: Findings) -> Table | None:

@@ -59,7 +59,7 @@ def indices_table(data: "xarray.Dataset") -> Table:
     total indices; the most important input first."""
     one, (first, *others) = at_working_load(data), results_of(data, "total_order")
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column(f"{of_point(data, working_place(data))}\n", overflow="fold")
+    table.add_column(f"{of_point(data, working_place(data))}\n", no_wrap=True)
     heads = [f"{_HEADS[first]}\ntotal", "\n95 %", "\nfirst", "\neffect", *(f"{_HEADS[name]}\ntotal" for name in others)]
     for head in heads:
         table.add_column(head, justify="right", no_wrap=True)

@@ -13,6 +13,7 @@ from rich.text import Text
 from stiction.contact.contact import Contact
 from stiction.laws.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
 from stiction.laws.validity import doubts_of
+from stiction.quantities.short_names import SHORT
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_with_meanings
@@ -118,7 +119,7 @@ def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
         [
             ("case", case.title),
             *_contact(case.subject),
-            ("groups", _groups(case.subject.all_groups())),
+            ("groups", _groups(case.subject)),
             ("model", ", ".join([used["model"], *laws, *options, f"{used['heights']} heights"])),
             ("grade", f"{used['grade']}: {GRADES[used['grade']]}"),
             ("pull-off force", _pull_off(data)),
@@ -157,8 +158,19 @@ def _number(value: Any, name: str) -> str:
     return f"{low} to {high} ({value.size} values)"
 
 
-def _groups(groups: Mapping[str, Any]) -> str:
-    return ", ".join(f"{QUANTITIES[name].symbol} = {group_in_words(value)}" for name, value in groups.items())
+# Of a contact whose materials are told, what is of these alone.
+_OF_MATERIALS = ("nu", "hardness_to_yield", "K_beta", "film_nu", "film_K_beta", "layer_nu", "coated_nu", "counter_nu")
+
+
+def _groups(subject: Any) -> str:
+    """By name, or by what a group is made of: "elastic adhesion index = 40, N R sigma = 0.04"."""
+    said = (one for one in subject.all_groups().items() if not (isinstance(subject, Contact) and one[0] in _OF_MATERIALS))
+    return ", ".join(f"{_group(name)} = {group_in_words(value)}" for name, value in said)
+
+
+def _group(name: str) -> str:
+    symbol = QUANTITIES[name].symbol
+    return symbol if "/" in symbol or "sigma" in symbol else SHORT.get(name, symbol)
 
 
 def group_in_words(value: Any) -> str:
@@ -234,10 +246,10 @@ def comparison_table(data: "xarray.Dataset") -> Table:
     methods of finding asperities stands in place of the contact area. The error is that of the contact area, measured on
     solved surfaces near this contact. Doubts are numbered as in `doubts`."""
     table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
-    table.add_column("model", overflow="fold")
+    table.add_column("model", no_wrap=True)
     with_range_over_methods = "friction_coefficient_at_load_low" in data
     for head in ("grade", "mu", "over methods" if with_range_over_methods else "contact\narea", "error", "plastic", "doubts"):
-        table.add_column(head, justify="left" if head in ("grade", "plastic", "doubts") else "right", no_wrap=True)
+        table.add_column(head, justify="left" if head in ("grade", "plastic", "doubts") else "right", no_wrap=head != "doubts")
     judged = "friction_coefficient_at_load" in data
     known = doubts(data)
     order = np.argsort(data["friction_coefficient_at_load"].values) if judged else range(data.sizes["model"])
@@ -246,7 +258,7 @@ def comparison_table(data: "xarray.Dataset") -> Table:
         mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
         unit = one["contact_area"].attrs.get("units", "1")
         size = _short(area) if unit == "1" else shown(area, "contact_area", digits=3)
-        numbers = ", ".join(str(1 + known.index(line)) for line in doubts_of_model(one))
+        numbers = ", ".join(map(str, sorted(1 + known.index(line) for line in doubts_of_model(one))))
         name = str(one["model"].item())
         look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
         fourth = over_methods(one) if with_range_over_methods else size
@@ -280,7 +292,8 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
             low, high = used["recommended_range"]
             weighed = f"mu {low:.3g} to {high:.3g}" if low < high else "one opinion, no range"
             lines.append(Text(f"two thirds of the weight of the models: {weighed}", style="bold"))
-            lines.append(Text(f"to run it: {run_command(data, used['recommended'])}"))
+            command = f"to run it: {run_command(data, used['recommended'])}"
+            lines.append(Text(command, no_wrap=True))  # it is copied
         lines += [Text(f"set aside: {line}", style="dim") for line in used["set_aside"].splitlines()]
         if used["advice"]:
             lines.append(Text(f"what would have to change: {used['advice']}", style="bold yellow"))
@@ -358,34 +371,3 @@ def model_in_full(row: Mapping[str, Any]) -> Group:
 def grades() -> Table:
     """What the grades mean."""
     return facts((f"grade {grade}", meaning) for grade, meaning in GRADES.items())
-
-
-def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
-    """The claims map in words: for each claim and reading the share of the plane where it holds, and where. here: the indices
-    at which the last column tells the share of films for which it holds."""
-    table = Table(header_style="bold", box=SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
-    for head in ("claim", "reading"):
-        table.add_column(head, no_wrap=True)
-    table.add_column("holds for all films")
-    table.add_column("for some", justify="right")
-    table.add_column("for none")
-    table.add_column("not com-\nparable", justify="right")
-    table.add_column(here, justify="right")
-    for row in rows:
-        cells = (
-            f"({row['claim']})",
-            row["reading"],
-            f"{row['holds_for_all']:.0%}: {row['where_all']}",
-            f"{row['holds_for_some']:.0%}",
-            f"{row['holds_for_none']:.0%}: {row['where_none']}",
-            f"{row['not_comparable']:.0%}",
-            "-" if row["share_here"] is None else f"{row['share_here']:.0%}",
-        )
-        table.add_row(*map(Text, cells))
-    return table
-
-
-def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
-    """What each claim says and how it was made precise."""
-    unique = {row["claim"]: f"{row['says']}\nholds if {row['definition']}" for row in rows}
-    return facts((f"({key})", text) for key, text in unique.items())

@@ -8,12 +8,16 @@ import numpy as np
 from rich.table import Table
 from rich.text import Text
 
+from stiction.quantities.table import QUANTITIES
 from stiction.report.several_tables import of_point, points_dimension, shown_quantity, some, varied
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["MEANINGS", "band_table", "draws_in_words", "in_draws", "models_band_table", "spread_table", "uncertain_notes"]
+__all__ = [
+    "MEANINGS", "band_table", "draws_in_words", "in_draws", "models_band_table", "spread_table", "uncertain_notes",
+    "with_meaning",
+]  # fmt: skip
 
 _ROWS = 12
 # What a spread is due to, in words.
@@ -31,7 +35,7 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
         return Text(f"{name} does not vary with what is uncertain", style="dim")
     dim, several = points_dimension(data), varied(data)
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for head in ("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "error of these"):
+    for head in ("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "sampling error"):
         table.add_column(head, justify="right", no_wrap=True)
     # Where numbers are several, of each the first: the files have them all.
     whole = data.isel({one: 0 for one in several})
@@ -55,12 +59,18 @@ def uncertain_notes(data: "xarray.Dataset") -> Iterator[Text]:
     if "uncertainty" in used:
         yield Text(draws_in_words(used), style="dim")
     for text, share in json.loads(used.get("doubts_of_points", "{}")).items():
-        yield Text(in_draws(share, text), style="dim")
+        yield Text(in_draws(share, with_meaning(text)), style="dim")
 
 
 def draws_in_words(used: Mapping[str, Any]) -> str:
     """How many draws there were, and by which seed, by the attributes of a result."""
     return f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}"
+
+
+def with_meaning(doubt: str) -> str:
+    """A doubt that begins with the name of a quantity, with what that means in its place."""
+    name, _, rest = doubt.partition(" ")
+    return f"{QUANTITIES[name].meaning} {rest}" if name in QUANTITIES else doubt
 
 
 def in_draws(share: float, text: str) -> str:
@@ -88,8 +98,8 @@ def models_band_table(data: "xarray.Dataset") -> Table:
     name = "friction_coefficient_at_load"
     told = [0, data.sizes["quantile"] // 2, -1]  # the ends and the median
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("over what is uncertain", overflow="fold")
-    for head in ("nominal", *(f"{share:.0%}" for share in data["quantile"].values[told]), "error"):
+    table.add_column("over what is uncertain", no_wrap=True)
+    for head in ("nominal", *(f"{share:.0%}" for share in data["quantile"].values[told]), "sampling\nerror"):
         table.add_column(head, justify="right", no_wrap=True)
     for at in np.argsort(data[name].values):
         one = data.isel(model=int(at))

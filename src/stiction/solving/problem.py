@@ -161,41 +161,41 @@ class Sum(Problem):
 
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
         """Results (n, m) from the sums (regimes, n, m, 5) by what the regimes are labelled."""
-        regimes = self.regimes
+        regimes, loads, areas = self.regimes, sums[..., LOAD], sums[..., _AREA]
         total = sums.sum(axis=0)
         results = {
             "load": total[..., LOAD],
             "contact_area": total[..., _AREA],
-            "touching_asperities": sums[[regime.touching for regime in regimes], ..., _COUNT].sum(axis=0),
+            "touching_asperities": _of_those(sums[..., _COUNT], [regime.touching for regime in regimes]),
         }
         for state in _states(regimes):
             chosen = [regime.state == state for regime in regimes]
             name = state.replace("-", "_")
-            results[f"load_{name}"] = sums[chosen, ..., LOAD].sum(axis=0)
-            results[f"contact_area_{name}"] = sums[chosen, ..., _AREA].sum(axis=0)
+            results[f"load_{name}"] = _of_those(loads, chosen)
+            results[f"contact_area_{name}"] = _of_those(areas, chosen)
         if self.chosen.meniscus is not None:
-            results["load_meniscus"] = sums[[regime.state == MENISCUS for regime in regimes], ..., LOAD].sum(axis=0)
+            results["load_meniscus"] = _of_those(loads, [regime.state == MENISCUS for regime in regimes])
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
-            results[f"load_{body}"] = sums[[regime.body == body for regime in regimes], ..., LOAD].sum(axis=0)
+            results[f"load_{body}"] = _of_those(loads, [regime.body == body for regime in regimes])
         if bodies:
             film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
             whole = film + substrate
             results["load_share_substrate"] = np.divide(substrate, whole, where=whole > 0.0, out=np.zeros_like(whole))
         if not all(regime.in_half_space for regime in regimes):
-            results["load_share_beyond_film"] = _share_beyond(regimes, sums[..., LOAD])
+            results["load_share_beyond_film"] = _share_beyond(regimes, loads)
         if not self.friction:
             return results
         friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
         if not self.law.interfacial:
-            solid = [regime.state != MENISCUS for regime in regimes]
-            some = [regime for regime in regimes if regime.state != MENISCUS]
-            results["load_share_without_friction"] = _share_without(some, sums[solid][..., LOAD], friction[solid])
+            solid = [at for at, regime in enumerate(regimes) if regime.state != MENISCUS]
+            some = [regimes[at] for at in solid]
+            results["load_share_without_friction"] = _share_without(some, loads[solid], friction[solid])
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
         for body in bodies:
-            results[f"friction_{body}"] = friction[[regime.body == body for regime in regimes]].sum(axis=0)
+            results[f"friction_{body}"] = _of_those(friction, [regime.body == body for regime in regimes])
         if "load_share_beyond_film" in results:
             results["friction_share_beyond_film"] = _share_beyond(regimes, friction)
         return results
@@ -309,6 +309,11 @@ def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.n
 def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
     """Where a load is so much smaller than the tension and pressure that it is the difference of that another is carried."""
     return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
+
+
+def _of_those(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
+    """Sum (n, m) of those of the parts (regimes, n, m) that are chosen."""
+    return parts[chosen].sum(axis=0)
 
 
 def _states(regimes: list[Regime]) -> list[str]:

@@ -147,8 +147,9 @@ def non_gaussian_surface(
 
     skewness, kurtosis (3 of a Gaussian): as `johnson` allows; steps: of the iteration at most, 0 for ranks alone;
     exact_spectrum: end on the spectrum, with heights that are nearly of the distribution, rather than on the heights. Choose
-    it where slopes and curvatures matter: what the heights add beyond the shortest wave is small in height alone. The rest,
-    also stretch, angle and random_amplitudes, as in `gaussian_surface`, whose amplitudes are aimed at.
+    it where slopes and curvatures matter: what the heights add beyond the shortest wave is small in height alone.
+    shape, size, spectrum, seed, and of the lay stretch, angle and random_amplitudes: as in `gaussian_surface`, whose
+    amplitudes are aimed at. Raises InputError as that does, for moments that no such heights have, and for steps below 0.
     """
     curve = johnson(skewness, kurtosis)
     if steps < 0:

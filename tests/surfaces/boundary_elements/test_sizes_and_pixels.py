@@ -10,7 +10,9 @@ from stiction.surfaces.boundary_elements.adhesive import solve_adhesive
 from stiction.surfaces.boundary_elements.area_estimates import map_slopes
 from stiction.surfaces.boundary_elements.bodies import Bodies
 from stiction.surfaces.boundary_elements.compliance import Compliance
+from stiction.surfaces.boundary_elements.doubts import doubts_of_load, share_at_ends
 from stiction.surfaces.boundary_elements.measures import waves
+from stiction.surfaces.boundary_elements.minimise import Found
 from stiction.surfaces.boundary_elements.operators import FreeBoundary
 from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.boundary_elements.sticking import shortest_range
@@ -105,6 +107,19 @@ def test_the_shortest_wave_of_an_odd_number_of_points_lies_as_it_lies():
     for waves_on_a_side in (1, 13):
         heights = np.cos(2.0 * math.pi * waves_on_a_side * (row[:, None] + row) / 27)
         assert map_slopes(heights, (1.0, 1.0)).lay > 1e3
+
+
+def test_a_hundredth_of_the_load_may_be_on_the_ends():
+    """Of five by four points fourteen are the outermost; of two rows all are."""
+    for share, doubted in ((0.0, False), (0.00995, False), (0.01005, True), (0.7, True)):
+        pressure = np.full((5, 4), share / 14.0)
+        pressure[1:-1, 1:-1] = (1.0 - share) / 6.0
+        assert share_at_ends(pressure) == pytest.approx(share)
+        found = Found(pressure, np.zeros((5, 4)), 0.0, 0.0, 1, True)
+        said = [(one.name, one.value, one.limit) for one in doubts_of_load(found, 0.0, False, 1e-5)]
+        assert [one for one in said if one[0] == "load_at_ends"] == [("load_at_ends", pytest.approx(share), 0.01)] * doubted
+        assert "load_at_ends" not in {one.name for one in doubts_of_load(found, 0.0, True, 1e-5)}
+    assert share_at_ends(np.ones((2, 9))) == share_at_ends(np.ones((9, 1))) == 1.0
 
 
 def test_the_shortest_range_is_two_of_the_longer_sides_of_points():

@@ -10,7 +10,7 @@ $$
 
 over $a$, in which no powers of $1/r$ are left to cancel near the axis. Where the closed forms are short:
 
-- axis: $\sigma_x=\sigma_y=p_0\left[(1+\nu)(z\arctan\tfrac1z-1)+\frac1{2(1+z^2)}\right]$, $\sigma_z=-\frac{p_0}{1+z^2}$,
+- axis: $\sigma_x=\sigma_y=p_0(1+\nu)(z\arctan\tfrac1z-1)$ $+\,\frac{p_0}{2(1+z^2)}$, $\sigma_z=-\frac{p_0}{1+z^2}$,
   $\tau_{xz}=q_0\left[-1+\tfrac32z\arctan\tfrac1z-\frac{z^2}{2(1+z^2)}\right]$;
 - surface inside the contact, from the traction: $\sigma_x=-\tfrac\pi8(4+\nu)x\,q_0$, $\sigma_y=-\tfrac{3\pi}8\nu x\,q_0$,
   $\tau_{xy}=-\tfrac\pi8(2-\nu)y\,q_0$, $\tau_{xz}=-\sqrt{1-r^2}\,q_0$;

@@ -34,10 +34,10 @@ from stiction.studies.case.uncertain import (
     usual,
     with_ranges,
 )
-from stiction.studies.design.plan import Design
-from stiction.studies.fit.plan import Fit
+from stiction.studies.design.table import Design
+from stiction.studies.fit.table import Fit
 from stiction.studies.scans.measured import Measured, MeasuredRoughness, measure
-from stiction.studies.sweep.plan import Sweep
+from stiction.studies.sweep.table import Sweep
 
 __all__ = ["Case", "as_case", "case_in", "json_schema", "parse_case", "read_case"]
 
@@ -166,7 +166,7 @@ class _Solve(Input):
 class _CaseFile(Input):
     """The tables of a case file: [contact] or [indices], [solve], those of studies of it, and materials of its own."""
 
-    title: str = Field("", description="what reports and pictures call the case")
+    title: str = Field("", description="text: what reports and pictures call the case")
     materials: dict[str, Body] | str = Field(
         default_factory=dict, description="tables of numbers by name, or the name of a file beside the case that has them"
     )
@@ -187,11 +187,12 @@ class _CaseFile(Input):
 
 
 def read_case(path, *, ranges: bool | None = None) -> Case:
-    """The case in a TOML file; ranges: whether numbers of materials vary within their ranges, in place of what the file says.
+    """The case in a TOML file.
 
-    Raises InputError, one line, if the file cannot be read or is not TOML, for a key that is not known, and
-    for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with InputDoubt of numbers that
-    are no rough surface: sigma and R swapped, a metre of roughness.
+    path: of the file; scans and files of materials are looked for beside it. ranges: whether numbers of materials vary within
+    their ranges, in place of what the file says. Raises InputError, one line, if the file cannot be read or is not TOML, for
+    a key that is not known, and for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with
+    InputDoubt of numbers that are no rough surface: sigma and R swapped, a metre of roughness.
     """
     return parse_case(_with(read_content(path), ranges), Path(path).parent)
 
@@ -265,6 +266,11 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...
     if wants_ranges(content):
         used |= {one.path: one for one in with_ranges(content, [*numbers, *used])}
     return content, numbers | {one.path: one for one in named(list(used.values()))}
+
+
+def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables without those of studies of many contacts."""
+    return {key: value for key, value in content.items() if key not in ("fit", "design", "sweep")}
 
 
 def wants_ranges(content: Mapping) -> bool:

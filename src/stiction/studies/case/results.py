@@ -79,8 +79,10 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
 
 def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0) -> "xarray.Dataset":
     """From rest to sliding at points of a case, five of them at the most, as `slide` gives it: of the nominal numbers, where
-    some are uncertain, and of the method that stands for the surface, where it was measured. Raises InputError, also for a
-    contact of which numbers are several."""
+    some are uncertain, and of the method that stands for the surface, where it was measured.
+
+    choice: model and laws, in place of those of the case; kept: the share of its strength that an asperity keeps once it
+    slides, 0 to 1. Raises InputError, also for a contact of which numbers are several."""
     if case.is_several:
         raise InputError("--sliding", "numbers of the contact are several", "one contact; st.slide takes any number")
     choice = choice_of_case(case, choice or case.choice)

@@ -49,7 +49,7 @@ class Range(Input):
     start: _Point = Field(description="the first point")
     stop: _Point = Field(description="the last point")
     count: int = Field(ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}")
-    spacing: Literal["linear", "log"] = Field("linear", description="even steps of the number, or of its logarithm")
+    spacing: Literal["linear", "log"] = Field("linear", description="linear: even steps of the number; log: of its logarithm")
 
 
 def _along(value):

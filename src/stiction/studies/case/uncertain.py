@@ -75,7 +75,9 @@ class _Between(Input):
 
     low: _Point = Field(description="the low end")
     high: _Point = Field(description="the high end")
-    spacing: Literal["linear", "log"] = Field("linear", description="the number is as likely anywhere, or its logarithm")
+    spacing: Literal["linear", "log"] = Field(
+        "linear", description="linear: the number is as likely anywhere; log: its logarithm is"
+    )
     along: Along = Field(None, validate_default=False, description=_TOGETHER)
 
 

@@ -242,7 +242,7 @@ def _standing(models: int, own: float) -> str:
         return "the only model that says anything of friction here: one opinion and no range"
     if own > 1.0 - _LITTLE:
         return f"the best founded of {models} models, with nearly all of the weight: one opinion and no range"
-    return f"in the middle of {models} models by how well each is founded here ({own:.0%} of the weight is its own)"
+    return f"median of {models} models, each weighted by how well it is founded here ({own:.0%} of the weight is its own)"
 
 
 _WRONG = "its contact area is far from that of solved surfaces near this contact"

@@ -10,11 +10,10 @@ import numpy as np
 from stiction import __version__
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
-from stiction.studies.case.read import wants_ranges
+from stiction.studies.case.read import read_content, wants_ranges, without_studies
 from stiction.studies.case.text import case_text, show_exactly, with_written
 from stiction.studies.design.plan import LOAD, DesignPlan, Options, make_design_plan
 from stiction.studies.design.space import TOLERANCE, Answers, Space
-from stiction.studies.fit.plan import without_studies
 
 if TYPE_CHECKING:
     import xarray
@@ -96,8 +95,6 @@ def design(case: Any, *, tell: Tell = lambda count, text: None) -> "xarray.Datas
 
 def plan_of_design(case: Any) -> DesignPlan:
     """What is searched. Raises InputError."""
-    from stiction.studies.case.read import read_content
-
     if isinstance(case, Mapping):
         return make_design_plan(case)
     return make_design_plan(read_content(case), Path(case).parent)

@@ -6,33 +6,20 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import Field
 
 from stiction.quantities.errors import InputError, InWords
-from stiction.quantities.inputs import Input, require_names
+from stiction.quantities.inputs import require_names
 from stiction.studies.case.free import Free, read_free
 from stiction.studies.case.places import as_numbers, flat, placed, read_end
+from stiction.studies.case.read import opened, without_studies
 from stiction.studies.case.uncertain import Uncertain
 from stiction.studies.fit.measurements import Measurements, read_measurements
+from stiction.studies.fit.table import Fit
 
-__all__ = ["RESISTANCE", "Fit", "FitPlan", "make_fit_plan"]
+__all__ = ["RESISTANCE", "FitPlan", "make_fit_plan"]
 
 RESISTANCE = ("fit", "specific_contact_resistance")
 _MOST_FREE = 8
-
-
-class Fit(Input):
-    """What is fitted to measured series.
-
-    free: numbers of the case by their names, each with its ends. models: names of models that are compared, besides that of
-    [solve]. predict: numbers of the contact, one or several, for which the fitted model predicts at the points of [solve].
-    specific_contact_resistance: contact resistance times real area, where resistance was measured and this is not free.
-    """
-
-    free: dict[str, Any] = Field(description="a table of numbers of the case, each with its low and high end")
-    models: list[str] = Field(default_factory=list, description="a list of names of models, as `stiction compare` shows them")
-    predict: dict[str, Any] = Field(default_factory=dict, description="a table of numbers of the contact, one or several")
-    specific_contact_resistance: str | None = Field(None, description='text with a unit, e.g. "1e-12 ohm m^2"')
 
 
 @dataclass(frozen=True)
@@ -56,8 +43,6 @@ class FitPlan:
 def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
     """The plan of the tables of a case file and a file of measured series; folder: from which scans are named. Raises
     InputError."""
-    from stiction.studies.case.read import opened
-
     require_names(content)
     given = dict(content)
     table = given.get("fit")
@@ -86,11 +71,6 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     taken = {one.path for one in free} | {path for row in measured.known for path in row}
     names = tuple(".".join(path[1:]) for path, one in several.items() if isinstance(one, Uncertain) and path not in taken)
     return replace(plan, uncertain=names)
-
-
-def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
-    """The tables without those of studies of many contacts."""
-    return {key: value for key, value in content.items() if key not in ("fit", "design", "sweep")}
 
 
 def _free(fit: Fit, content: Mapping) -> tuple[Free, ...]:

@@ -11,12 +11,13 @@ from stiction import __version__
 from stiction.quantities.extras import require
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
+from stiction.studies.case.read import read_content, without_studies
 from stiction.studies.case.text import case_text, with_written
 from stiction.studies.fit.answer import Fitted, fitted, verdicts
 from stiction.studies.fit.bands import Bands, check_predicted, predicted
 from stiction.studies.fit.evidence import Rival, rank, rival
 from stiction.studies.fit.model import check_models, forward_of
-from stiction.studies.fit.plan import RESISTANCE, FitPlan, make_fit_plan, without_studies
+from stiction.studies.fit.plan import RESISTANCE, FitPlan, make_fit_plan
 from stiction.studies.fit.search import CONFIDENCE
 
 if TYPE_CHECKING:
@@ -68,8 +69,6 @@ def fit(case: Any, data: Any, *, progress: Progress = lambda text: iter) -> "xar
 
 def plan_of_fit(case: Any, data: Any) -> FitPlan:
     """What is fitted. Raises InputError."""
-    from stiction.studies.case.read import read_content
-
     require("fit", "lmfit")
     plan = (
         make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)

@@ -55,10 +55,10 @@ def prepared(
 ) -> HeightMap:
     """The scan without its form and without the waves outside of a band.
 
-    form: order of the polynomial that is taken off, 1 for the mean plane, 0 for nothing. spikes: points further from the
-    median of the levelled heights than so many robust deviations are masked before that; None for none. fill: "harmonic" or
-    "nearest" fills missing points, None leaves them missing. shortest, longest: ends of the band, metres or text with a unit;
-    None for no end. Raises InputError.
+    surface: heights in metres, as `read_scan` gives them. form: order of the polynomial taken off, 1 for the mean plane, 0
+    for nothing. spikes: points further from the median of the levelled heights than so many robust deviations are masked
+    before that; None for none. fill: "harmonic" or "nearest" fills missing points, None leaves them missing. shortest,
+    longest: ends of the band, metres or text with a unit; None for no end. Raises InputError.
     """
     raw = surface
     if spikes is not None:
@@ -117,8 +117,8 @@ def _check_left(raw: HeightMap, surface: HeightMap) -> None:
 def analyse(surface: HeightMap, progress: Callable[[Iterable], Iterable] = iter, tip_radius: Any = None) -> Analysis:
     """Statistics, spectrum, moments and asperities of a prepared scan.
 
-    progress: wraps the list of steps. tip_radius: of the stylus, metres or text with a unit: ends the reliable band of the
-    spectrum where it could not follow. Raises InputError.
+    surface: heights in metres, as `prepared` gives them. progress: wraps the list of steps. tip_radius: of the stylus, metres
+    or text with a unit: ends the reliable band of the spectrum where it could not follow. Raises InputError.
     """
     tip = None if tip_radius is None else metres(tip_radius, "tip_radius")
     found: dict[str, Any] = {"spikes": int(np.count_nonzero(spikes_of(surface)))}

@@ -12,7 +12,8 @@ from stiction.laws.claims import Validity
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import Pointwise, solve_pointwise
-from stiction.studies.sweep.plan import MOMENTS, Plan
+from stiction.studies.sweep.plan import Plan
+from stiction.studies.sweep.table import MOMENTS
 
 __all__ = ["Block", "merged", "solve_block", "solve_region", "statistics_of"]
 

@@ -5,64 +5,23 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
-from pydantic import Field, model_validator
 
 from stiction.contact.contact import Roughness
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, nearest, require_names
+from stiction.studies.case.read import case_of, opened
 from stiction.studies.case.several import Several, with_values
 from stiction.studies.case.uncertain import SAMPLE, Uncertain, expanded
-from stiction.studies.sweep.quantile_counts import PERCENTILES
+from stiction.studies.sweep.table import LARGEST_BLOCK, Sample, Sweep
 
-__all__ = ["AT_ONCE", "MOMENTS", "STATISTICS", "Plan", "Sweep", "make_plan"]
+__all__ = ["AT_ONCE", "Plan", "make_plan"]
 
-_METHODS = ("grid", "list", "sobol", "latin_hypercube")
-_MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
 AT_ONCE = 131_072  # points of a block: half a second of work; and of what is solved together, of larger ones
-_LARGEST_BLOCK, _MOST_BLOCKS = 2**24, 50_000_000  # 10^12 points in blocks of the usual size are 7.6 million
+_MOST_BLOCKS = 50_000_000  # 10^12 points in blocks of the usual size are 7.6 million
 _BITS = 32  # of the coordinates of Sobol points: as many as can be skipped quickly
-MOMENTS = ("count", "mean", "standard_deviation", "least", "most")
-STATISTICS = (*MOMENTS, *PERCENTILES)
-
-
-class Sample(Input):
-    """Which contacts. grid: every combination; list: the values point by point; sobol, latin_hypercube: so many points drawn
-    between start and stop of each range, evenly in it or in its logarithm."""
-
-    method: Literal["grid", "list", "sobol", "latin_hypercube"] = Field("grid", description=", ".join(_METHODS))
-    count: int | None = Field(None, ge=1, le=_MOST_SOBOL, strict=True, description="a whole number, 1 or more")
-    seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
-
-    @model_validator(mode="after")
-    def _count_is_needed(self):
-        drawn = self.method in ("sobol", "latin_hypercube")
-        if drawn and self.count is None:
-            raise InputError("count", None, "a whole number, 1 or more: how many points are drawn")
-        if not drawn and self.count is not None:
-            raise InputError("count", self.count, f"nothing: a {self.method} has as many points as there are values")
-        if self.method == "latin_hypercube" and (self.count or 0) > _MOST_HYPERCUBE:
-            raise InputError("count", self.count, f"{_MOST_HYPERCUBE} at most, or sobol, which may have more")
-        return self
-
-
-class Sweep(Input):
-    """What is computed and kept.
-
-    sample: which contacts. keep: names of results, all if left out. statistics: in place of the points, of what is kept over
-    all contacts at each load. precision: of what is stored. block: points that are stored at once; where it is left out, as
-    many as are solved at once, or for statistics, of which a large block has no more than a small one, up to 8 times that.
-    """
-
-    sample: Sample = Field(default=Sample(method="grid", count=None, seed=0), description="a table with method, count and seed")
-    keep: list[str] = Field(default_factory=list, description="a list of names of results")
-    statistics: list[Literal[STATISTICS]] = Field(  # type: ignore[valid-type]  # one list of them, for all
-        default_factory=list, description=", ".join(STATISTICS)
-    )
-    precision: Literal["float64", "float32"] = Field("float64", description="float64, float32")
-    block: int | None = Field(None, ge=1, le=_LARGEST_BLOCK, strict=True, description=f"a whole number, 1 to {_LARGEST_BLOCK}")
 
 
 @dataclass(frozen=True)
@@ -124,8 +83,6 @@ class Plan:
 
     def case(self, region: Mapping[str, slice]):
         """The case with the contacts of a region."""
-        from stiction.studies.case.read import case_of
-
         return case_of(self.content, self.arrays(region))
 
     def _drawn(self, some: slice) -> dict[tuple[str, ...], Any]:
@@ -172,8 +129,6 @@ def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
 
 def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
-    from stiction.studies.case.read import case_of, opened
-
     require_names(content)
     content, several = opened(content, folder)
     sweep = _sweep(content.get("sweep", {}))
@@ -239,7 +194,7 @@ def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
         room //= tile[dim]
     cut = replace(plan, dims=dict(lengths), tile={dim: tile[dim] for dim in lengths})
     if cut.blocks > _MOST_BLOCKS:
-        allowed = f"{_MOST_BLOCKS} blocks at most: fewer points, or a larger sweep.block, up to {_LARGEST_BLOCK}"
+        allowed = f"{_MOST_BLOCKS} blocks at most: fewer points, or a larger sweep.block, up to {LARGEST_BLOCK}"
         raise InputError("sweep", f"{cut.size} points in {cut.blocks} blocks", allowed)
     return cut
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import require
+from stiction.studies.case.read import read_content
 from stiction.studies.sweep.plan import Plan, make_plan
 from stiction.studies.sweep.workers import make_ready
 
@@ -78,8 +79,6 @@ def _silently(done: int, size: int, steps: Iterable[int]) -> Iterable[int]:
 def _planned(case: Any) -> tuple[Plan, str, str]:
     """The plan of a case, its title and its text."""
     import json
-
-    from stiction.studies.case.read import read_content
 
     if isinstance(case, Mapping):
         return make_plan(case), str(case.get("title", "")), json.dumps(case, default=str)

@@ -1,0 +1,56 @@
+"""The table [design] of a case file."""
+
+from typing import Any, Literal
+
+from pydantic import Field, model_validator
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input
+
+__all__ = ["Design", "Wish"]
+
+
+class Wish(Input):
+    """What is wished of a result: that it is least, most, or next to a value."""
+
+    minimise: str | None = Field(None, description="the name of a result")
+    maximise: str | None = Field(None, description="the name of a result")
+    target: str | None = Field(None, description="the name of a result")
+    value: str | float | None = Field(None, description="with target: the value, with its unit")
+
+    @model_validator(mode="after")
+    def _one_of_them(self):
+        given = [name for name in ("minimise", "maximise", "target") if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise InputError("", given or None, 'one of minimise, maximise, target, e.g. { minimise = "friction_coefficient" }')
+        if (self.target is None) != (self.value is None):
+            raise InputError("value", self.value, "a value beside target, and only there")
+        return self
+
+    @property
+    def quantity(self) -> str:
+        return str(self.minimise or self.maximise or self.target)
+
+    @property
+    def words(self) -> str:
+        return (
+            f"{self.quantity} next to {self.value}"
+            if self.target
+            else f"{'least' if self.minimise else 'most'} {self.quantity}"
+        )
+
+
+class Design(Input):
+    """What is chosen, and what is wished of it.
+
+    wish: one wish, or a list of two. choose: numbers of the contact and load with their ends, or lists of which one is taken.
+    limits: results with the ends between which they must be. validity: "claimed" where no range of validity may be left but
+    those that are about statistics, "possible" where none may be that makes a result impossible, "any".
+    """
+
+    wish: Any = Field(description='a wish, { minimise = "friction_coefficient" }, or a list of two')
+    choose: dict[str, Any] = Field(description="a table of numbers of the contact with their ends, or lists")
+    limits: dict[str, Any] = Field(default_factory=dict, description="a table of results, each with its low or high end")
+    validity: Literal["claimed", "possible", "any"] = Field("claimed", description="claimed, possible, any")
+    effort: int = Field(60, ge=1, le=10_000, strict=True, description="generations of the search, 1 to 10000")
+    seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")

@@ -1,0 +1,23 @@
+"""The table [fit] of a case file."""
+
+from typing import Any
+
+from pydantic import Field
+
+from stiction.quantities.inputs import Input
+
+__all__ = ["Fit"]
+
+
+class Fit(Input):
+    """What is fitted to measured series.
+
+    free: numbers of the case by their names, each with its ends. models: names of models that are compared, besides that of
+    [solve]. predict: numbers of the contact, one or several, for which the fitted model predicts at the points of [solve].
+    specific_contact_resistance: contact resistance times real area, where resistance was measured and this is not free.
+    """
+
+    free: dict[str, Any] = Field(description="a table of numbers of the case, each with its low and high end")
+    models: list[str] = Field(default_factory=list, description="a list of names of models, as `stiction compare` shows them")
+    predict: dict[str, Any] = Field(default_factory=dict, description="a table of numbers of the contact, one or several")
+    specific_contact_resistance: str | None = Field(None, description='text with a unit, e.g. "1e-12 ohm m^2"')

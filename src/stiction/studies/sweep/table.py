@@ -1,0 +1,54 @@
+"""The table [sweep] of a case file."""
+
+from typing import Literal
+
+from pydantic import Field, model_validator
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input
+from stiction.studies.sweep.quantile_counts import PERCENTILES
+
+__all__ = ["LARGEST_BLOCK", "MOMENTS", "STATISTICS", "Sample", "Sweep"]
+
+_METHODS = ("grid", "list", "sobol", "latin_hypercube")
+_MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
+LARGEST_BLOCK = 2**24
+MOMENTS = ("count", "mean", "standard_deviation", "least", "most")
+STATISTICS = (*MOMENTS, *PERCENTILES)
+
+
+class Sample(Input):
+    """Which contacts. grid: every combination; list: the values point by point; sobol, latin_hypercube: so many points drawn
+    between start and stop of each range, evenly in it or in its logarithm."""
+
+    method: Literal["grid", "list", "sobol", "latin_hypercube"] = Field("grid", description=", ".join(_METHODS))
+    count: int | None = Field(None, ge=1, le=_MOST_SOBOL, strict=True, description="a whole number, 1 or more")
+    seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
+
+    @model_validator(mode="after")
+    def _count_is_needed(self):
+        drawn = self.method in ("sobol", "latin_hypercube")
+        if drawn and self.count is None:
+            raise InputError("count", None, "a whole number, 1 or more: how many points are drawn")
+        if not drawn and self.count is not None:
+            raise InputError("count", self.count, f"nothing: a {self.method} has as many points as there are values")
+        if self.method == "latin_hypercube" and (self.count or 0) > _MOST_HYPERCUBE:
+            raise InputError("count", self.count, f"{_MOST_HYPERCUBE} at most, or sobol, which may have more")
+        return self
+
+
+class Sweep(Input):
+    """What is computed and kept.
+
+    sample: which contacts. keep: names of results, all if left out. statistics: in place of the points, of what is kept over
+    all contacts at each load. precision: of what is stored. block: points that are stored at once; where it is left out, as
+    many as are solved at once, or for statistics, of which a large block has no more than a small one, up to 8 times that.
+    """
+
+    sample: Sample = Field(default=Sample(method="grid", count=None, seed=0), description="a table with method, count and seed")
+    keep: list[str] = Field(default_factory=list, description="a list of names of results")
+    statistics: list[Literal[STATISTICS]] = Field(  # type: ignore[valid-type]  # one list of them, for all
+        default_factory=list, description=", ".join(STATISTICS)
+    )
+    precision: Literal["float64", "float32"] = Field("float64", description="float64, float32")
+    block: int | None = Field(None, ge=1, le=LARGEST_BLOCK, strict=True, description=f"a whole number, 1 to {LARGEST_BLOCK}")

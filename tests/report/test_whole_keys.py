@@ -1,0 +1,48 @@
+"""Names in tables can be copied, on a terminal of any width."""
+
+import io
+
+import pytest
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from stiction.report.whole_keys import WholeKeys
+
+NAMES = ["hertz", "ciavarella_greenwood_paggi_2008 + sequential", "cohen_kligerman_etsion_2008 + layered", "jkr"]
+
+
+def printed(width: int, *, doubts: bool = False, head: bool = True) -> list[str]:
+    table = Table(box=None, padding=(0, 1, 0, 0), show_header=head)
+    table.add_column("model", no_wrap=True)
+    for name in ("mu", "contact\narea"):
+        table.add_column(name, justify="right", no_wrap=True)
+    table.add_column("doubts")
+    for at, name in enumerate(NAMES):
+        table.add_row(name, f"0.{at}", Text(f"{at} um^2"), "because of this and of that" if doubts else "-", style="bold")
+    file = io.StringIO()
+    Console(file=file, width=width).print(WholeKeys(table))
+    return [line.rstrip() for line in file.getvalue().splitlines()]
+
+
+def widths_beside(doubts: bool, head: bool) -> int:
+    """Of mu, area and doubts, with a space after each column: "0.0", "contact" or "0 um^2", the words or the head."""
+    return 1 + (3 + 1) + (7 if head else 6) + 1 + (28 if doubts else 6 if head else 1) + 1
+
+
+@pytest.mark.parametrize("doubts", [False, True])
+@pytest.mark.parametrize("head", [False, True])
+@pytest.mark.parametrize("width", [50, 60, 80, 100, 200])
+def test_no_name_is_broken_and_nothing_is_lost(width, doubts, head):
+    """A name that has no room is alone on its line, with its numbers in their columns below."""
+    lines = printed(width, doubts=doubts, head=head)
+    for at, name in enumerate(NAMES):
+        (line,) = (line for line in lines if name in line)
+        beside = line if line != name else lines[lines.index(line) + 1]
+        assert f"0.{at}" in beside and beside.index(f"0.{at}") == next(one for one in lines if "0.0" in one).index("0.0")
+        assert (line == name) == (len(name) > width - widths_beside(doubts, head))
+
+
+def test_with_room_it_is_the_table_itself():
+    assert [line.split()[0] for line in printed(200)[2:]] == [name.split()[0] for name in NAMES]
+    assert len(printed(200)) == 2 + len(NAMES)
