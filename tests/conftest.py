@@ -22,8 +22,8 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items):
-    """What one process does alone, as the browser, begins where two thirds are done: kernels are compiled by then, and the other
-    process has enough left to do meanwhile."""
+    """What one process does alone, as the browser, begins where two thirds are done: kernels are compiled by then, and the
+    other process has enough left to do meanwhile."""
     alone = [item for item in items if item.get_closest_marker("xdist_group")]
     others = [item for item in items if not item.get_closest_marker("xdist_group")]
     done = 2 * len(others) // 3
