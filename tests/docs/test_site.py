@@ -242,7 +242,7 @@ def test_tutorial_is_executed():
 
 def test_tutorial_does_not_show_where_a_picture_is_in_memory():
     drawn_last = (
-        "# One\n\n```python\nimport matplotlib.pyplot as plt\n\nplt.plot([1, 2])\n```\n\n```python\nplt.legend()\n```\n"
+        "# One\n\n```python\nimport matplotlib.pyplot as plt\n\nplt.plot([1, 2])\n```\n\n```python\nplt.plot([2, 1])\n```\n"
     )
     page, _, pictures = notebooks.executed(drawn_last, "one")
     assert " at 0x" not in page

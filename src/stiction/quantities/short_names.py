@@ -63,7 +63,7 @@ SHORT = {
     "meniscus_index": "meniscus index",
     "meniscus_height": "meniscus height",
     "kelvin_radius": "Kelvin radius",
-    "kelvin_radius_over_confirmed": "Kelvin radius over confirmed",
+    "kelvin_radius_over_confirmed": "Kelvin radius over tested",
     "meniscus_tabor_parameter": "Tabor parameter, menisci",
     "meniscus_over_radius": "meniscus height over R",
     "meniscus_coverage": "coverage by menisci",
