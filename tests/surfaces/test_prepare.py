@@ -8,7 +8,7 @@ from scipy.special import erf
 
 from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
-from stiction.surfaces.prepare import crop, fill_missing, filter_band, level, remove_form
+from stiction.surfaces.prepare import crop, fill_missing, filter_band, filter_period, level, remove_form
 from stiction.surfaces.spikes import mask_spikes, spikes
 
 
@@ -170,6 +170,22 @@ def test_waves_pass_as_the_standard_says(ratio, missing):
     rest = filter_band(surface, longest="20 um")
     np.testing.assert_allclose(rest.heights[inside], (1.0 - passed) * wave[inside], rtol=0.0, atol=1e-8 * 1e-7)
     assert found.missing == surface.missing and "50 % at the cutoffs" in found.history[-1]
+
+
+def test_waves_of_a_period_pass_as_the_standard_says_up_to_its_ends():
+    """exp(-ln 2 (cutoff / wavelength)^2) of every wave that goes on over the ends: a sum of two, by each of its own."""
+    rows, columns, size, cutoff = 60, 90, (30e-6, 60e-6), 8e-6
+    y, x = grid(rows, columns) * [[[size[0] / rows]], [[size[1] / columns]]]
+    waves = [(3, 1), (2, 11)]
+    parts = [1e-7 * np.cos(2.0 * math.pi * (i * y / size[0] + j * x / size[1]) + 0.4) for i, j in waves]
+    passed = [math.exp(-math.log(2.0) * cutoff**2 * ((i / size[0]) ** 2 + (j / size[1]) ** 2)) for i, j in waves]
+    surface = HeightMap(sum(parts), size, periodic=True)
+    found = filter_period(surface, shortest=cutoff)
+    expected = sum(share * part for share, part in zip(passed, parts, strict=True))
+    np.testing.assert_allclose(found.heights, expected, rtol=0.0, atol=1e-13 * 1e-7 * 1e2)
+    assert found.periodic
+    rest = filter_period(surface, longest=cutoff)
+    np.testing.assert_allclose(rest.heights, surface.heights - expected, rtol=0.0, atol=1e-13 * 1e-7 * 1e2)
 
 
 def test_band_is_both_filters_and_says_so():

@@ -2,7 +2,9 @@
 
 import numpy as np
 import pytest
+import scipy.stats
 
+from stiction.studies.uncertainty import indices_of_variance
 from stiction.studies.uncertainty.indices_of_variance import PARTS, effects, points_of_indices, sobol_indices, trajectories
 
 
@@ -167,3 +169,7 @@ def test_the_error_of_an_effect_is_the_scatter_of_its_mean():
     )
     assert found.size[0] == pytest.approx(slopes.mean(), rel=1e-12)
     assert found.size_error[0] == pytest.approx(slopes.std(ddof=1) / np.sqrt(40), rel=1e-12)
+
+
+def test_intervals_are_those_of_as_many_parts_as_there_are():
+    assert indices_of_variance._T == pytest.approx(scipy.stats.t.ppf(0.975, PARTS - 1), rel=1e-6)

@@ -1,6 +1,7 @@
 """Maps of any size and of points that are no squares: lengths and areas in their own units, edges along both directions."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,7 +10,8 @@ from stiction.surfaces.boundary_elements import adhesive
 from stiction.surfaces.boundary_elements.adhesive import solve_adhesive
 from stiction.surfaces.boundary_elements.area_estimates import map_slopes
 from stiction.surfaces.boundary_elements.bodies import Bodies
-from stiction.surfaces.boundary_elements.compliance import Compliance
+from stiction.surfaces.boundary_elements.compliance import Compliance, Film
+from stiction.surfaces.boundary_elements.curve import of_map
 from stiction.surfaces.boundary_elements.doubts import doubts_of_load, share_at_ends
 from stiction.surfaces.boundary_elements.measures import waves
 from stiction.surfaces.boundary_elements.minimise import Found
@@ -127,3 +129,11 @@ def test_the_shortest_range_is_two_of_the_longer_sides_of_points():
     surface = HeightMap(STRIPS, SIZE, periodic=True)
     found = shortest_range(surface, Bodies(2.0), 1e-3)
     assert 2.0 * found**2 / 1e-3 == pytest.approx(2.0 / 8.0, rel=1e-12)
+
+
+def test_a_film_is_counted_in_points_and_beside_the_map():
+    """A map of 2 by 8, its points 1/4 by 1/16, of which every second is solved; a film 1/8 thick."""
+    bodies, surface = Bodies(2.0, Film(0.125, 1.0, 0.3, 2.0, 0.3)), HeightMap(STRIPS, (2.0, 8.0))
+    alone, period = of_map(surface, bodies, 2), of_map(replace(surface, periodic=True), bodies, 2)
+    assert alone["points_in_film"] == period["points_in_film"] == pytest.approx(0.125 / (2 * 0.25))
+    assert alone["film_over_side"] == pytest.approx(0.125 / 2.0) and "film_over_side" not in period
