@@ -17,11 +17,13 @@ import csv
 import gzip
 import json
 import math
+import os
 
 import pytest
 from make_pinned import COLUMNS, FILE, ask
 
-WITHIN = 1e-13  # of the size of each result, which is in the file
+# With libraries of other versions films that are solved differ by some 1e-12: release/try_versions.py asks for less.
+WITHIN = float(os.environ.get("PINNED_WITHIN", "1e-13"))
 
 
 def rows() -> dict[str, list[dict[str, str]]]:
