@@ -75,7 +75,8 @@ def main() -> int:
 def _write(which: str, python: str, versions: dict[str, str], summary: str) -> None:
     direct = [name_of(one) for one in shared.direct()]
     rows = [[f"`{name}`", versions[name]] for name in direct if name in versions]
-    said = f"Tried on {datetime.datetime.now(datetime.UTC):%Y-%m-%d} with Python {python}: {summary}; pinned results within {PINNED_WITHIN}."
+    day = f"{datetime.datetime.now(datetime.UTC):%Y-%m-%d}"
+    said = f"Tried on {day} with Python {python}: {summary}; pinned results within {PINNED_WITHIN}."
     shared.write_table(f"{which} versions", ["package", "version"], rows, said)
 
 

@@ -22,7 +22,8 @@ import os
 import pytest
 from make_pinned import COLUMNS, FILE, ask
 
-# With libraries of other versions films that are solved differ by some 1e-12: release/try_versions.py asks for less.
+# Of the size of each result, which is in the file. With libraries of other versions films that are solved differ by some 1e-12:
+# release/try_versions.py asks for less.
 WITHIN = float(os.environ.get("PINNED_WITHIN", "1e-13"))
 
 
