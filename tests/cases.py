@@ -1,6 +1,8 @@
 """Cases that several tests run."""
 
-__all__ = ["BARE", "STEEL_ON_STEEL"]
+import stiction as st
+
+__all__ = ["BARE", "SILICON_ON_SILICON", "STEEL_ON_STEEL"]
 
 # Without a title and what to solve.
 STEEL_ON_STEEL = """
@@ -27,3 +29,12 @@ BARE = {
         "asperity_density": "1.6e10 1/m^2",
     },
 }
+
+# Smooth silicon of micromachines, dry, whose interface states its strength.
+SILICON_ON_SILICON = st.Contact(
+    first="silicon",
+    second="silicon",
+    roughness=st.Roughness(asperity_height_deviation="10 nm", asperity_radius="1 um", asperity_density="1e13 1/m^2"),
+    nominal_area="0.01 mm^2",
+    interfacial_shear_strength="100 MPa",
+)

@@ -6,17 +6,9 @@ import math
 import pytest
 
 import stiction as st
+from cases import SILICON_ON_SILICON
 
-CONTACT = st.Contact(
-    first="silicon",
-    second="silicon",
-    roughness=st.Roughness(asperity_height_deviation="10 nm", asperity_radius="1 um", asperity_density="1e13 1/m^2"),
-    nominal_area="0.01 mm^2",
-    interfacial_shear_strength="100 MPa",
-    strengthening=0.02,
-    cut_off_time="1 s",
-    waiting_time="0 s",
-)
+CONTACT = SILICON_ON_SILICON.replace(strengthening=0.02, cut_off_time="1 s", waiting_time="0 s")
 
 
 def solved(time: str):

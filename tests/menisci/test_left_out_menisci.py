@@ -7,20 +7,13 @@ from scipy.integrate import quad
 from scipy.stats import norm
 
 import stiction as st
+from cases import SILICON_ON_SILICON
 from stiction.laws.validity import doubts_of
-
-DRY = st.Contact(
-    first="silicon",
-    second="silicon",
-    roughness=st.Roughness(asperity_height_deviation="10 nm", asperity_radius="1 um", asperity_density="1e13 1/m^2"),
-    nominal_area="0.01 mm^2",
-    interfacial_shear_strength="100 MPa",
-)
 
 
 def humid(humidity):
     angles = {"contact_angle_first": "10 deg", "contact_angle_second": "10 deg"}
-    return DRY.replace(liquid=st.Liquid(relative_humidity=humidity, temperature="20 degC", **angles))
+    return SILICON_ON_SILICON.replace(liquid=st.Liquid(relative_humidity=humidity, temperature="20 degC", **angles))
 
 
 def said_of_the_liquid(result):
@@ -32,7 +25,7 @@ def test_theories_in_closed_form(model):
     (doubt,) = said_of_the_liquid(st.solve(humid(0.9), load="1 mN", model=model))
     assert "the liquid is left out" in doubt.why and doubt.kind == "effect"
     assert not said_of_the_liquid(st.solve(humid(0.3), load="1 mN", model=model))  # 5 % of the load
-    assert not said_of_the_liquid(st.solve(DRY, load="1 mN", model=model))
+    assert not said_of_the_liquid(st.solve(SILICON_ON_SILICON, load="1 mN", model=model))
 
 
 def test_a_sum_that_is_told_to_leave_them_out():
