@@ -30,7 +30,6 @@ from .studies.design.run import design as design
 from .studies.fit.run import fit as fit
 from .studies.scans.analysis import analyse as analyse
 from .studies.scans.analysis import prepared as prepared
-from .studies.scans.resolution import fan as fan
 from .studies.scans.resolution import resolution_study as resolution_study
 from .studies.stresses.film_stress import film_stresses as film_stresses
 from .studies.sweep.run import sweep as sweep

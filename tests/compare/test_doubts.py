@@ -1,7 +1,6 @@
 """Doubts of a result: as text, as data, and of all that answers."""
 
 import json
-import warnings
 
 import pytest
 import xarray
@@ -47,20 +46,6 @@ def test_how_far_beyond():
     assert Doubt("words only").as_data() == {"why": "words only", "kind": "assumption"}
     with pytest.raises(ValueError, match="a doubt is impossible, "):
         Doubt("", kind="great")
-
-
-def test_old_names_go_on_working():
-    with pytest.warns(FutureWarning, match="film") as warned:
-        old = st.solve(st.Indices(**COATED), separation=1, coating_law="ogilvy_1993", model=HALLING["model"],
-                       tangential="bowden_tabor_1943")  # fmt: skip
-    assert warned[0].filename == __file__  # the line of the user, not of the package
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        new = st.solve(st.Indices(**COATED), separation=1, **HALLING | {"film": "ogilvy_1993"})
-    assert float(old["load"]) == float(new["load"])
-    surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), st.SelfAffine(0.8, "2 um", "1 um", deviation="20 nm"), 1)
-    with pytest.warns(FutureWarning, match="resolution_study"):
-        assert "sigma" in st.fan(surface, [0.0], ["mccool"])
 
 
 RANGE = "no claim is made beyond"

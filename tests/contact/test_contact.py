@@ -384,11 +384,6 @@ def test_different_quantities_of_a_contact_along_one_dimension_go_together():
             np.testing.assert_allclose(found["contact_area"].isel(batch=i, asperity_radius=j), alone, rtol=1e-9)
 
 
-def test_old_name_of_the_roughness_parameter():
-    with pytest.warns(FutureWarning, match="roughness_parameter"):
-        assert Indices(theta=1, lam=1, density=0.04).roughness_parameter == 0.04
-
-
 def test_nominal_width():
     """The side of a square of the nominal area over sigma: 1 mm over 48 nm, and of two bodies' surfaces over their sigma."""
     assert contact().indices().nominal_width == pytest.approx(1e-3 / 48e-9, rel=1e-12)

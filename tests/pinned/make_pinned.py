@@ -200,7 +200,7 @@ class Drawn:
             "theta": (-1, 4, True), "lam": (-2, 4, True), "nu": (0.0, 0.49), "hardness_to_yield": (1.6, 3.5),
             "K_beta": (3.0, 9.0), "n_E": (-1, 1, True), "n_H": (-1, 0.5, True), "tau": (0.3, 6.0), "n_g": (0.3, 2.0),
             "film_aspect": (-1, 1.5, True), "film_nu": (0.1, 0.45), "tabor_parameter": (-1, 1, True),
-            "sharpness": (-2.5, -0.7, True), "density": (-1.3, -0.5, True), "nominal_width": (2.5, 4.0, True),
+            "sharpness": (-2.5, -0.7, True), "roughness_parameter": (-1.3, -0.5, True), "nominal_width": (2.5, 4.0, True),
             "shear_strength": (-2, -0.6, True), "pressure_coefficient": (-2, -0.6, True), "peeling": (0.1, 0.9),
             "hardening": (-3, -1, True),
         }  # fmt: skip

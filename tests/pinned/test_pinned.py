@@ -58,8 +58,6 @@ def test_there_are_enough():
     assert set(every[0]) == set(COLUMNS)
 
 
-# A name that users gave before and that has a new one is to go on working, with a warning.
-@pytest.mark.filterwarnings("ignore::FutureWarning", "ignore::DeprecationWarning")
 @pytest.mark.parametrize("part", PARTS)
 def test_results_are_what_they_were(part):
     different = []

@@ -27,7 +27,6 @@ from stiction.cli.program import (
 )
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.choice import without_old_names
 
 if TYPE_CHECKING:
     import xarray
@@ -57,7 +56,6 @@ def run(
     asperity: Asperity = None,
     tangential: Tangential = None,
     film: Annotated[str | None, typer.Option(help="Film law in place of its own.", autocompletion=keys_of("film"))] = None,
-    coating_law: Annotated[str | None, typer.Option(hidden=True)] = None,
     presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
     meniscus: Annotated[
         str | None, typer.Option(help="Law of menisci of a liquid; none: without.", autocompletion=keys_of("meniscus"))
@@ -99,15 +97,16 @@ def run(
 
         chosen = read_case(case, ranges=ranges)
         chosen = chosen if load is None else chosen.at_load(load)
-    given = {
+    laws = {
+        "model": model,
+        "asperity": asperity,
+        "tangential": tangential,
         "film": film,
-        "coating_law": coating_law,
         "presliding": presliding,
         "meniscus": meniscus,
         "ageing": ageing,
         "contamination": contamination,
     }
-    laws = {"model": model, "asperity": asperity, "tangential": tangential} | without_old_names(given)
     if kept != 1.0 and not sliding:
         raise InputError("--kept", kept, "nothing without --sliding")
     if sliding:

@@ -1,7 +1,6 @@
 """The dimensionless groups that decide a contact: as a user gives them, and as laws take them."""
 
 import math
-import warnings
 from typing import Any, Self
 
 import numpy as np
@@ -93,14 +92,6 @@ class Indices(Subject):
     strengthening: OptionalNumber = None
     meniscus_index: OptionalNumber = None
     meniscus_height: OptionalNumber = None
-
-    @model_validator(mode="before")
-    @classmethod
-    def _old_name(cls, given):
-        if isinstance(given, dict) and "density" in given:
-            warnings.warn("density is now called roughness_parameter", FutureWarning, stacklevel=4)
-            given = {"roughness_parameter" if name == "density" else name: value for name, value in given.items()}
-        return given
 
     @model_validator(mode="after")
     def _adheres_or_not(self):

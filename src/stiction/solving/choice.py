@@ -1,6 +1,5 @@
 """What is to answer: the names under which the registry knows a model and its laws. Quick to import: nothing is looked up."""
 
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -39,7 +38,7 @@ class Choice:
     @classmethod
     def of(cls, model: str, given: Mapping[str, str | None]) -> "Choice":
         """The choice of a model and of what is given by name: laws, and options, which are all that is no name of a law."""
-        words = without_old_names(given)
+        words = dict(given)
         laws = {name: words.pop(name) for name in LAWS if name in words}
         return cls(model, options=words, **laws)
 
@@ -51,13 +50,3 @@ class Choice:
     def arguments(self) -> dict[str, Any]:
         """The keywords of `solve`."""
         return {name: getattr(self, name) for name in LAWS} | dict(self.options)
-
-
-def without_old_names(given: Mapping[str, Any]) -> dict[str, Any]:
-    """The same keywords with `film` for `coating_law`, its name until version 0.2, with a warning."""
-    renamed = dict(given)
-    if renamed.get("coating_law") is not None:
-        warnings.warn("coating_law is now called film", FutureWarning, stacklevel=3)
-        renamed["film"] = renamed["coating_law"]
-    renamed.pop("coating_law", None)
-    return renamed

@@ -18,7 +18,7 @@ from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import DEFAULT_MODEL, without_old_names
+from stiction.solving.choice import DEFAULT_MODEL
 from stiction.solving.problem import Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
 from stiction.solving.solve import all_dims, check_reach, inverted, point_coordinates, points_asked, summed
@@ -62,7 +62,7 @@ def slide(
     elastic. Raises InputError.
     """
     subject = as_subject(contact)
-    choice = choice_of(model, {**without_old_names(laws), "presliding": _PRESLIDING}, subject)
+    choice = choice_of(model, {**laws, "presliding": _PRESLIDING}, subject)
     problem = _checked(make_problem(contact, choice, heights))
     sliding = Sliding(problem, _share(kept))
     subject = problem.subject

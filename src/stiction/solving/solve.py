@@ -17,7 +17,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
 from stiction.quantities.units import axis, from_series
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import DEFAULT_MODEL, Choice, without_old_names
+from stiction.solving.choice import DEFAULT_MODEL, Choice
 from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.inversion import Inversion, Unreachable, pull_off, solved_at
 from stiction.solving.method_spread import with_measured
@@ -64,7 +64,7 @@ def solve(
     friction_coefficient_high; the attributes say the method and what was done to the scans.
     Raises InputError for bad input, for laws that do not go together, and for a load that is nowhere carried.
     """
-    choice = choice_of(model, without_old_names(laws), as_subject(contact))
+    choice = choice_of(model, laws, as_subject(contact))
     measured = with_surface_moments(as_subject(contact), choice.model).measured
     try:
         data = _at_points(contact, separation, load, choice, heights, threads)

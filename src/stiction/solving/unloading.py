@@ -24,7 +24,7 @@ from stiction.laws.validity import with_doubts
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.choice import Choice, without_old_names
+from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.inversion import largest_tension, separations_at
 from stiction.solving.problem import Sum, as_asked, make_problem
@@ -68,7 +68,7 @@ def unload(
     with an asperity law that adheres also pull_off_separation and zero_load_separation, where the load has fallen to nothing.
     Raises InputError for bad input, and for laws of which it is not known how they unload.
     """
-    way = _make_way(contact, Choice.of(model, {"tangential": "none"} | without_old_names(laws)), heights)
+    way = _make_way(contact, Choice.of(model, {"tangential": "none"} | laws), heights)
     subject = way.pressed.subject
     turn = _one_of(subject, pressed_to=pressed_to, pressed_with=pressed_with)
     point = _one_of(subject, separation=separation, distance=distance)

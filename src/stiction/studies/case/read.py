@@ -18,7 +18,7 @@ from stiction.laws.registry import all_options
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice, without_old_names
+from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice
 from stiction.studies.case.distribution import Distribution, is_law
 from stiction.studies.case.own_materials import telling_the_file, with_materials_of_file, with_own_materials
 from stiction.studies.case.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
@@ -144,7 +144,7 @@ class _Solve(Input):
         """Options may stand among the keys of the table, as they are called in the records."""
         if not isinstance(given, Mapping):
             return given
-        given = without_old_names(given)
+        given = dict(given)
         if not given.keys() - cls.model_fields.keys():
             return given
         known = all_options()

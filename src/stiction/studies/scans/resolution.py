@@ -2,7 +2,6 @@
 cutoff."""
 
 import math
-import warnings
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from numbers import Real
@@ -31,7 +30,7 @@ from stiction.surfaces.spectrum import POINTS_PER_WAVE
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["default_cutoffs", "fan", "resolution_study"]
+__all__ = ["default_cutoffs", "resolution_study"]
 
 # What is kept of each set of asperities: (name of the field, meaning, unit).
 _KEPT = {
@@ -186,12 +185,6 @@ def resolution_study(
                     raise  # what was asked for, not what was found
                 words["failure"][i, j] = str(error)
     return _labelled(xarray, surface, keys, wanted, numbers, words)
-
-
-def fan(*arguments: Any, **keywords: Any) -> "xarray.Dataset":
-    """The old name of `resolution_study`; gone in the next release."""
-    warnings.warn("stiction.fan is now stiction.resolution_study", FutureWarning, stacklevel=2)
-    return resolution_study(*arguments, **keywords)
 
 
 def _cutoffs(cutoffs: Iterable[float]) -> np.ndarray:
