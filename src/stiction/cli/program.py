@@ -21,8 +21,6 @@ from stiction.quantities.uninterrupted import uninterrupted
 
 _BAD_INPUT = 2
 _TABLE = re.compile(r"\[(?=[a-z])")
-# What typer raises for wrong usage; it has no name for the parent of BadParameter.
-_UsageError: type[Any] = typer.BadParameter.__mro__[1]
 
 
 class _Commands(TyperGroup):
@@ -53,8 +51,8 @@ class _Commands(TyperGroup):
 
 @contextmanager
 def _one_line() -> Iterator[None]:
-    """What the user can cause is said in one line, and ends the program with its exit code; so are old names, and
-    what else the user should know."""
+    """What the user can cause is said in one line, and ends the program with its exit code; so is what else
+    the user should know."""
     try:
         with warnings.catch_warnings():
             for category in _SAID:
@@ -64,7 +62,7 @@ def _one_line() -> Iterator[None]:
     except InputError as error:
         print(f"stiction: {error}", file=sys.stderr)
         raise typer.Exit(_BAD_INPUT) from None
-    except _UsageError as error:
+    except typer.TyperException as error:
         print(f"stiction: {_as_input(error)}", file=sys.stderr)
         raise typer.Exit(_BAD_INPUT) from None
     except BrokenPipeError as error:
@@ -74,8 +72,8 @@ def _one_line() -> Iterator[None]:
         raise typer.Exit(INTERRUPTED) from None
 
 
-# Warnings that a user is to see: of names that are old, of numbers that were hardly meant, of what the program could not do.
-_SAID = (FutureWarning, InputDoubt, Notice)
+# Warnings that a user is to see: of numbers that were hardly meant, of what the program could not do.
+_SAID = (InputDoubt, Notice)
 
 
 def _say_in_a_line(message: Any, category: Any, *where: Any, **more: Any) -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from copy import copy
-from dataclasses import replace
+from dataclasses import fields
 from typing import Any
 
 from rich.cells import cell_len
@@ -44,20 +44,28 @@ class WholeKeys:
 
     def _with_names(self, names: list[str], room: int) -> Table:
         """The table with these names; the row of one that is marked begins with a line that is empty but for the mark."""
-        table, marked = copy(self.table), [_MARK in name for name in names]
-        head: Any = self.table.columns[0].header if room else ""
-        first = replace(self.table.columns[0], header=head, no_wrap=True, _cells=[Text(name) for name in names])
-        table.columns = [first, *(_lowered(one, marked) for one in self.table.columns[1:])]
+        first, *others = self.table.columns
+        table = copy(self.table)
+        table.columns, table.rows = [], []
+        table.add_column(**_options(first) | {"header": first.header if room else "", "no_wrap": True})
+        columns = [[_text(cell) for cell in column.cells] for column in others]
+        for column, cells in zip(others, columns, strict=True):
+            table.add_column(**_options(column) | {"min_width": _least_width(column, cells)})
+        for row, name, *texts in zip(self.table.rows, names, *columns, strict=True):
+            lowered = (Text.assemble("\n", text) if _MARK in name else text for text in texts)
+            table.add_row(Text(name), *lowered, style=row.style, end_section=row.end_section)
         return table
 
 
-def _lowered(column: Column, marked: list[bool]) -> Column:
-    """The column with an empty line above the cells of the rows that are marked; no narrower than its cells, if these are not
-    to be wrapped."""
-    cells = [_text(cell) for cell in column._cells]
-    least = max((cell_len(line) for one in (_text(column.header), *cells) for line in one.plain.splitlines()), default=0)
-    lowered: list[Any] = [Text.assemble("\n", cell) if lower else cell for cell, lower in zip(cells, marked, strict=True)]
-    return replace(column, _cells=lowered, min_width=least if column.no_wrap else column.min_width)
+def _options(column: Column) -> dict[str, Any]:
+    return {one.name: getattr(column, one.name) for one in fields(column) if not one.name.startswith("_")}
+
+
+def _least_width(column: Column, cells: list[Text]) -> int | None:
+    """Return the width of the widest cell where none may wrap; a column that wraps keeps its own least width."""
+    if not column.no_wrap:
+        return column.min_width
+    return max((cell_len(line) for text in (_text(column.header), *cells) for line in text.plain.splitlines()), default=0)
 
 
 def _text(cell: Any) -> Text:

@@ -1,14 +1,12 @@
 """A case as text: a TOML file that `stiction run` reads."""
 
-import json
-import math
 import os
-import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import tomli_w
 
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.case.distribution import Distribution, is_law
@@ -18,7 +16,6 @@ from stiction.studies.case.uncertain import read_distribution
 __all__ = ["as_toml", "case_text", "show_exactly", "with_written"]
 
 _TABLES = ("contact", "indices", "materials")  # in which numbers may be values from a file
-_PLAIN_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def with_written(content: Mapping, numbers: Mapping[tuple[str, ...], float]) -> dict[str, Any]:
@@ -39,10 +36,8 @@ def case_text(content: Mapping, comments: list[str], folder: Path, out: Path) ->
 
 
 def as_toml(content: Mapping) -> str:
-    """The tables as TOML; what they name keeps its name."""
-    lines: list[str] = []
-    _write(content, (), lines)
-    return "\n".join(lines) + "\n"
+    """Return the tables as TOML; keys without a value are left out."""
+    return tomli_w.dumps(_plain(content, ""))
 
 
 def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:
@@ -79,37 +74,12 @@ def _scan_moved(surface: Any, moved) -> Any:
     return surface
 
 
-def _write(table: Mapping, path: tuple[str, ...], lines: list[str]) -> None:
-    """First what is no table, then the tables in it, each under its name."""
-    inner = {key: value for key, value in table.items() if isinstance(value, Mapping)}
-    plain = {key: value for key, value in table.items() if key not in inner and value is not None}
-    if path and (plain or not inner):
-        lines += ["", f"[{'.'.join(map(_key, path))}]"]
-    lines += [f"{_key(key)} = {_value(_written(key, value))}" for key, value in plain.items()]
-    for key, value in inner.items():
-        _write(value, (*path, str(key)), lines)
-
-
-def _written(key: str, value: Any) -> Any:
-    """A distribution that a file cannot say as the number that stands for it."""
+def _plain(value: Any, name: str) -> Any:
+    """Return what TOML can hold: a distribution that a file cannot say becomes the number that stands for it."""
     if isinstance(value, Distribution) or is_law(value):
-        return show_exactly(read_distribution(value, key, key).nominal, key)
-    return value
-
-
-def _key(key: Any) -> str:
-    return str(key) if _PLAIN_KEY.fullmatch(str(key)) else json.dumps(str(key))
-
-
-def _value(value: Any) -> str:
-    if isinstance(value, bool | np.bool_):
-        return "true" if value else "false"
-    if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)  # the escapes of JSON are escapes of TOML
+        return show_exactly(read_distribution(value, name, name).nominal, name)
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{_key(key)} = {_value(one)}" for key, one in value.items()) + " }"
+        return {str(key): _plain(one, str(key)) for key, one in value.items() if one is not None}
     if isinstance(value, list | tuple | np.ndarray):
-        return "[" + ", ".join(map(_value, value)) + "]"
-    if isinstance(value, float | np.floating):
-        return repr(float(value)) if math.isfinite(value) else ("inf" if value > 0 else "-inf" if value < 0 else "nan")
-    return str(value)
+        return [_plain(one, name) for one in value]
+    return value.item() if isinstance(value, np.generic) else value
