@@ -114,14 +114,18 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
     what: a result of `solve`; or the key of a model or of a bibliography entry, or several; or None for all.
     Raises InputError for an unknown key.
     """
-    known = records()
-    more = {key: entry for record in known for key, entry in record.entries.items()}
     if what is None:
-        return bibtex([*bibliography(), *more], more)
+        return entries()
     if hasattr(what, "attrs"):
-        return bibtex(what.attrs["sources"].split(), more)
+        return entries(what.attrs["sources"].split())
     keys: list[str] = []
     for key in [what] if isinstance(what, str) else what:
-        named = [source.key for record in known if record.key == key for source in record.sources]
+        named = [source.key for record in records() if record.key == key for source in record.sources]
         keys += named or [key]
-    return bibtex(keys, more)
+    return entries(keys)
+
+
+def entries(keys: Iterable[str] | None = None) -> str:
+    """Return the BibTeX of these entries, of the bibliography and of the records; by default all. Raises InputError."""
+    more = {key: entry for record in records() for key, entry in record.entries.items()}
+    return bibtex([*bibliography(), *more] if keys is None else keys, more)

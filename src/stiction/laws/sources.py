@@ -29,13 +29,13 @@ class Source:
 
 
 # An entry runs from its "@type{key," at the start of a line to a closing brace alone on a line.
-_ENTRY = re.compile(r"^@\w+\{([^,\s]+),$.*?^\}$", re.MULTILINE | re.DOTALL)
+ENTRY = re.compile(r"^@(?P<kind>\w+)\{(?P<key>[^,\s]+),$(?P<fields>.*?)^\}$", re.MULTILINE | re.DOTALL)
 
 
 @cache
 def _entries() -> dict[str, str]:
     text = files("stiction.laws").joinpath("sources.bib").read_text(encoding="utf-8")
-    return {entry[1]: entry[0] for entry in _ENTRY.finditer(text)}
+    return {entry["key"]: entry[0] for entry in ENTRY.finditer(text)}
 
 
 def bibliography() -> dict[str, str]:

@@ -30,6 +30,7 @@ _LONGEST_TEXT = 100  # no quantity takes more, and the patterns above take their
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
 _CELSIUS = ("degC", "°C", "celsius", "deg C")  # temperatures only: no factor turns these into kelvins
 _ZERO_CELSIUS = 273.15
+# By hand: to_compact of pint takes 27 times as long, and prints 999.9999999 nm as 1000 nm and 1.7e10 1/m^2 as 17000 1/mm^2.
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 

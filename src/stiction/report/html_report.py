@@ -11,6 +11,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from stiction.laws.overview import entries
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import require
 from stiction.quantities.paths import require_place
@@ -18,7 +19,7 @@ from stiction.report import report_sections as say
 from stiction.report.honest_digits import rounded
 from stiction.report.html_tables import FORMULAS
 from stiction.report.html_words import formula
-from stiction.report.printed_sources import entries, printed
+from stiction.report.printed_sources import printed
 from stiction.report.report_answer import answer_in_words, beside_headline, best_of, doubts_here, headline, question, spreads
 from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
 from stiction.studies.case.read import Case, as_case

@@ -5,12 +5,11 @@ import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from stiction.laws.registry import records
-from stiction.laws.sources import bibtex
+from stiction.laws.overview import entries
+from stiction.laws.sources import ENTRY
 
-__all__ = ["Printed", "entries", "in_letters", "printed"]
+__all__ = ["Printed", "in_letters", "printed"]
 
-_ENTRY = re.compile(r"^@(\w+)\{([^,\s]+),$(.*?)^\}$", re.MULTILINE | re.DOTALL)
 _FIELD = re.compile(r"^\s*(\w+)\s*=\s*\{(.*)\},?$", re.MULTILINE)
 _ACCENTS = {'"': "\u0308", "'": "\u0301", "`": "\u0300", "^": "\u0302", "~": "\u0303", "v": "\u030c", "c": "\u0327"}
 _ACCENT = re.compile(r"""\\(["'`^~]|[vc]\s)\s*\{?\\?([A-Za-z])\}?""")
@@ -29,15 +28,10 @@ class Printed:
 
 def printed(keys: Iterable[str]) -> list[Printed]:
     """The entries of these keys, in the order of the bibliography. Raises InputError for one that is not in it."""
-    return [_printed(*entry.groups()) for entry in _ENTRY.finditer(entries(keys))]
+    return [_printed(entry["key"], entry["fields"]) for entry in ENTRY.finditer(entries(keys))]
 
 
-def entries(keys: Iterable[str]) -> str:
-    """BibTeX of these entries, and not of the models that have the same names. Raises InputError."""
-    return bibtex(keys, {key: entry for record in records() for key, entry in record.entries.items()})
-
-
-def _printed(kind: str, key: str, body: str) -> Printed:
+def _printed(key: str, body: str) -> Printed:
     fields = {name: in_letters(text) for name, text in _FIELD.findall(body)}
     where = fields.get("journal") or fields.get("booktitle") or fields.get("publisher", "")
     volume = fields.get("volume", "") + (f" ({fields['number']})" if "number" in fields else "")
