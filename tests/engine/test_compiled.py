@@ -1,6 +1,7 @@
 """Compiled kernels are kept under all that decides their code, and nothing that changes between processes: a second process
 finds them, and whatever is edited, nobody is given a stale one. Tried on a plug-in outside the package."""
 
+import ast
 import json
 import os
 import subprocess
@@ -10,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import stiction
 from stiction.engine.compiled import digest, formula, kernel, loop
 from stiction.quantities.notices import Notice, notice
 
@@ -196,9 +198,9 @@ def test_a_file_that_could_not_be_finished_is_not_left(tmp_path, monkeypatch):
     assert list(tmp_path.rglob("*.*")) == []
 
 
-def test_a_formula_is_only_taken_in_and_can_be_called_all_the_same(tmp_path, monkeypatch):
-    """No machine code is made of it for a kernel: it has no address by which to come in. Called from Python it has."""
-    monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))  # a kernel that is there already compiles no formula
+def test_a_formula_becomes_part_of_kernels_and_stays_plain_python(tmp_path, monkeypatch):
+    """The machine code of a kernel calls none of them, or loops would not be vectorised."""
+    monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))
 
     @formula
     def half(x):
@@ -218,11 +220,26 @@ def test_a_formula_is_only_taken_in_and_can_be_called_all_the_same(tmp_path, mon
     values, out = np.array([1.0, 2.0, 4.0]), np.zeros(1)
     fill(values, out)
     assert out[0] == 3.5
-    for one in (half, total):
-        (made,) = one.overloads.values()
-        asked = made.library.get_pointer_to_function(made.fndesc.llvm_func_name)
-        assert asked == 0 and made.fndesc.llvm_cpython_wrapper_name not in made.library.get_llvm_str()
-    assert half(3.0) == 1.5 and half(3) == 1.5 and total(values) == 3.5
+    (made,) = fill.inspect_llvm().values()
+    called = [line for line in made.splitlines() if " call " in line and "@" in line]
+    assert "fill" in made and not [line for line in called if "half" in line or "total" in line]
+    assert half(3.0) == 1.5 and total(values) == 3.5
+    np.testing.assert_array_equal(half(values), [0.5, 1.0, 2.0])
+
+
+def test_one_file_alone_uses_what_numba_does_not_promise():
+    """Its event interface is documented."""
+    promised = {"numba", "numba.extending.register_jitable", "numba.core.event"}
+    used = {}
+    for file in Path(stiction.__file__).parent.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text())):
+            modules = [one.name for one in node.names] if isinstance(node, ast.Import) else []
+            if isinstance(node, ast.ImportFrom):
+                modules = [f"{node.module}.{one.name}" for one in node.names]
+            private = {one for one in modules if one.partition(".")[0] == "numba"} - promised
+            if private:
+                used[file.name] = private
+    assert used.keys() == {"numba_internals.py"}
 
 
 WITHOUT_COMPILER = """

@@ -64,13 +64,13 @@ class TwoBodies:
         """Least and greatest E*/E*_bare at any depth (n,): each body is between itself and the film."""
         second = self._second()
         ends = np.minimum, np.maximum
-        least, greatest = (in_series.py_func(end(self.first, 1.0), end(second, 1.0), self.share) for end in ends)
+        least, greatest = (in_series(end(self.first, 1.0), end(second, 1.0), self.share) for end in ends)
         return least, greatest
 
     @property
     def film_over_bodies(self) -> np.ndarray:
         """Film's modulus over that of the bodies under it (n,): of two in series as they are."""
-        both = in_series.py_func(self.first, self._second(), self.share)
+        both = in_series(self.first, self._second(), self.share)
         return np.where(self.films == 2.0, both, self.first)
 
     def _second(self) -> np.ndarray:

@@ -7,7 +7,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.contact.layered.bodies import bodies_of, per_root
 from stiction.contact.layered.edge import EDGE_TERMS, FORMS, edge_curves
-from stiction.engine.compiled import formula, plain
+from stiction.engine.compiled import formula
 from stiction.laws.tangential.shared.edge_yield import coefficients
 
 __all__ = ["edge_columns", "edge_root"]
@@ -51,7 +51,7 @@ def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
 
 def _of_half_space(nu: np.ndarray) -> np.ndarray:
     """The curves (n, FORMS, ...) of half-spaces of these Poisson's ratios (n,)."""
-    n, p, q = plain(coefficients)(nu)
+    n, p, q = coefficients(nu)
     d = p * p + q * q - p * q
     curves = np.zeros((len(nu), FORMS, _WIDTH))
     values = np.log(math.pi**2 * d), 3.0 * n * n / d, 1.5 * n * (p - q) / d

@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import formula, kernel, plain
+from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import unit_roots
 from stiction.laws.tangential.shared.edge_yield import coefficients
 
@@ -173,7 +173,7 @@ def kinks_of(
     """
     scale = np.sqrt(6.0 * math.pi / groups.theta) ** (1.0 / 3.0)
     e = groups.eta / (scale * scale)
-    n, p, q = plain(coefficients)(groups.nu)
+    n, p, q = coefficients(groups.nu)
     # The yield condition has a real root from here on, and a positive one up to there.
     positive = 1.0 / (math.sqrt(3.0) * n * math.pi * groups.hardness_to_yield)
     real = 2.0 * np.sqrt(p * p + q * q - p * q) / (p + q) * positive

@@ -1,0 +1,86 @@
+"""All that is used of Numba and is not part of its public interface: its tests fail on a release that breaks it.
+
+Numba's own cache (`cache=True`) cannot serve kernels: it hashes a closure with the identities of the compiled functions in it,
+which differ in every process; it notices edits only in the kernel's own file; and processes that compile one kernel for
+different inputs at the same time can mix up each other's files, because one index is shared by all of them.
+"""
+
+import contextlib
+import hashlib
+import pickle
+import sys
+import uuid
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numba
+from numba.core.caching import NullCache
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
+from numba.np.unsafe.ndarray import to_fixed_tuple
+
+from stiction.quantities.cache import cache_folder, cannot_keep
+
+__all__ = ["keep_on_disk", "to_fixed_tuple"]
+
+# Bytes at the end of a file of the cache, by which it is known to be whole.
+_CHECKSUM = hashlib.sha256().digest_size
+
+
+def keep_on_disk(compiled: Any, digest: Callable[[Any], str]) -> None:
+    """Give a compiled kernel a cache on disk whose files are named by the digest of its code."""
+    compiled._cache = _KernelCache(compiled, digest)
+
+
+class _KernelCache(NullCache):
+    """The cache of one kernel: a file for each kind of inputs and processor, written as a whole, so that processes that compile
+    at the same time cannot mix up each other's."""
+
+    def __init__(self, compiled: Any, digest: Callable[[Any], str]):
+        self._compiled, self._digest_of, self._digest = compiled, digest, ""
+
+    @property
+    def cache_path(self) -> str:
+        return str(cache_folder("kernels"))
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """Return the compiled kernel for inputs of these types, or None. Numba asks before it compiles any, when all that the
+        kernel names is defined."""
+        if not self._digest:
+            # In its name too: two that are loaded into one process must not be taken for each other by the linker.
+            self._digest = self._digest_of(self._compiled)
+            self._compiled.py_func.__qualname__ += f"_{self._digest[:16]}"
+        target_context.refresh()
+        try:
+            content = self._file(sig, target_context.codegen()).read_bytes()
+        except OSError:
+            return None
+        made, checksum = content[:-_CHECKSUM], content[-_CHECKSUM:]
+        if not made or hashlib.sha256(made).digest() != checksum:  # cut short or changed: what is in it could do anything
+            return None
+        try:
+            return CompileResult._rebuild(target_context, *pickle.loads(made))
+        except ImportError:  # the same code, compiled when a part of it stood in a module that is no more
+            return None
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted):
+            return
+        file = self._file(sig, data.codegen)
+        part = file.with_suffix(f".{uuid.uuid4().hex}")
+        made = dumps(data._reduce())
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            part.write_bytes(made + hashlib.sha256(made).digest())
+            part.replace(file)
+        except OSError as error:  # which costs time, and nothing else
+            with contextlib.suppress(OSError):
+                part.unlink(missing_ok=True)
+            cannot_keep(error)
+
+    def _file(self, sig: Any, codegen: Any) -> Path:
+        made_by = numba.__version__, sys.version_info[:2], codegen.magic_tuple()
+        key = hashlib.sha256(repr((self._digest, sig, made_by)).encode()).hexdigest()[:24]
+        function = self._compiled.py_func
+        return cache_folder("kernels") / f"{function.__module__}.{function.__name__}-{key}.nbi"
