@@ -88,7 +88,7 @@ def _channel(reader, wanted):
     if not with_heights:
         raise InputError("scan", ", ".join(each.name for each in channels), "a file with a channel of heights")
     if wanted is None:
-        default = channels[reader._default_channel_index]
+        default = reader.default_channel
         return default if default in with_heights else with_heights[0]
     for place, each in enumerate(channels):
         if each in with_heights and (wanted in (each.name, each.channel_id) or str(wanted) == str(place)):
