@@ -27,7 +27,6 @@ from stiction.studies.case.uncertain import (
     SAMPLE,
     Uncertain,
     Uncertainty,
-    expanded,
     named,
     placed,
     uncertain_numbers,
@@ -73,17 +72,12 @@ class Case:
             found.setdefault(one.dimension, []).append(one)
         return found
 
-    def with_arrays(self, arrays: Mapping[tuple[str, ...], Any]) -> "Case":
-        """The case with labelled arrays at these places of its tables. Raises InputError."""
-        found = case_of(expanded(self.tables), {**self.several, **arrays})
-        return replace(self, subject=found.subject, separation=None if self.separation is None else found.separation)
-
-    def drawn(self, shares: np.ndarray) -> "Case":
-        """The case with what is uncertain at these shares (n, k) of the distributions, k being the number of `unknowns`, in
-        their order: arrays along `sample`. Raises InputError where a number that follows from these is out of bounds."""
+    def numbers_at(self, shares: np.ndarray) -> dict[tuple[str, ...], Any]:
+        """What stands in the places of numbers that are several, and of those that are uncertain at these shares (n, k) of the
+        distributions, k being the number of `unknowns`, in their order: arrays along `sample`."""
         columns = list(self.unknowns)
         at = {one.path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for one in self.uncertain}
-        return self.with_arrays(at)
+        return {**self.several, **at}
 
     @property
     def measured(self) -> Measured | None:

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
-from stiction.solving.pointwise import Pointwise, solve_pointwise
-from stiction.studies.case.places import with_numbers
+from stiction.solving.pointwise import Pointwise
+from stiction.studies.evaluate_many import evaluate_together
 from stiction.studies.fit.answer import Fitted
 from stiction.studies.fit.model import Parameter
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
@@ -90,7 +91,7 @@ def predicted(plan: FitPlan, one: Fitted) -> Bands:
     at, step = 0, 1
     while at < len(sets):
         numbers = _numbers(named, sets[at : at + step], {path for path in arrays})
-        solved, coords = _solved(plan, one, plan.content, arrays, numbers, names)
+        solved, coords = _solved(plan, one, arrays, numbers, names)
         for name in names:
             dims[name], values = _of(solved, name, numbers.get(RESISTANCE, plan.resistance), len(sets[at : at + step]))
             found[name].append(values)
@@ -146,23 +147,13 @@ def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[tuple[str, ...
     return {x.free.path: x.free.at(sets[:, at]) for at, x in enumerate(named) if x.free.path not in taken}
 
 
-def _solved(plan, one, content, arrays, numbers, names) -> tuple[Pointwise, dict[str, Any]]:
-    import warnings
-
+def _solved(plan, one, arrays, numbers, names) -> tuple[Pointwise, dict[str, Any]]:
     import xarray
 
-    from stiction.quantities.errors import InputDoubt
-    from stiction.studies.case.read import case_of
-
     along = {path: xarray.DataArray(v, dims=(_SET,)) for path, v in numbers.items() if path != RESISTANCE}
-    first = plan.data.known[0]
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore", InputDoubt)
-        case = case_of(with_numbers(content, {**first, **along, **arrays}), {})
-        keep = ["contact_area" if name == "contact_resistance" else name for name in names]
-        solved = solve_pointwise(
-            case.subject, one.forward.choice, separation=case.separation, load=case.load, keep=[*keep, "load"]
-        )
+    keep = ["contact_area" if name == "contact_resistance" else name for name in names]
+    together = {**plan.data.known[0], **along, **arrays}
+    case, solved = evaluate_together(plan.content, together, None, one.forward.choice, [*keep, "load"])
     coords = {}
     for array in arrays.values():
         for name, value in getattr(array, "coords", {}).items():
@@ -177,8 +168,8 @@ def _of(solved: Pointwise, name: str, resistance: Any, sets: int) -> tuple[tuple
     """A measured quantity as a table (sets, its other dimensions)."""
     dims, values, _ = solved.variables["contact_area" if name == "contact_resistance" else name]
     order = [dim for dim in dims if dim != _SET]
-    ordered = values.transpose([dims.index(dim) for dim in ([_SET] if _SET in dims else []) + order])
-    ordered = ordered if _SET in dims else np.broadcast_to(ordered, (sets, *ordered.shape))
+    ordered = arranged(values, dims, (_SET, *order))
+    ordered = np.broadcast_to(ordered, (sets, *ordered.shape[1:]))
     if name == "contact_resistance":
         size = np.broadcast_to(np.asarray(resistance, dtype=float).reshape(-1), (sets,)).reshape(-1, *[1] * len(order))
         ordered = np.divide(size, ordered, where=ordered > 0.0, out=np.full(ordered.shape, np.nan))

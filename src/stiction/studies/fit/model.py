@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import solve_pointwise
 from stiction.studies.case.free import Free
 from stiction.studies.case.places import with_numbers
+from stiction.studies.evaluate_many import evaluate_many
 from stiction.studies.fit.measurements import Measurements
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
 
@@ -94,47 +96,19 @@ def solved_sets(
 ) -> dict[str, np.ndarray]:
     """Results (sets, rows), by name, of contacts with these numbers (sets,) and those that are known (rows,), at the loads
     (rows,), or at any separation where these are no numbers; not a number for what is refused, set by set."""
+    from xarray import DataArray
+
     sets = len(next(iter(numbers.values()))) if numbers else 1
     found = {name: np.full((sets, len(load)), np.nan) for name in keep}
-    waiting = [np.arange(sets)]
-    while waiting:
-        some = waiting.pop()
-        try:
-            part = _solved(content, choice, {path: all_[some] for path, all_ in numbers.items()}, known, load, keep)
-        except (InputError, ArithmeticError):
-            if len(some) > 1:
-                waiting += [some[: len(some) // 2], some[len(some) // 2 :]]
-            continue
-        for name, table in part.items():
-            found[name][some] = table
+    arrays: dict[tuple[str, ...], Any] = {path: DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
+    arrays |= {path: float(v[0]) if (v == v[0]).all() else DataArray(v, dims=(_ROW,)) for path, v in known.items()}
+    points: dict[str, Any] = {"load": DataArray(load, dims=(_ROW,))} if np.isfinite(load).all() else {"separation": 0.0}
+    for region, _, solved in evaluate_many(content, arrays, points, choice, keep, along=(_SET,)):
+        for name in keep:
+            if solved is not None and name in solved.variables:
+                dims, values, _ = solved.variables[name]
+                found[name][region.get(_SET, slice(None))] = arranged(values, dims, (_SET, _ROW))
     return found
-
-
-def _solved(content, choice, numbers, known, load, keep) -> dict[str, np.ndarray]:
-    import warnings
-
-    import xarray
-
-    from stiction.quantities.errors import InputDoubt
-    from stiction.studies.case.read import case_of
-
-    arrays = {path: xarray.DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
-    arrays |= {path: float(v[0]) if (v == v[0]).all() else xarray.DataArray(v, dims=(_ROW,)) for path, v in known.items()}
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore", InputDoubt)
-        subject = case_of(with_numbers(content, arrays), {}).subject
-        pressed = bool(np.isfinite(load).all())
-        points: dict[str, Any] = {"load": xarray.DataArray(load, dims=(_ROW,))} if pressed else {"separation": 0.0}
-        solved = solve_pointwise(subject, choice, **points, keep=keep)
-    shape = (len(next(iter(numbers.values()))) if numbers else 1, len(load))
-    return {name: _as_table(solved.variables[name], shape) for name in keep if name in solved.variables}
-
-
-def _as_table(variable: tuple, shape: tuple[int, int]) -> np.ndarray:
-    dims, values, _ = variable
-    wanted = [dim for dim in (_SET, _ROW) if dim in dims]
-    ordered = values.transpose([dims.index(dim) for dim in wanted])
-    return np.broadcast_to(ordered.reshape(shape[0] if _SET in dims else 1, shape[1] if _ROW in dims else 1), shape)
 
 
 def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> Forward:
