@@ -102,15 +102,7 @@ def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
 
 def _over(best: Best, factor: float) -> Best:
     """The same with errors times a factor."""
-    table = best.jacobian / factor
-    return replace(
-        best,
-        chi_square=best.chi_square / factor**2,
-        residuals=best.residuals / factor,
-        jacobian=table,
-        bounded=np.linalg.inv(table.T @ table + 12.0 * np.eye(table.shape[1])),
-        covariance=None if best.covariance is None else best.covariance * factor**2,
-    )
+    return replace(best, residuals=best.residuals / factor, jacobian=best.jacobian / factor)
 
 
 def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
