@@ -17,6 +17,7 @@ from stiction.laws.proportion import questions
 from stiction.laws.registry import all_options
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input, require_names
+from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice, without_old_names
 from stiction.studies.case.distribution import Distribution, is_law
@@ -40,6 +41,7 @@ from stiction.studies.sweep.table import Sweep
 
 __all__ = ["Case", "as_case", "case_in", "json_schema", "parse_case", "read_case"]
 
+_CASE_FILE = "a TOML case file"
 _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
 
 
@@ -209,7 +211,7 @@ def read_content(path) -> dict[str, Any]:
     """The tables of a TOML file, unchecked. Raises InputError, one line, if it cannot be read or is not TOML."""
     if not isinstance(path, str | PathLike):
         raise InputError("case", path, "the path of a case file, or its tables as a dict")
-    text = _text(Path(path))
+    text = read_text(Path(path), "case file", _CASE_FILE, _LARGEST_FILE)
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -332,23 +334,8 @@ def json_schema() -> dict:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
-def _text(path: Path) -> str:
-    try:
-        if path.is_dir():
-            raise _not_a_case(path, "this is a directory")
-        if not path.is_file():
-            raise _not_a_case(path, "this is not a regular file" if path.exists() else "there is no such file")
-        if path.stat().st_size > _LARGEST_FILE:
-            raise _not_a_case(path, f"this one is larger than {_LARGEST_FILE} bytes")
-        return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding
-    except OSError as error:
-        raise _not_a_case(path, f"this one cannot be read ({error.strerror})") from None
-    except UnicodeDecodeError:
-        raise _not_a_case(path, "this is not text in UTF-8") from None
-
-
 def _not_a_case(path, why: str) -> InputError:
-    return InputError("case file", str(path), f"a TOML case file; {why}")
+    return InputError("case file", str(path), f"{_CASE_FILE}; {why}")
 
 
 def _refuse_bare_numbers(table: Mapping, path: str) -> None:
