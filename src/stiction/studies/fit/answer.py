@@ -211,21 +211,12 @@ def _is_wide(one: Fitted, at: int) -> bool:
 def _not_told_apart(one: Fitted) -> list[list[int]]:
     """Groups of numbers of which some are badly determined because the others may go with them: along the profile of one the
     other goes several times as far as it could go alone."""
-    k = len(one.parameters)
-    linked = [[_carries(one, i, j) and _carries(one, j, i) for j in range(k)] for i in range(k)]
-    groups: list[list[int]] = []
-    for at in range(k):
-        if any(at in group for group in groups):
-            continue
-        group, waiting = [], [at]
-        while waiting:
-            here = waiting.pop()
-            if here not in group:
-                group.append(here)
-                waiting += [other for other in range(k) if linked[here][other]]
-        if len(group) > 1:
-            groups.append(sorted(group))
-    return groups
+    from scipy.sparse.csgraph import connected_components
+
+    k = range(len(one.parameters))
+    linked = np.array([[_carries(one, i, j) and _carries(one, j, i) for j in k] for i in k])
+    count, group = connected_components(linked, directed=False)
+    return [members.tolist() for at in range(count) if len(members := np.flatnonzero(group == at)) > 1]
 
 
 def _carries(one: Fitted, at: int, other: int) -> bool:

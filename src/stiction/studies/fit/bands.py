@@ -12,7 +12,7 @@ from stiction.quantities.errors import InputError
 from stiction.solving.pointwise import Pointwise
 from stiction.studies.evaluate_many import evaluate_together
 from stiction.studies.fit.answer import Fitted
-from stiction.studies.fit.model import Parameter
+from stiction.studies.fit.model import Parameter, derived, result_of
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
 from stiction.studies.fit.search import CONFIDENCE, finite
 
@@ -151,9 +151,8 @@ def _solved(plan, one, arrays, numbers, names) -> tuple[Pointwise, dict[str, Any
     import xarray
 
     along = {path: xarray.DataArray(v, dims=(_SET,)) for path, v in numbers.items() if path != RESISTANCE}
-    keep = ["contact_area" if name == "contact_resistance" else name for name in names]
-    together = {**plan.data.known[0], **along, **arrays}
-    case, solved = evaluate_together(plan.content, together, None, one.forward.choice, [*keep, "load"])
+    together, keep = {**plan.data.known[0], **along, **arrays}, [*map(result_of, names), "load"]
+    case, solved = evaluate_together(plan.content, together, None, one.forward.choice, keep)
     coords = {}
     for array in arrays.values():
         for name, value in getattr(array, "coords", {}).items():
@@ -166,11 +165,8 @@ def _solved(plan, one, arrays, numbers, names) -> tuple[Pointwise, dict[str, Any
 
 def _of(solved: Pointwise, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
     """A measured quantity as a table (sets, its other dimensions)."""
-    dims, values, _ = solved.variables["contact_area" if name == "contact_resistance" else name]
-    order = [dim for dim in dims if dim != _SET]
-    ordered = arranged(values, dims, (_SET, *order))
-    ordered = np.broadcast_to(ordered, (sets, *ordered.shape[1:]))
-    if name == "contact_resistance":
-        size = np.broadcast_to(np.asarray(resistance, dtype=float).reshape(-1), (sets,)).reshape(-1, *[1] * len(order))
-        ordered = np.divide(size, ordered, where=ordered > 0.0, out=np.full(ordered.shape, np.nan))
-    return tuple(order), ordered
+    result = result_of(name)
+    dims, values, _ = solved.variables[result]
+    others = tuple(dim for dim in dims if dim != _SET)
+    table = arranged(values, dims, (_SET, *others))
+    return others, derived({result: np.broadcast_to(table, (sets, *table.shape[1:]))}, name, resistance)

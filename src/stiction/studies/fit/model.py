@@ -20,7 +20,7 @@ from stiction.studies.fit.plan import RESISTANCE, FitPlan
 if TYPE_CHECKING:
     from stiction.studies.case.read import Case
 
-__all__ = ["Forward", "Parameter", "check_models", "derived", "forward_of", "solved_sets"]
+__all__ = ["Forward", "Parameter", "check_models", "derived", "forward_of", "result_of", "solved_sets"]
 
 _SET, _ROW = "set", "row"
 
@@ -69,7 +69,7 @@ class Forward:
 
     def _of_group(self, group: _Group, numbers: Mapping[tuple[str, ...], np.ndarray]) -> np.ndarray:
         some = self.data.some(group.rows)
-        names = {"contact_area" if name == "contact_resistance" else name for name in some.quantity}
+        names = {result_of(name) for name in some.quantity}
         contact = {path: values for path, values in numbers.items() if path != RESISTANCE}
         tables = solved_sets(self.plan.content, self.choice, contact, group.known, some.load, sorted(names))
         resistance = numbers.get(RESISTANCE, self.plan.resistance)
@@ -77,13 +77,19 @@ class Forward:
         return np.column_stack(columns)
 
 
+def result_of(name: str) -> str:
+    """The result from which a measurable quantity follows."""
+    return "contact_area" if name == "contact_resistance" else name
+
+
 def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.ndarray:
-    """A measurable quantity (sets, points) from results: the resistance of a contact is that of its interface over its area
-    (Holm 1967: the resistance of a film, sigma/A)."""
+    """A measurable quantity (sets, ...) from results: the resistance of a contact is that of its interface (sets,) over its
+    area (Holm 1967: the resistance of a film, sigma/A)."""
+    table = tables[result_of(name)]
     if name != "contact_resistance":
-        return tables[name]
-    area = tables["contact_area"]
-    return np.divide(np.reshape(resistance, (-1, 1)), area, where=area > 0.0, out=np.full(area.shape, np.nan))
+        return table
+    size = np.reshape(resistance, (-1, *[1] * (table.ndim - 1)))
+    return np.divide(size, table, where=table > 0.0, out=np.full(table.shape, np.nan))
 
 
 def solved_sets(
@@ -171,5 +177,5 @@ def _check_answers(forward: Forward, subject: Any) -> None:
     point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}
     known = set(solve_pointwise(subject, forward.choice, **point).variables)
     for name in forward.data.quantities:
-        if name not in known and not (name == "contact_resistance" and "contact_area" in known):
+        if result_of(name) not in known:
             raise InputError("model", forward.choice.model, f"a model that knows {name}, which was measured")
