@@ -35,7 +35,7 @@ from targets import LAST, PARTS, Part
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "mutation" / "results.jsonl"
 SLOW = ("numpy", "numba", "scipy.optimize", "scipy.integrate", "scipy.special", "scipy.stats", "scipy.signal")
-SLOW += ("scipy.interpolate", "xarray", "pydantic", "pint", "mpmath", "matplotlib.pyplot", "h5py", "lmfit")
+SLOW += ("scipy.interpolate", "xarray", "pydantic", "pint", "mpmath", "matplotlib.pyplot", "h5py")
 FAILED, BROKEN = 1, 99  # pytest: tests failed; above 1: they could not be run, as where a module cannot be imported
 PATIENCE = 900.0  # seconds for tests that take one to two minutes on a busy machine
 

@@ -6,6 +6,7 @@ import pytest
 import stiction as st
 from stiction.quantities.errors import InputError
 from stiction.studies.case.read import read_content
+from stiction.studies.case.uncertain import read_distribution
 from stiction.studies.fit.measurements import read_measurements
 from stiction.studies.fit.plan import make_fit_plan
 from stiction.studies.sweep.plan import make_plan
@@ -57,7 +58,8 @@ def test_what_is_no_path(given):
 
 def test_paths_that_no_system_takes():
     assert "cannot be read" in refused(read_content, "a" * 100_000)
-    assert "can be read" in refused(read_measurements, "a" * 100_000, CASE)
+    assert "cannot be read" in refused(read_measurements, "a" * 100_000, CASE)
+    assert "cannot be read" in refused(read_distribution, {"samples": "a" * 100_000, "unit": "GPa"}, "hardness", "hardness")
 
 
 def test_a_cell_without_end(tmp_path):

@@ -81,7 +81,7 @@ def alone(built, tmp_path_factory):
     subprocess.run([sys.executable, *install, "--target", str(site), str(wheel)], check=True, capture_output=True)
     base = base_packages()
     other = sorted(top for top, by in packages_distributions().items() if not {shared.canonical(one) for one in by} & base)
-    assert {"matplotlib", "nicegui", "zarr", "lmfit", "pytest"} <= set(other)
+    assert {"matplotlib", "nicegui", "zarr", "pytest"} <= set(other)
     hide = (
         f"import sys\nfor name in {[name for name in other if name.isidentifier()]}:\n    sys.modules.setdefault(name, None)\n"
     )

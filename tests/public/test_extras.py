@@ -48,11 +48,11 @@ def test_each_package_is_brought_by_the_extra_that_is_named():
 
 
 def test_a_missing_package_is_said_in_a_line(monkeypatch):
-    require("fit", "lmfit")
-    monkeypatch.setitem(sys.modules, "lmfit", None)
+    require("sweep", "zarr")
+    monkeypatch.setitem(sys.modules, "zarr", None)
     with pytest.raises(st.InputError) as told:
-        require("fit", "numpy", "lmfit")
-    assert str(told.value) == "fit: 'without lmfit'; allowed: an installation with it: pip install 'stiction[fit]'"
+        require("sweep", "numpy", "zarr")
+    assert str(told.value) == "sweep: 'without zarr'; allowed: an installation with it: pip install 'stiction[sweep]'"
 
 
 def test_a_case_is_solved_and_written_without_extras(tmp_path):
@@ -109,7 +109,6 @@ def test_commands_write_all_but_pictures(tmp_path, words, pictures):
         (("serve",), "nicegui"),
         (("sweep", CASE, "--out", "store"), "zarr"),
         (("sweep", CASE, "--out", "store", "--scheduler", "tcp://127.0.0.1:8786"), "distributed"),
-        (("fit", CASE, "--data", "measured.csv"), "lmfit"),
         (("surface", "scan.sur"), "SurfaceTopography"),
     ],
 )

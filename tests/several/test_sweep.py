@@ -18,7 +18,8 @@ from typer.testing import CliRunner
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
-from stiction.studies.sweep import blocks as sweep_blocks
+from stiction.studies import evaluate_many
+from stiction.studies.case.read import case_of
 from stiction.studies.sweep import guards as sweep_guards
 from stiction.studies.sweep import plan as sweep_plan
 from stiction.studies.sweep import store as sweep_store
@@ -46,6 +47,10 @@ MANY_BLOCKS = (
 )
 
 
+def _contacts(plan, region):
+    return case_of(plan.content, plan.arrays(region)).subject
+
+
 def changed(case, **tables):
     return {**case, **{name: {**case.get(name, {}), **table} for name, table in tables.items()}}
 
@@ -63,7 +68,7 @@ def test_a_grid_is_what_solve_gives(tmp_path):
     data = sweep(GRID, tmp_path / "store")
     case = make_plan(GRID)
     theta, lam = (one.numbers() for one in case.several.values())
-    whole = solve(case.case({"theta": slice(None), "lam": slice(None)}).subject, load=[0.001, 0.01])
+    whole = solve(_contacts(case, {"theta": slice(None), "lam": slice(None)}), load=[0.001, 0.01])
     assert case.blocks > 3 and data["friction_coefficient"].dims == ("theta", "lam", "load")
     np.testing.assert_array_equal(data["lam"], lam)
     np.testing.assert_array_equal(data["theta"], theta)
@@ -82,7 +87,7 @@ def test_drawn_points_are_those_of_scipy_in_the_ranges_given(tmp_path):
     np.testing.assert_allclose(data["lam"], 100 ** shares[:, 1], rtol=1e-12)
     assert data["theta"].dims == ("sample",) and data.attrs["seed"] == 3
     for at in (0, 7, 8, 63):
-        alone = solve(make_plan(DRAWN).case({"sample": slice(at, at + 1)}).subject, load=[0.001, 0.01, 0.1])
+        alone = solve(_contacts(make_plan(DRAWN), {"sample": slice(at, at + 1)}), load=[0.001, 0.01, 0.1])
         np.testing.assert_allclose(data["friction_coefficient"][at], alone["friction_coefficient"][0], rtol=1e-9)
 
 
@@ -148,9 +153,9 @@ def test_a_block_that_is_larger_than_what_is_solved_at_once_is_solved_in_pieces(
     sizes = []
     whole = sweep(changed(DRAWN, sweep={"block": 192}), tmp_path / "whole")["friction_coefficient"].values
     monkeypatch.setattr(sweep_plan, "AT_ONCE", 24)
-    solved = sweep_blocks.solve_pointwise
+    solved = evaluate_many.solve_pointwise
     monkeypatch.setattr(
-        sweep_blocks,
+        evaluate_many,
         "solve_pointwise",
         lambda subject, *a, **b: (sizes.append(subject.theta.size), solved(subject, *a, **b))[1],
     )

@@ -10,10 +10,10 @@ import scipy.stats
 
 from cases import BARE
 from stiction.quantities.errors import InputError
-from stiction.studies.case.read import json_schema, parse_case, read_case
+from stiction.studies.case.read import case_of, json_schema, parse_case, read_case
 from stiction.studies.case.results import solve_case
 from stiction.studies.case.text import as_toml
-from stiction.studies.case.uncertain import read_distribution
+from stiction.studies.case.uncertain import expanded, read_distribution
 from stiction.studies.sweep.plan import make_plan
 
 SHARES = np.array([0.02, 0.3, 0.5, 0.8, 0.99])
@@ -30,6 +30,10 @@ def case(changes, folder=None, **tables):
         table[last] = value
     content = {"contact": contact, "solve": {"load": ["10 mN", "1 N"]}, **tables}
     return parse_case(content) if folder is None else parse_case(content, folder)
+
+
+def _drawn(found, shares):
+    return case_of(expanded(found.tables), found.numbers_at(shares))
 
 
 @pytest.mark.parametrize(
@@ -56,7 +60,7 @@ def test_a_distribution_of_scipy_stands_in_the_tables_of_a_case():
     """In SI units, where a plain number is refused as it has no unit."""
     found = case({"second.hardness": scipy.stats.norm(7e9, 0.5e9)})
     assert found.subject.second.hardness == 7e9 and found.subject == case({"second.hardness": "7 GPa"}).subject
-    drawn = found.drawn(SHARES[:, None]).subject.second.hardness
+    drawn = _drawn(found, SHARES[:, None]).subject.second.hardness
     np.testing.assert_allclose(drawn, scipy.stats.norm(7e9, 0.5e9).ppf(SHARES), rtol=1e-9)
     with pytest.raises(InputError, match=r"second\.hardness: 7000000000.0; allowed: text with a unit"):
         case({"second.hardness": 7e9})
@@ -114,7 +118,7 @@ def test_rows_of_one_file_stay_together(tmp_path):
     }
     found = case(changes, tmp_path)
     assert list(found.unknowns) == ["spot"]
-    rough = found.drawn(np.linspace(0.01, 0.99, 30)[:, None]).subject.roughness
+    rough = _drawn(found, np.linspace(0.01, 0.99, 30)[:, None]).subject.roughness
     pairs = set(zip(rough.asperity_radius.values.round(9), rough.asperity_height_deviation.values.round(12), strict=True))
     assert pairs == {(50e-6, 40e-9), (20e-6, 80e-9), (30e-6, 60e-9)}
 
@@ -149,7 +153,7 @@ def test_a_material_of_the_case_varies_together_wherever_it_is():
     own = {"first": "steel", "second": {"preset": "steel", "hardness": "6 GPa"}}
     found = case(own, materials={"steel": steel})
     assert list(found.unknowns) == ["steel.youngs_modulus", "steel.hardness"]
-    drawn = found.drawn(np.array([[0.1, 0.2], [0.9, 0.7]])).subject
+    drawn = _drawn(found, np.array([[0.1, 0.2], [0.9, 0.7]])).subject
     np.testing.assert_array_equal(drawn.first.youngs_modulus, drawn.second.youngs_modulus)
     np.testing.assert_allclose(drawn.first.youngs_modulus, scipy.stats.norm(210e9, 5e9).ppf([0.1, 0.9]), rtol=1e-12)
     assert drawn.second.hardness == 6e9 and drawn.first.hardness.dims == ("sample",)
@@ -164,7 +168,7 @@ def test_ranges_of_materials_vary_where_that_is_asked_for(tmp_path):
     np.testing.assert_allclose(silver.at(np.array([0.0, 0.5, 1.0])), [ends[0], (ends[0] * ends[1]) ** 0.5, ends[1]], rtol=1e-9)
     assert silver.distribution.nominal == found.subject.first.hardness
     both = case({"second": "silver"}, uncertainty={"ranges": True})
-    drawn = both.drawn(np.full((1, len(both.unknowns)), 0.3)).subject
+    drawn = _drawn(both, np.full((1, len(both.unknowns)), 0.3)).subject
     assert drawn.first.hardness == drawn.second.hardness and len(both.unknowns["silver.hardness"]) == 2
     path = tmp_path / "case.toml"
     path.write_text('[contact]\nfirst = "silver"\nsecond = "silver"\nnominal_area = "1 mm^2"\nwork_of_adhesion = "1 J/m^2"\n'
@@ -175,7 +179,7 @@ def test_ranges_of_materials_vary_where_that_is_asked_for(tmp_path):
 
 def test_separations_over_sigma_follow_the_sigma_that_is_drawn():
     found = case({"roughness.asperity_height_deviation": "50 +/- 5 nm"}, solve={"separation": [1.0, 2.0]})
-    drawn = found.drawn(np.array([[0.2], [0.5], [0.8]]))
+    drawn = _drawn(found, np.array([[0.2], [0.5], [0.8]]))
     np.testing.assert_allclose(drawn.separation / drawn.subject.roughness.asperity_height_deviation, [[1, 1, 1], [2, 2, 2]])
 
 
@@ -183,7 +187,7 @@ def test_indices_may_be_uncertain():
     content = {"indices": {"theta": "40 +/- 4", "lam": {"median": 10, "factor": 2}}, "solve": {"load": 0.01}}
     found = parse_case(content)
     assert found.subject.theta == 40.0 and found.subject.lam == 10.0
-    np.testing.assert_allclose(found.drawn(np.array([[0.5, 0.5], [0.8413447, 0.8413447]])).subject.theta, [40, 44], rtol=1e-6)
+    np.testing.assert_allclose(_drawn(found, np.array([[0.5, 0.5], [0.8413447, 0.8413447]])).subject.theta, [40, 44], rtol=1e-6)
     assert np.isfinite(solve_case(found)["friction_coefficient"]).all()
 
 
@@ -242,7 +246,7 @@ def test_a_sweep_draws_from_distributions_and_says_where_it_cannot():
         "sweep": {"sample": {"method": "sobol", "count": 256}},
     }
     plan = make_plan(content)
-    hardness = plan.case(plan.region(0)).subject.second.hardness
+    hardness = case_of(plan.content, plan.arrays(plan.region(0))).subject.second.hardness
     np.testing.assert_allclose([hardness.mean(), hardness.std()], [7e9, 0.5e9], rtol=0.02)
     other = json.loads(json.dumps(content).replace("0.5 GPa", "0.6 GPa"))
     assert plan.identity() == make_plan(content).identity() != make_plan(other).identity()

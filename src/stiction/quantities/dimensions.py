@@ -5,7 +5,7 @@ by the names of dimensions alone, and nothing is dropped or sorted behind the us
 checked once, for all of an input together (`coordinates`).
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["aligned", "check_names", "coordinates", "dimensions", "flattened", "named_by", "without_indexes"]
+__all__ = ["aligned", "arranged", "check_names", "coordinates", "dimensions", "flattened", "named_by", "without_indexes"]
 
 
 def without_indexes(array: Any) -> Any:
@@ -46,8 +46,13 @@ def aligned(value: Any, dims: Mapping[str, int]) -> np.ndarray:
     """The value with its dimensions in the order of `dims`, ready to broadcast: missing ones have length 1."""
     if not hasattr(value, "dims"):
         return np.asarray(value, dtype=float)
-    ordered = value.transpose(*(dim for dim in dims if dim in value.dims))
-    return ordered.values.reshape([value.sizes.get(dim, 1) for dim in dims])
+    return arranged(value.values, value.dims, dims)
+
+
+def arranged(values: np.ndarray, have: Sequence[Hashable], wanted: Iterable[str]) -> np.ndarray:
+    """Transpose an array whose dimensions are these to the wanted ones: missing ones have length 1."""
+    wanted, sizes = [*wanted], dict(zip(have, values.shape, strict=True))
+    return values.transpose([have.index(dim) for dim in wanted if dim in sizes]).reshape([sizes.get(dim, 1) for dim in wanted])
 
 
 def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], dict[str, int]]:

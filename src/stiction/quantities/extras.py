@@ -12,7 +12,6 @@ EXTRA_OF = {
     "SurfaceTopography": "scans",
     "zarr": "sweep",
     "distributed": "cluster",
-    "lmfit": "fit",
     "nicegui": "web",
 }
 

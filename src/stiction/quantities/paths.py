@@ -1,11 +1,33 @@
-"""Where results are to go: what can be told of a place before anything is computed for it."""
+"""Files: the text of one that is given, and what can be told of a place before anything is computed for it."""
 
 import os
 from pathlib import Path
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["require_place"]
+__all__ = ["read_text", "require_place"]
+
+
+def read_text(path: Path, field: str, wanted: str, largest: int, name: str | None = None) -> str:
+    """The text of a regular file in UTF-8 of so many bytes at most. Raises InputError with why it is none; wanted: what it
+    is to be; name: as the user wrote it, by default the path."""
+    try:
+        why = _not_read(path, largest)
+        if not why:
+            return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding
+    except OSError as error:
+        why = f"this one cannot be read ({error.strerror})"
+    except UnicodeDecodeError:
+        why = "this is not text in UTF-8"
+    raise InputError(field, name or str(path), f"{wanted}; {why}")
+
+
+def _not_read(path: Path, largest: int) -> str:
+    if path.is_dir():
+        return "this is a directory"
+    if not path.is_file():
+        return "this is not a regular file" if path.exists() else "there is no such file"
+    return f"this one is larger than {largest} bytes" if path.stat().st_size > largest else ""
 
 
 def require_place(path: Path, allowed: str) -> None:

@@ -1,8 +1,8 @@
 """Many contacts at once, of which some may be refused or carry less than is asked: not a number there, and why as data."""
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -17,7 +17,11 @@ from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_p
 from stiction.solving.results import as_variables, summary_of, with_shares
 from stiction.solving.solve import all_dims, convergence, points_asked, pull_off_variables, summed
 
-__all__ = ["NOT_COMPUTED", "WHY_NOT", "Pointwise", "solve_pointwise"]
+__all__ = ["NOT_COMPUTED", "WHY_NOT", "Pointwise", "Region", "bisected", "solve_pointwise"]
+
+T = TypeVar("T")
+# Some of many contacts: dimension -> slice.
+Region = dict[str, slice]
 
 # The first doubts of every point: bit 0 to 2. What is refused or not carried has no results.
 WHY_NOT = (
@@ -111,20 +115,47 @@ def _in_parts(problem: Problem, given: str, wanted: np.ndarray) -> tuple[dict, n
 
 def _parts(problem: Problem, given: str, points: np.ndarray) -> Iterator[tuple[np.ndarray, tuple]]:
     """Rows that the model takes, with what `_together` says of them. Raises the last refusal if it takes none."""
-    waiting, taken, refusal = [np.arange(len(points))], False, None
-    while waiting:
-        rows = waiting.pop()
+    taken, refusal, every = False, None, np.arange(len(points))
+
+    def solved(region: Region) -> tuple:
+        rows = every[region["contact"]]
         some = replace(problem.with_groups(rows), dims={"contact": len(rows)})
-        try:
-            solved = _together(some, given, points[rows], points[rows])
-        except (InputError, ArithmeticError) as error:
-            refusal = error
-            waiting += [rows[len(rows) // 2 :], rows[: len(rows) // 2]] if len(rows) > 1 else []
+        return _together(some, given, points[rows], points[rows])
+
+    for region, found in bisected({"contact": slice(0, len(points))}, solved):
+        if isinstance(found, Exception):
+            refusal = found
             continue
         taken = True
-        yield rows, solved
+        yield every[region["contact"]], found
     if refusal is not None and not taken:
         raise refusal
+
+
+def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Region, T | Exception]]:
+    """Yield (part, result) for a region of contacts. A part that raises is bisected along its longest dimension; a single
+    refused contact yields its InputError or ArithmeticError."""
+    waiting = [region]
+    while waiting:
+        part = waiting.pop()
+        try:
+            found: T | Exception = solve(part)
+        except (InputError, ArithmeticError) as error:
+            halves = _halves(part)
+            waiting += halves
+            if halves:
+                continue
+            found = error
+        yield part, found
+
+
+def _halves(region: Region) -> list[Region]:
+    """The two halves along the longest dimension, the second one first; none of a single contact."""
+    dim = max(region, key=lambda name: region[name].stop - region[name].start, default="")
+    if not dim or region[dim].stop - region[dim].start == 1:
+        return []
+    middle = (region[dim].start + region[dim].stop) // 2
+    return [region | {dim: slice(middle, region[dim].stop)}, region | {dim: slice(region[dim].start, middle)}]
 
 
 def _no_inversion(shape: tuple[int, ...]) -> Inversion:

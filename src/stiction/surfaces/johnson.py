@@ -8,6 +8,9 @@ With u = (z - gamma) / delta of a standard Gaussian z, a height is up to its mea
     1 / (1 + e^-u)    bounded       below it, down to skewness^2 + 1, which no distribution reaches
 
 so that every pair that some distribution has, has one curve. Kurtosis is the fourth moment, 3 of a Gaussian.
+
+scipy.stats has these curves as johnsonsu, lognorm and johnsonsb, but fits them to data, not to given moments, and has no
+closed form of the moments of the bounded one: curves and fit are written here, with one rule for the moments of all three.
 """
 
 import math

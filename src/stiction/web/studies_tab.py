@@ -9,7 +9,6 @@ from typing import Any
 from nicegui import ui
 
 from stiction.quantities.errors import InputError
-from stiction.quantities.extras import require
 from stiction.studies.case.read import case_in
 from stiction.web.asked import Question, case_asked
 from stiction.web.drawn import attributes
@@ -107,7 +106,6 @@ def calibrated(question: Question, data: Path, free: dict[tuple[str, ...], Any],
     from stiction.studies.fit.run import run_fit
 
     case_asked(question)
-    require("calibration", "lmfit")
     plan = make_fit_plan({**question.tables, "fit": {"free": _nested(free)}}, data, question.folder)
     found = run_fit(plan, progress).data()
     return Result(text_of([parameter_table(found), *fit_notes(found)]), ((fit_figure(found), "measured and fitted"),))

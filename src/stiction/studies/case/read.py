@@ -17,6 +17,7 @@ from stiction.laws.proportion import questions
 from stiction.laws.registry import all_options
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.inputs import Input, require_names
+from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice
 from stiction.studies.case.distribution import Distribution, is_law
@@ -27,7 +28,6 @@ from stiction.studies.case.uncertain import (
     SAMPLE,
     Uncertain,
     Uncertainty,
-    expanded,
     named,
     placed,
     uncertain_numbers,
@@ -41,6 +41,7 @@ from stiction.studies.sweep.table import Sweep
 
 __all__ = ["Case", "as_case", "case_in", "json_schema", "parse_case", "read_case"]
 
+_CASE_FILE = "a TOML case file"
 _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
 
 
@@ -73,17 +74,12 @@ class Case:
             found.setdefault(one.dimension, []).append(one)
         return found
 
-    def with_arrays(self, arrays: Mapping[tuple[str, ...], Any]) -> "Case":
-        """The case with labelled arrays at these places of its tables. Raises InputError."""
-        found = case_of(expanded(self.tables), {**self.several, **arrays})
-        return replace(self, subject=found.subject, separation=None if self.separation is None else found.separation)
-
-    def drawn(self, shares: np.ndarray) -> "Case":
-        """The case with what is uncertain at these shares (n, k) of the distributions, k being the number of `unknowns`, in
-        their order: arrays along `sample`. Raises InputError where a number that follows from these is out of bounds."""
+    def numbers_at(self, shares: np.ndarray) -> dict[tuple[str, ...], Any]:
+        """What stands in the places of numbers that are several, and of those that are uncertain at these shares (n, k) of the
+        distributions, k being the number of `unknowns`, in their order: arrays along `sample`."""
         columns = list(self.unknowns)
         at = {one.path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for one in self.uncertain}
-        return self.with_arrays(at)
+        return {**self.several, **at}
 
     @property
     def measured(self) -> Measured | None:
@@ -215,7 +211,7 @@ def read_content(path) -> dict[str, Any]:
     """The tables of a TOML file, unchecked. Raises InputError, one line, if it cannot be read or is not TOML."""
     if not isinstance(path, str | PathLike):
         raise InputError("case", path, "the path of a case file, or its tables as a dict")
-    text = _text(Path(path))
+    text = read_text(Path(path), "case file", _CASE_FILE, _LARGEST_FILE)
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -338,23 +334,8 @@ def json_schema() -> dict:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
-def _text(path: Path) -> str:
-    try:
-        if path.is_dir():
-            raise _not_a_case(path, "this is a directory")
-        if not path.is_file():
-            raise _not_a_case(path, "this is not a regular file" if path.exists() else "there is no such file")
-        if path.stat().st_size > _LARGEST_FILE:
-            raise _not_a_case(path, f"this one is larger than {_LARGEST_FILE} bytes")
-        return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding
-    except OSError as error:
-        raise _not_a_case(path, f"this one cannot be read ({error.strerror})") from None
-    except UnicodeDecodeError:
-        raise _not_a_case(path, "this is not text in UTF-8") from None
-
-
 def _not_a_case(path, why: str) -> InputError:
-    return InputError("case file", str(path), f"a TOML case file; {why}")
+    return InputError("case file", str(path), f"{_CASE_FILE}; {why}")
 
 
 def _refuse_bare_numbers(table: Mapping, path: str) -> None:

@@ -12,6 +12,7 @@ from pydantic import BeforeValidator, Field
 from stiction.contact.materials import Material, as_material
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import Input
+from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.studies.case.distribution import (
@@ -254,16 +255,8 @@ def _values(given: _Samples, quantity: str, where: str, folder: Path) -> np.ndar
 
 def _table(path: Path, where: str, name: str) -> list[list[str]]:
     """The lines of a file that are no comments, cut into columns."""
-    try:
-        if path.exists() and not path.is_file():
-            raise OSError(0, "it is no regular file")
-        if path.stat().st_size > _LARGEST_FILE:
-            raise OSError(0, f"it is larger than {_LARGEST_FILE} bytes")
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except (OSError, ValueError) as error:  # no UTF-8, or no name of a file
-        why = getattr(error, "strerror", None) or "this is not text"
-        raise InputError(where, name, f"a file of numbers; this one cannot be read ({why})") from None
-    kept = [line.partition("#")[0].strip() for line in lines]
+    text = read_text(path, where, "a file of numbers", _LARGEST_FILE, name)
+    kept = [line.partition("#")[0].strip() for line in text.splitlines()]
     rows = [re.split(r"[,;\t]\s*|\s+", line) for line in kept if line]
     if not rows:
         raise InputError(where, name, "a file of numbers; this one is empty")

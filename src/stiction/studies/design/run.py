@@ -24,8 +24,9 @@ __all__ = ["Archive", "Designing", "design", "plan_of_design", "run_design"]
 Tell = Callable[[int, str], None]
 _FRONT = 12  # designs between the two ends of a front that are searched
 _POPULATION = 24
-_WAYS = 12  # ways to choose from lists that are searched side by side
+_WAYS = 12  # ways to choose from lists that are searched
 _QUIET, _ALIKE = 8, 1e-10  # generations without gain, and spread of a population, at which a search ends
+_BEYOND_ALL = 1e100  # more than any wish: the cost of a design that breaks its limits
 _SHOWN = 200  # designs of a front at most
 _REFINED = 3  # ways to choose from lists whose numbers are refined
 
@@ -151,47 +152,51 @@ def _drawn(found: Designing) -> np.ndarray:
 
 def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
     """Differential evolution (Storn & Price 1997) of one wish, designs that keep the limits before all that do not (Deb
-    2000), on from the best that are known: for the best ways to choose from lists side by side. ceiling: of the other wish."""
+    2000), on from the best that are known: for each of the best ways to choose from lists. ceiling: of the other wish."""
     if not found.plan.free and found.archive.count:
         return  # every design was asked
+    from scipy.optimize import differential_evolution
+
     rng = np.random.default_rng([found.plan.seed, found.archive.count])
-    members = _seeds(found, number, ceiling, rng)
-    goal, broken = _judged(found, number, ceiling, members, tell)
-    quiet = 0
-    for _ in range(found.plan.effort if ceiling is None else max(1, found.plan.effort // 3)):
-        trial = _trials(members, goal, broken, rng)
-        trial[..., found.space.named] = members[..., found.space.named]
-        now, beyond = _judged(found, number, ceiling, trial, tell)
-        better = (beyond < broken) | ((beyond == broken) & (now <= goal))
-        gain = bool(((beyond < broken) | (now < goal - 1e-9 * np.abs(goal)))[better].any())
-        members[better], goal[better], broken[better] = trial[better], now[better], beyond[better]
-        quiet = 0 if gain else quiet + 1
-        if quiet > _QUIET or (broken.max() <= 0.0 and (np.ptp(goal, axis=1) <= _ALIKE * np.abs(goal).max(axis=1)).all()):
-            break
+    for members in _seeds(found, number, ceiling, rng):
+        ends = np.tile([0.0, 1.0], (members.shape[1], 1))
+        ends[found.space.named] = members[0, found.space.named, None]
+        differential_evolution(
+            lambda shares: _cost(found, number, ceiling, shares.T, tell),
+            ends,
+            strategy="randtobest1bin",
+            maxiter=found.plan.effort if ceiling is None else max(1, found.plan.effort // 3),
+            tol=_ALIKE,
+            mutation=(0.4, 0.9),
+            recombination=0.8,
+            rng=rng,
+            callback=_Quiet(),
+            polish=False,
+            init=members,
+            updating="deferred",
+            vectorized=True,
+        )
 
 
-def _trials(members: np.ndarray, goal: np.ndarray, broken: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """New designs (ways, size, d) from differences of old ones, about the best of their way or any other."""
-    ways, size, d = members.shape
-    one, two, three = (rng.permuted(np.tile(np.arange(size), (ways, 1)), axis=1) for _ in range(3))
-    one, two, three = (np.take_along_axis(members, at[..., None], axis=1) for at in (one, two, three))
-    leader = np.array([np.lexsort((g, b))[0] for g, b in zip(goal, broken, strict=True)])
-    best = members[np.arange(ways), leader][:, None, :]
-    base = np.where(rng.random((ways, size, 1)) < 0.5, best, three)
-    mutant = base + rng.uniform(0.4, 0.9, (ways, size, 1)) * (one - two)
-    mutant = np.where(mutant < 0.0, 0.5 * base, np.where(mutant > 1.0, 0.5 * (1.0 + base), mutant))
-    cross = (rng.random(members.shape) < 0.8) | (np.arange(d) == rng.integers(0, d, (ways, size, 1)))
-    return np.where(cross, mutant, members)
+@dataclass
+class _Quiet:
+    """Whether no member of a population has gained for some generations."""
+
+    costs: Any = np.inf
+    generations: int = 0
+
+    def __call__(self, intermediate_result: Any) -> bool:
+        now = np.sort(intermediate_result.population_energies)
+        gain = (now < self.costs - 1e-9 * np.abs(now)).any()
+        self.costs, self.generations = now, 0 if gain else self.generations + 1
+        return self.generations > _QUIET
 
 
-def _judged(
-    found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell
-) -> tuple[np.ndarray, np.ndarray]:
-    """Of designs (ways, size, d) the wish, and how far beyond limits and ceiling they are (ways, size)."""
-    answers = _ask(found, shares.reshape(-1, shares.shape[-1]), tell)
+def _cost(found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> np.ndarray:
+    """The wish of designs (n, d); of those beyond limits and ceiling how far, above that of all others."""
+    answers = _ask(found, shares, tell)
     broken = _beyond(answers.wishes, answers.worst, number, ceiling)
-    goal = answers.wishes[:, number].reshape(shares.shape[:2]).copy()  # which changes, unlike what is kept
-    return goal, broken.reshape(shares.shape[:2])
+    return np.where(broken > 0.0, _BEYOND_ALL * (1.0 + broken), answers.wishes[:, number])
 
 
 def _beyond(wishes: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
@@ -201,8 +206,8 @@ def _beyond(wishes: np.ndarray, worst: np.ndarray, number: int, ceiling: float |
     return np.where(total <= 0.5 * TOLERANCE, 0.0, total)
 
 
-def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> np.ndarray:
-    """For the best ways to choose from lists the best designs that are known, and some at random (ways, size, d)."""
+def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> list[np.ndarray]:
+    """For each of the best ways to choose from lists the best designs that are known, and some at random (size, d)."""
     shares, wishes, worst, _ = found.archive.table()
     order = np.lexsort((wishes[:, number], _beyond(wishes, worst, number, ceiling)))
     size = max(_POPULATION, 6 * found.space.dimension)
@@ -213,7 +218,7 @@ def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.
         some = rng.random((size - len(known), found.space.dimension))
         some[:, found.space.named] = known[0, found.space.named]
         members.append(np.concatenate([known, some]))
-    return np.array(members)
+    return members
 
 
 def _refined(found: Designing, number: int, tell: Tell) -> None:

@@ -1,6 +1,5 @@
 """Many designs at once: what is wished of each, and by how much it breaks what it must keep."""
 
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -8,16 +7,18 @@ from typing import Any
 import numpy as np
 
 from stiction.laws.claims import Validity
-from stiction.quantities.errors import InputDoubt, InputError
+from stiction.quantities.dimensions import arranged
+from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, Pointwise, solve_pointwise
 from stiction.solving.problem import make_problem
 from stiction.solving.yielded import YIELDED, yielded_shares
 from stiction.studies.case.places import with_numbers
-from stiction.studies.case.read import case_of, wants_ranges
+from stiction.studies.case.read import Case, case_of, wants_ranges
 from stiction.studies.case.uncertain import with_ranges
 from stiction.studies.design.plan import LOAD, DesignPlan
+from stiction.studies.evaluate_many import evaluate_many
 
 __all__ = ["TOLERANCE", "Answers", "Space"]
 
@@ -48,12 +49,16 @@ class Space:
     """All designs of a plan, as shares (n, d) of what is unknown: first what is taken from lists, then numbers between ends."""
 
     plan: DesignPlan
+    case: Case = field(init=False)
     choice: Choice = field(init=False)
     names: list[str] = field(init=False)
 
     def __post_init__(self):
         wanted = [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]
         self.names = list(dict.fromkeys([*wanted, "friction_coefficient"]))
+        self.case = case_of(self.plan.content, {})
+        if self.case.load is None and LOAD not in (one.path for one in self.plan.unknowns):
+            raise InputError("solve.separation", self.case.separation, "a load in its place, or one that is chosen")
         self.choice = self._choice()
 
     @property
@@ -63,11 +68,11 @@ class Space:
     def _choice(self) -> Choice:
         """The model, asked for the first design. Raises InputError where it does not know what is wished or limited."""
         shares = np.full((1, self.dimension), 0.5)
-        subject, load = self._contacts(shares, np.arange(1))
-        case = case_of(self.plan.content, {})
-        given = {name: value for name, value in case.choice.arguments().items() if name != "model"}
-        choice = choice_of(case.choice.model, given, subject)
-        solved = solve_pointwise(subject, choice, load=float(load.values.flat[0]))
+        content, numbers, points = self._contacts(shares, np.arange(1))
+        subject = case_of(with_numbers(content, numbers), {}).subject
+        given = {name: value for name, value in self.case.choice.arguments().items() if name != "model"}
+        choice = choice_of(self.case.choice.model, given, subject)
+        solved = solve_pointwise(subject, choice, load=float(points["load"].values.flat[0]))
         for name in [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
                 raise InputError("design", name, f"a result that {choice.model} gives here, or a group of the contact")
@@ -106,52 +111,47 @@ class Space:
         count, limits = len(shares), len(self.plan.limits) + 1
         wishes, broken = np.full((count, len(self.plan.wishes)), _REFUSED), np.full((count, limits), _REFUSED)
         known = {name: np.full(count, np.nan) for name in self.names}
-        waiting = [np.flatnonzero(same) for same in self._alike(shares)]
-        while waiting:
-            some = waiting.pop()
+        keep = sorted({*self.names, "mean_separation"} - set(YIELDED))
+        for some in self._alike(shares):
             try:
-                part = self._solved(shares, some)
-            except (InputError, ArithmeticError):
-                if len(some) > 1:
-                    waiting += [some[: len(some) // 2], some[len(some) // 2 :]]
-                continue
-            wishes[some], broken[some] = part.wishes, part.broken
-            for name, values in part.known.items():
-                known[name][some] = values
+                content, numbers, points = self._contacts(shares, some)
+            except InputError:
+                continue  # what is taken together makes no contact
+            for region, case, solved in evaluate_many(content, numbers, points, self.choice, keep, along=(_DESIGN,)):
+                if solved is None or case is None:
+                    continue
+                rows = some[region.get(_DESIGN, slice(None))]
+                part = self._judged(case.subject, solved, len(rows), points["load"].sizes.get("load", 1))
+                wishes[rows], broken[rows] = part.wishes, part.broken
+                for name, values in part.known.items():
+                    known[name][rows] = values
         return Answers(wishes, broken, known)
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
-        """Masks of designs that take the same of what is no number."""
+        """Rows of designs that take the same of what is no number."""
         if not self.named:
-            return [np.ones(len(shares), dtype=bool)]
+            return [np.arange(len(shares))]
         _, group = np.unique(self.way(shares), axis=0, return_inverse=True)
-        return [group.ravel() == at for at in range(group.max() + 1)]
+        return [np.flatnonzero(group.ravel() == at) for at in range(group.max() + 1)]
 
-    def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[Any, Any]:
-        """The contacts of some designs, which take the same of what is no number, and their loads."""
-        import xarray
+    def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[Mapping, dict[tuple[str, ...], Any], dict[str, Any]]:
+        """Tables, numbers and loads of some designs, which take the same of what is no number."""
+        from xarray import DataArray
 
         content = dict(self.plan.content)
         numbers: dict[tuple[str, ...], Any] = {}
         for at, one in enumerate(self.plan.options):
             index = one.index(shares[some, at])
             if one.is_number:
-                numbers[one.path] = xarray.DataArray(np.array(one.entries)[index], dims=(_DESIGN,))
+                numbers[one.path] = DataArray(np.array(one.entries)[index], dims=(_DESIGN,))
             else:
                 content = _replaced(content, one.path, one.entries[int(index[0])])
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
-            numbers[free.path] = xarray.DataArray(free.at(shares[some, at]), dims=(_DESIGN,))
+            numbers[free.path] = DataArray(free.at(shares[some, at]), dims=(_DESIGN,))
         for path, values in self._sampled(content, list(numbers)).items():
-            numbers[path] = xarray.DataArray(values, dims=(_SAMPLE,))
+            numbers[path] = DataArray(values, dims=(_SAMPLE,))
         load = numbers.pop(LOAD, None)
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore", InputDoubt)
-            case = case_of(with_numbers(content, numbers), {})
-        if load is None:
-            if case.load is None:
-                raise InputError("solve.separation", case.separation, "a load in its place, or one that is chosen")
-            load = xarray.DataArray(case.load, dims=("load",))
-        return case.subject, load
+        return content, numbers, {"load": DataArray(self.case.load, dims=("load",)) if load is None else load}
 
     def _sampled(self, content: Mapping, chosen: list[tuple[str, ...]]) -> dict[tuple[str, ...], np.ndarray]:
         """Values of what is uncertain and not chosen (samples,), the same for every design of the same materials. Of a material
@@ -169,14 +169,9 @@ class Space:
         shares = qmc.Sobol(len(together), rng=self.plan.seed).random(_SAMPLES)
         return {one.path: one.at(shares[:, together.index(one.dimension)]) for one in kept}
 
-    def _solved(self, shares: np.ndarray, some: np.ndarray) -> Answers:
-        subject, load = self._contacts(shares, some)
-        keep = {*self.names, "mean_separation"} - set(YIELDED)
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore", InputDoubt)
-            solved = solve_pointwise(subject, self.choice, load=load, keep=sorted(keep))
+    def _judged(self, subject: Any, solved: Pointwise, designs: int, loads: int) -> Answers:
         samples = next((array.sizes[_SAMPLE] for _, array in subject.arrays() if _SAMPLE in array.dims), 1)
-        shape = (len(some), samples, load.sizes.get("load", 1))
+        shape = (designs, samples, loads)
         groups = subject.all_groups()
         tables = {name: self._table(name, solved, groups, shape, subject) for name in self.names}
         wishes = [
@@ -234,11 +229,7 @@ def _replaced(content: Any, path: tuple[str, ...], entry: Any) -> Any:
 
 
 def _as_table(dims: Any, values: np.ndarray, shape: tuple[int, int, int]) -> np.ndarray:
-    dims = list(dims)
-    known = [dim for dim in (_DESIGN, _SAMPLE, "load") if dim in dims]
-    ordered = np.transpose(values, [dims.index(dim) for dim in known])
-    sizes = [shape[at] if dim in known else 1 for at, dim in enumerate((_DESIGN, _SAMPLE, "load"))]
-    return np.broadcast_to(ordered.reshape(sizes), shape)
+    return np.broadcast_to(arranged(values, dims, (_DESIGN, _SAMPLE, "load")), shape)
 
 
 def _wished(wish: Any, table: np.ndarray, target: float) -> np.ndarray:

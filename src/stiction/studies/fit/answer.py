@@ -102,15 +102,7 @@ def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
 
 def _over(best: Best, factor: float) -> Best:
     """The same with errors times a factor."""
-    table = best.jacobian / factor
-    return replace(
-        best,
-        chi_square=best.chi_square / factor**2,
-        residuals=best.residuals / factor,
-        jacobian=table,
-        bounded=np.linalg.inv(table.T @ table + 12.0 * np.eye(table.shape[1])),
-        covariance=None if best.covariance is None else best.covariance * factor**2,
-    )
+    return replace(best, residuals=best.residuals / factor, jacobian=best.jacobian / factor)
 
 
 def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
@@ -219,21 +211,12 @@ def _is_wide(one: Fitted, at: int) -> bool:
 def _not_told_apart(one: Fitted) -> list[list[int]]:
     """Groups of numbers of which some are badly determined because the others may go with them: along the profile of one the
     other goes several times as far as it could go alone."""
-    k = len(one.parameters)
-    linked = [[_carries(one, i, j) and _carries(one, j, i) for j in range(k)] for i in range(k)]
-    groups: list[list[int]] = []
-    for at in range(k):
-        if any(at in group for group in groups):
-            continue
-        group, waiting = [], [at]
-        while waiting:
-            here = waiting.pop()
-            if here not in group:
-                group.append(here)
-                waiting += [other for other in range(k) if linked[here][other]]
-        if len(group) > 1:
-            groups.append(sorted(group))
-    return groups
+    from scipy.sparse.csgraph import connected_components
+
+    k = range(len(one.parameters))
+    linked = np.array([[_carries(one, i, j) and _carries(one, j, i) for j in k] for i in k])
+    count, group = connected_components(linked, directed=False)
+    return [members.tolist() for at in range(count) if len(members := np.flatnonzero(group == at)) > 1]
 
 
 def _carries(one: Fitted, at: int, other: int) -> bool:

@@ -7,11 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
-from stiction.solving.pointwise import Pointwise, solve_pointwise
-from stiction.studies.case.places import with_numbers
+from stiction.solving.pointwise import Pointwise
+from stiction.studies.evaluate_many import evaluate_together
 from stiction.studies.fit.answer import Fitted
-from stiction.studies.fit.model import Parameter
+from stiction.studies.fit.model import Parameter, derived, result_of
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
 from stiction.studies.fit.search import CONFIDENCE, finite
 
@@ -90,7 +91,7 @@ def predicted(plan: FitPlan, one: Fitted) -> Bands:
     at, step = 0, 1
     while at < len(sets):
         numbers = _numbers(named, sets[at : at + step], {path for path in arrays})
-        solved, coords = _solved(plan, one, plan.content, arrays, numbers, names)
+        solved, coords = _solved(plan, one, arrays, numbers, names)
         for name in names:
             dims[name], values = _of(solved, name, numbers.get(RESISTANCE, plan.resistance), len(sets[at : at + step]))
             found[name].append(values)
@@ -146,23 +147,12 @@ def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[tuple[str, ...
     return {x.free.path: x.free.at(sets[:, at]) for at, x in enumerate(named) if x.free.path not in taken}
 
 
-def _solved(plan, one, content, arrays, numbers, names) -> tuple[Pointwise, dict[str, Any]]:
-    import warnings
-
+def _solved(plan, one, arrays, numbers, names) -> tuple[Pointwise, dict[str, Any]]:
     import xarray
 
-    from stiction.quantities.errors import InputDoubt
-    from stiction.studies.case.read import case_of
-
     along = {path: xarray.DataArray(v, dims=(_SET,)) for path, v in numbers.items() if path != RESISTANCE}
-    first = plan.data.known[0]
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore", InputDoubt)
-        case = case_of(with_numbers(content, {**first, **along, **arrays}), {})
-        keep = ["contact_area" if name == "contact_resistance" else name for name in names]
-        solved = solve_pointwise(
-            case.subject, one.forward.choice, separation=case.separation, load=case.load, keep=[*keep, "load"]
-        )
+    together, keep = {**plan.data.known[0], **along, **arrays}, [*map(result_of, names), "load"]
+    case, solved = evaluate_together(plan.content, together, None, one.forward.choice, keep)
     coords = {}
     for array in arrays.values():
         for name, value in getattr(array, "coords", {}).items():
@@ -175,11 +165,8 @@ def _solved(plan, one, content, arrays, numbers, names) -> tuple[Pointwise, dict
 
 def _of(solved: Pointwise, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
     """A measured quantity as a table (sets, its other dimensions)."""
-    dims, values, _ = solved.variables["contact_area" if name == "contact_resistance" else name]
-    order = [dim for dim in dims if dim != _SET]
-    ordered = values.transpose([dims.index(dim) for dim in ([_SET] if _SET in dims else []) + order])
-    ordered = ordered if _SET in dims else np.broadcast_to(ordered, (sets, *ordered.shape))
-    if name == "contact_resistance":
-        size = np.broadcast_to(np.asarray(resistance, dtype=float).reshape(-1), (sets,)).reshape(-1, *[1] * len(order))
-        ordered = np.divide(size, ordered, where=ordered > 0.0, out=np.full(ordered.shape, np.nan))
-    return tuple(order), ordered
+    result = result_of(name)
+    dims, values, _ = solved.variables[result]
+    others = tuple(dim for dim in dims if dim != _SET)
+    table = arranged(values, dims, (_SET, *others))
+    return others, derived({result: np.broadcast_to(table, (sets, *table.shape[1:]))}, name, resistance)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 from stiction.studies.case.places import placed, subject_table
@@ -91,7 +92,8 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     """
     if not isinstance(path, str | PathLike):
         raise InputError("--data", path, "the path of a CSV file")
-    lines = [(at, line) for at, line in enumerate(_text(Path(path)).splitlines(), start=1) if _says(line)]
+    text = read_text(Path(path), "--data", "a CSV file", _LARGEST_FILE)
+    lines = [(at, line) for at, line in enumerate(text.splitlines(), start=1) if _says(line)]
     if not lines:
         raise InputError("--data", str(path), f"{_FORM}; this file is empty")
     between = ";" if ";" in lines[0][1] else ","
@@ -127,19 +129,6 @@ def _cells(at: int, line: str, between: str) -> list[str]:
 
 def _says(line: str) -> bool:
     return bool(line.strip().strip(",;")) and not line.lstrip().startswith("#")
-
-
-def _text(path: Path) -> str:
-    try:
-        if not path.is_file():
-            raise InputError("--data", str(path), "a CSV file; there is no such file")
-        if path.stat().st_size > _LARGEST_FILE:
-            raise InputError("--data", str(path), f"a file of {_LARGEST_FILE} bytes at most")
-        return path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise InputError("--data", str(path), f"a file that can be read ({error.strerror})") from None
-    except UnicodeDecodeError:
-        raise InputError("--data", str(path), "text in UTF-8") from None
 
 
 def _column(head: str, content: Mapping) -> _Column:

@@ -6,19 +6,21 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import solve_pointwise
 from stiction.studies.case.free import Free
 from stiction.studies.case.places import with_numbers
+from stiction.studies.evaluate_many import evaluate_many
 from stiction.studies.fit.measurements import Measurements
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
 
 if TYPE_CHECKING:
     from stiction.studies.case.read import Case
 
-__all__ = ["Forward", "Parameter", "check_models", "derived", "forward_of", "solved_sets"]
+__all__ = ["Forward", "Parameter", "check_models", "derived", "forward_of", "result_of", "solved_sets"]
 
 _SET, _ROW = "set", "row"
 
@@ -67,7 +69,7 @@ class Forward:
 
     def _of_group(self, group: _Group, numbers: Mapping[tuple[str, ...], np.ndarray]) -> np.ndarray:
         some = self.data.some(group.rows)
-        names = {"contact_area" if name == "contact_resistance" else name for name in some.quantity}
+        names = {result_of(name) for name in some.quantity}
         contact = {path: values for path, values in numbers.items() if path != RESISTANCE}
         tables = solved_sets(self.plan.content, self.choice, contact, group.known, some.load, sorted(names))
         resistance = numbers.get(RESISTANCE, self.plan.resistance)
@@ -75,13 +77,19 @@ class Forward:
         return np.column_stack(columns)
 
 
+def result_of(name: str) -> str:
+    """The result from which a measurable quantity follows."""
+    return "contact_area" if name == "contact_resistance" else name
+
+
 def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.ndarray:
-    """A measurable quantity (sets, points) from results: the resistance of a contact is that of its interface over its area
-    (Holm 1967: the resistance of a film, sigma/A)."""
+    """A measurable quantity (sets, ...) from results: the resistance of a contact is that of its interface (sets,) over its
+    area (Holm 1967: the resistance of a film, sigma/A)."""
+    table = tables[result_of(name)]
     if name != "contact_resistance":
-        return tables[name]
-    area = tables["contact_area"]
-    return np.divide(np.reshape(resistance, (-1, 1)), area, where=area > 0.0, out=np.full(area.shape, np.nan))
+        return table
+    size = np.reshape(resistance, (-1, *[1] * (table.ndim - 1)))
+    return np.divide(size, table, where=table > 0.0, out=np.full(table.shape, np.nan))
 
 
 def solved_sets(
@@ -94,47 +102,19 @@ def solved_sets(
 ) -> dict[str, np.ndarray]:
     """Results (sets, rows), by name, of contacts with these numbers (sets,) and those that are known (rows,), at the loads
     (rows,), or at any separation where these are no numbers; not a number for what is refused, set by set."""
+    from xarray import DataArray
+
     sets = len(next(iter(numbers.values()))) if numbers else 1
     found = {name: np.full((sets, len(load)), np.nan) for name in keep}
-    waiting = [np.arange(sets)]
-    while waiting:
-        some = waiting.pop()
-        try:
-            part = _solved(content, choice, {path: all_[some] for path, all_ in numbers.items()}, known, load, keep)
-        except (InputError, ArithmeticError):
-            if len(some) > 1:
-                waiting += [some[: len(some) // 2], some[len(some) // 2 :]]
-            continue
-        for name, table in part.items():
-            found[name][some] = table
+    arrays: dict[tuple[str, ...], Any] = {path: DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
+    arrays |= {path: float(v[0]) if (v == v[0]).all() else DataArray(v, dims=(_ROW,)) for path, v in known.items()}
+    points: dict[str, Any] = {"load": DataArray(load, dims=(_ROW,))} if np.isfinite(load).all() else {"separation": 0.0}
+    for region, _, solved in evaluate_many(content, arrays, points, choice, keep, along=(_SET,)):
+        for name in keep:
+            if solved is not None and name in solved.variables:
+                dims, values, _ = solved.variables[name]
+                found[name][region.get(_SET, slice(None))] = arranged(values, dims, (_SET, _ROW))
     return found
-
-
-def _solved(content, choice, numbers, known, load, keep) -> dict[str, np.ndarray]:
-    import warnings
-
-    import xarray
-
-    from stiction.quantities.errors import InputDoubt
-    from stiction.studies.case.read import case_of
-
-    arrays = {path: xarray.DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
-    arrays |= {path: float(v[0]) if (v == v[0]).all() else xarray.DataArray(v, dims=(_ROW,)) for path, v in known.items()}
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore", InputDoubt)
-        subject = case_of(with_numbers(content, arrays), {}).subject
-        pressed = bool(np.isfinite(load).all())
-        points: dict[str, Any] = {"load": xarray.DataArray(load, dims=(_ROW,))} if pressed else {"separation": 0.0}
-        solved = solve_pointwise(subject, choice, **points, keep=keep)
-    shape = (len(next(iter(numbers.values()))) if numbers else 1, len(load))
-    return {name: _as_table(solved.variables[name], shape) for name in keep if name in solved.variables}
-
-
-def _as_table(variable: tuple, shape: tuple[int, int]) -> np.ndarray:
-    dims, values, _ = variable
-    wanted = [dim for dim in (_SET, _ROW) if dim in dims]
-    ordered = values.transpose([dims.index(dim) for dim in wanted])
-    return np.broadcast_to(ordered.reshape(shape[0] if _SET in dims else 1, shape[1] if _ROW in dims else 1), shape)
 
 
 def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> Forward:
@@ -197,5 +177,5 @@ def _check_answers(forward: Forward, subject: Any) -> None:
     point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}
     known = set(solve_pointwise(subject, forward.choice, **point).variables)
     for name in forward.data.quantities:
-        if name not in known and not (name == "contact_resistance" and "contact_area" in known):
+        if result_of(name) not in known:
             raise InputError("model", forward.choice.model, f"a model that knows {name}, which was measured")

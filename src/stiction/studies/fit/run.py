@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
-from stiction.quantities.extras import require
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.case.read import read_content, without_studies
@@ -69,7 +68,6 @@ def fit(case: Any, data: Any, *, progress: Progress = lambda text: iter) -> "xar
 
 def plan_of_fit(case: Any, data: Any) -> FitPlan:
     """What is fitted. Raises InputError."""
-    require("fit", "lmfit")
     plan = (
         make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)
     )
@@ -127,7 +125,7 @@ def _parameters(one: Fitted) -> dict[str, tuple]:
         "high": (along, ends[:, 1], {"long_name": "high end of the 95 % interval"}),
         "open_low": (along, [p.open_low for p in one.profiles], {"long_name": "no value down to the low end is excluded"}),
         "open_high": (along, [p.open_high for p in one.profiles], {"long_name": "no value up to the high end is excluded"}),
-        "standard_error": (along, _standard_errors(one), {"long_name": "standard error from the curvature (lmfit)"}),
+        "standard_error": (along, _standard_errors(one), {"long_name": "standard error from the curvature"}),
         "least": (along, [f.low for f in free], {"long_name": "low end of what is searched"}),
         "most": (along, [f.high for f in free], {"long_name": "high end of what is searched"}),
         "correlation": (("parameter", "other_parameter"), one.correlation, {"long_name": "correlation"}),
@@ -137,9 +135,7 @@ def _parameters(one: Fitted) -> dict[str, tuple]:
 
 
 def _standard_errors(one: Fitted) -> np.ndarray:
-    """Of the values, from lmfit's covariance of the shares; not a number where it has none."""
-    if one.best.covariance is None:
-        return np.full(len(one.parameters), np.nan)
+    """Of the values, from the covariance of the shares."""
     slope = [
         float(value) * np.log(x.free.high / x.free.low) if x.free.log else x.free.high - x.free.low
         for x, value in zip(one.parameters, one.values, strict=True)
@@ -222,7 +218,8 @@ def _attributes(found: Fitting) -> dict[str, Any]:
 
 def _unsure(found: Fitting) -> list[str]:
     """Where the numbers of the answer are not what they should be."""
-    said = [] if found.best.best.fit.success else [f"the search did not end at a minimum: {found.best.best.fit.message}"]
+    why = found.best.best.unfinished
+    said = [f"the search did not end at a minimum: {why}"] if why else []
     if found.bands is not None and found.bands.effective < _FEW:
         said.append(f"the bands rest on {found.bands.effective:.0f} independent sets of numbers: they are rough")
     return said

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import cached_property
 
 import numpy as np
 
@@ -14,6 +14,7 @@ FAR = 1e4
 _STEP = 1e-4  # of the ends: half the width of differences
 _GRID, _ROUNDS, _STEPS = 33, 4, 40
 _STARTS = 3
+_AGREED = 1e-12  # at which a search ends
 # How often the stretch in which an interval ends is parted, and in how many.
 _NARROWINGS, _CELL = 2, 8
 
@@ -23,17 +24,31 @@ Residuals = Callable[[np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Best:
-    """The best set of k free numbers. shares (k,); chi_square, of n residuals; covariance (k, k) of the shares as lmfit has it,
-    None where the data leave some combination open; bounded (k, k): the same with what the ends say of it, always there;
-    jacobian (n, k)."""
+    """The best set of k free numbers: shares (k,), residuals (n,) and their jacobian (n, k) there; unfinished: why the search
+    did not end at a minimum, if it did not."""
 
     shares: np.ndarray
-    chi_square: float
     residuals: np.ndarray
-    covariance: np.ndarray | None
-    bounded: np.ndarray
     jacobian: np.ndarray
-    fit: Any
+    unfinished: str = ""
+
+    @cached_property
+    def chi_square(self) -> float:
+        return float((self.residuals**2).sum())
+
+    @cached_property
+    def covariance(self) -> np.ndarray:
+        """Of the shares (k, k), from the curvature alone; NaN where the data leave some combination open."""
+        try:
+            found = np.linalg.inv(self.jacobian.T @ self.jacobian)
+        except np.linalg.LinAlgError:
+            found = np.full((len(self.shares),) * 2, np.nan)
+        return found if np.isfinite(found).all() and (np.diag(found) > 0.0).all() else np.full(found.shape, np.nan)
+
+    @cached_property
+    def bounded(self) -> np.ndarray:
+        """The same where the ends are known too: evenly spread between them, a share has the variance 1/12."""
+        return np.linalg.inv(self.jacobian.T @ self.jacobian + 12.0 * np.eye(self.jacobian.shape[1]))
 
 
 @dataclass(frozen=True)
@@ -76,49 +91,26 @@ def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | 
 
 
 def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
-    """The best fit by lmfit's least squares, from the start (k,) and from the best of points that are drawn between the
-    ends."""
-    import lmfit
+    """The best fit by least squares (Branch, Coleman & Li 1999) from the start (k,) and from the best of points that are drawn
+    between the ends."""
+    from scipy.optimize import least_squares
 
     k = len(start)
     trials = np.concatenate([np.clip(start, 0.0, 1.0)[None, :], _drawn(k, seed)])
     sums = (finite(residuals(trials)) ** 2).sum(axis=1)
     order = np.argsort(sums, kind="stable")[:_STARTS]
     begun = trials[order] if 0 in order else np.concatenate([trials[:1], trials[order[: _STARTS - 1]]])
-    begun, _ = polished(residuals, np.clip(begun, 0.01, 0.99), range(k))
-    begun = begun[np.argmin((finite(residuals(begun)) ** 2).sum(axis=1))]
-    parameters = lmfit.Parameters()
-    for at, share in enumerate(np.clip(begun, 1e-6, 1.0 - 1e-6)):
-        parameters.add(f"p{at}", value=float(share), min=0.0, max=1.0)
-
-    def of(given: Any) -> np.ndarray:
-        return finite(residuals(_shares(given)[None, :]))[0]
-
-    def slopes(given: Any) -> np.ndarray:
-        return jacobian(residuals, _shares(given)[None, :])[1][0]
-
-    found = lmfit.Minimizer(of, parameters).minimize(method="least_squares", Dfun=slopes, xtol=1e-12, ftol=1e-12, gtol=1e-12)
-    shares = _shares(found.params)
-    values, table = jacobian(residuals, shares[None, :])
-    return Best(shares, float((values[0] ** 2).sum()), values[0], _covariance(found), _bounded(table[0]), table[0], found)
-
-
-def _covariance(found: Any) -> np.ndarray | None:
-    covariance = getattr(found, "covar", None)
-    if covariance is None or not np.isfinite(covariance).all() or not (np.diag(covariance) > 0.0).all():
-        return None
-    # lmfit's, with scale_covar, is times the reduced chi square: here residuals are standardised already
-    scale = found.redchi if found.nfree > 0 else 1.0
-    return covariance / scale if scale > 0.0 else covariance
-
-
-def _bounded(table: np.ndarray) -> np.ndarray:
-    """The covariance of shares where the ends are known too: evenly spread between them, a share has the variance 1/12."""
-    return np.linalg.inv(table.T @ table + 12.0 * np.eye(table.shape[1]))
-
-
-def _shares(parameters: Any) -> np.ndarray:
-    return np.array([parameters[f"p{at}"].value for at in range(len(parameters))])
+    begun, sums = polished(residuals, np.clip(begun, 0.01, 0.99), range(k))
+    found = least_squares(
+        lambda shares: finite(residuals(shares[None, :]))[0],
+        np.clip(begun[np.argmin(sums)], 1e-6, 1.0 - 1e-6),
+        lambda shares: jacobian(residuals, shares[None, :])[1][0],
+        bounds=(0.0, 1.0),
+        xtol=_AGREED,
+        ftol=_AGREED,
+        gtol=_AGREED,
+    )
+    return Best(found.x, found.fun, found.jac, "" if found.success else found.message)
 
 
 def _drawn(k: int, seed: int) -> np.ndarray:

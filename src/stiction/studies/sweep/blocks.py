@@ -1,21 +1,21 @@
 """One block of a sweep: its contacts solved, those that are refused left out, and what is stored of them."""
 
 import math
-import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from stiction.laws.claims import Validity
-from stiction.quantities.errors import InputDoubt, InputError
+from stiction.quantities.dimensions import arranged
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import Pointwise, solve_pointwise
+from stiction.solving.pointwise import Pointwise, Region
+from stiction.studies.evaluate_many import evaluate_many
 from stiction.studies.sweep.plan import Plan
 from stiction.studies.sweep.table import MOMENTS
 
-__all__ = ["Block", "merged", "solve_block", "solve_region", "statistics_of"]
+__all__ = ["Block", "merged", "solve_block", "statistics_of"]
 
 
 @dataclass(frozen=True)
@@ -26,60 +26,32 @@ class Block:
     doubts: np.ndarray
 
 
-def solve_region(plan: Plan, choice: Choice, region: Mapping[str, slice], keep: Sequence[str] | None = None) -> Pointwise:
-    """Results of the contacts of a region. Raises InputError where they are refused, ArithmeticError where the model does not
-    converge."""
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore", InputDoubt)  # each of these is among the doubts of its points
-        case = plan.case(region)
-        return solve_pointwise(case.subject, choice, separation=case.separation, load=case.load, keep=keep)
-
-
 def solve_block(plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple[str, ...]], sizes: Mapping[str, int]) -> Block:
     """A block. dims: name -> dimensions of each result that is kept; sizes: of the dimensions of the points.
 
     Contacts that are refused are not numbers, with that as their doubt; all that are not are solved together, as far as halving
     the region parts them.
     """
-    region = plan.region(block)
-    shape = {dim: some.stop - some.start for dim, some in region.items()} | dict(sizes)
+    shape = {dim: some.stop - some.start for dim, some in plan.region(block).items()} | dict(sizes)
     results = {name: np.full([shape[dim] for dim in of], np.nan) for name, of in dims.items()}
     doubts = np.full(tuple(shape.values()), 1, dtype=np.uint32)
-    for part in _solvable(plan, choice, region, list(dims)):
-        within, solved = part
-        place = {dim: slice(some.start - region[dim].start, some.stop - region[dim].start) for dim, some in within.items()}
+    for place, solved in _solved(plan, choice, plan.region(block), list(dims)):
         for name, of in dims.items():
             if name in solved.variables:
                 have, values, _ = solved.variables[name]
-                results[name][tuple(place.get(dim, slice(None)) for dim in of)] = _ordered(values, have, of)
+                results[name][tuple(place.get(dim, slice(None)) for dim in of)] = arranged(values, have, of)
         have, bits = solved.doubts
-        doubts[tuple(place.get(dim, slice(None)) for dim in shape)] = _ordered(bits, have, tuple(shape))
+        doubts[tuple(place.get(dim, slice(None)) for dim in shape)] = arranged(bits, have, shape)
     return Block(results, doubts)
 
 
-def _ordered(values: np.ndarray, have: Sequence[str], wanted: Sequence[str]) -> np.ndarray:
-    return values.transpose([list(have).index(dim) for dim in wanted])
-
-
-def _solvable(plan: Plan, choice: Choice, region: dict[str, slice], keep: list[str]):
-    """Regions that can be solved, with their results."""
-    waiting = plan.pieces(region)[::-1]
-    while waiting:
-        one = waiting.pop()
-        try:
-            yield one, solve_region(plan, choice, one, keep)
-        except (InputError, ArithmeticError):
-            waiting += _halves(one)
-
-
-def _halves(region: dict[str, slice]) -> list[dict[str, slice]]:
-    """The two halves along the longest dimension; none of a single contact."""
-    dim = max(region, key=lambda name: region[name].stop - region[name].start)
-    start, stop = region[dim].start, region[dim].stop
-    if stop - start == 1:
-        return []
-    middle = (start + stop) // 2
-    return [region | {dim: slice(middle, stop)}, region | {dim: slice(start, middle)}]
+def _solved(plan: Plan, choice: Choice, block: Region, keep: list[str]) -> Iterator[tuple[Region, Pointwise]]:
+    """Places within a block that can be solved, with their results."""
+    for piece in plan.pieces(block):
+        starts = {dim: some.start - block[dim].start for dim, some in piece.items()}
+        for region, _, solved in evaluate_many(plan.content, plan.arrays(piece), None, choice, keep, along=tuple(piece)):
+            if solved is not None:
+                yield {dim: slice(some.start + starts[dim], some.stop + starts[dim]) for dim, some in region.items()}, solved
 
 
 def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:

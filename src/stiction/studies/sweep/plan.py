@@ -72,7 +72,7 @@ class Plan:
 
     def arrays(self, region: Mapping[str, slice]) -> dict[tuple[str, ...], Any]:
         """The numbers that are several, as labelled arrays, in a region."""
-        if self.sweep.sample.method in ("sobol", "latin_hypercube"):
+        if self.sweep.sample.is_drawn:
             return self._drawn(region[SAMPLE])
         listed = self.sweep.sample.method == "list"
         found = {}
@@ -80,10 +80,6 @@ class Plan:
             dim = SAMPLE if listed else one.dimension
             found[path] = one.array(one.numbers()[region[dim]], dim)
         return found
-
-    def case(self, region: Mapping[str, slice]):
-        """The case with the contacts of a region."""
-        return case_of(self.content, self.arrays(region))
 
     def _drawn(self, some: slice) -> dict[tuple[str, ...], Any]:
         """Points that are drawn. Quantities along one dimension share their shares, and go together."""
@@ -138,9 +134,9 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     plain, scans = _without_scans(plain)
     plan = Plan(plain, several, sweep, scans=scans)
     lengths = _lengths(plan)
-    first = replace(plan, dims=lengths).case({dim: slice(0, 1) for dim in lengths})
+    first = case_of(plain, replace(plan, dims=lengths).arrays({dim: slice(0, 1) for dim in lengths}))
     case_of(plain, {path: one.array(one.values[:1]) for path, one in several.items()})
-    points = first.load if first.load is not None else first.separation
+    points: Any = first.load if first.load is not None else first.separation
     size = int(np.size(points)) if not hasattr(points, "dims") else points.sizes["separation"]
     return _cut(replace(plan, points=size), lengths)
 
@@ -171,7 +167,7 @@ def _lengths(plan: Plan) -> dict[str, int]:
             "contact", "single numbers only", "numbers that are several, a list or {start, stop, count}, for a sweep"
         )
     sample = plan.sweep.sample
-    if sample.method in ("sobol", "latin_hypercube"):
+    if sample.is_drawn:
         assert sample.count is not None  # the validator has seen to it
         return {SAMPLE: sample.count}
     found: dict[str, tuple[int, Several]] = {}

@@ -23,7 +23,9 @@ from stiction.quantities.paths import require_place
 from stiction.quantities.uninterrupted import uninterrupted
 from stiction.solving.choice import LAWS, Choice
 from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
-from stiction.studies.sweep.blocks import merged, rules_as_data, solve_block, solve_region, statistics_of
+from stiction.studies.case.read import case_of
+from stiction.studies.evaluate_many import evaluate_together
+from stiction.studies.sweep.blocks import merged, rules_as_data, solve_block, statistics_of
 from stiction.studies.sweep.plan import SAMPLE, Plan, check_kept
 from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of
 
@@ -238,9 +240,9 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
                 for (dim, some), i in zip(region.items(), places, strict=True)
             }
             try:
-                case = plan.case(one)
+                case = case_of(plan.content, plan.arrays(one))
                 choice = choice_of_case(case, case.choice)
-                return choice, (case, solve_region(plan, choice, one))
+                return choice, evaluate_together(plan.content, plan.arrays(one), None, choice)
             except (InputError, ArithmeticError) as error:
                 refused = error
     raise refused

@@ -1,6 +1,6 @@
 """The table [sweep] of a case file."""
 
-from typing import Literal
+from typing import Literal, get_args
 
 from pydantic import Field, model_validator
 
@@ -10,7 +10,7 @@ from stiction.studies.sweep.quantile_counts import PERCENTILES
 
 __all__ = ["LARGEST_BLOCK", "MOMENTS", "STATISTICS", "Sample", "Sweep"]
 
-_METHODS = ("grid", "list", "sobol", "latin_hypercube")
+Method = Literal["grid", "list", "sobol", "latin_hypercube"]
 _MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
 LARGEST_BLOCK = 2**24
 MOMENTS = ("count", "mean", "standard_deviation", "least", "most")
@@ -21,16 +21,20 @@ class Sample(Input):
     """Which contacts. grid: every combination; list: the values point by point; sobol, latin_hypercube: so many points drawn
     between start and stop of each range, evenly in it or in its logarithm."""
 
-    method: Literal["grid", "list", "sobol", "latin_hypercube"] = Field("grid", description=", ".join(_METHODS))
+    method: Method = Field("grid", description=", ".join(get_args(Method)))
     count: int | None = Field(None, ge=1, le=_MOST_SOBOL, strict=True, description="a whole number, 1 or more")
     seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
 
+    @property
+    def is_drawn(self) -> bool:
+        """Whether points are drawn between the ends."""
+        return self.method in ("sobol", "latin_hypercube")
+
     @model_validator(mode="after")
     def _count_is_needed(self):
-        drawn = self.method in ("sobol", "latin_hypercube")
-        if drawn and self.count is None:
+        if self.is_drawn and self.count is None:
             raise InputError("count", None, "a whole number, 1 or more: how many points are drawn")
-        if not drawn and self.count is not None:
+        if not self.is_drawn and self.count is not None:
             raise InputError("count", self.count, f"nothing: a {self.method} has as many points as there are values")
         if self.method == "latin_hypercube" and (self.count or 0) > _MOST_HYPERCUBE:
             raise InputError("count", self.count, f"{_MOST_HYPERCUBE} at most, or sobol, which may have more")

@@ -1,19 +1,19 @@
 """Many contacts that are drawn from what is uncertain, solved together: by one model, or each by the one drawn for it."""
 
-import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from stiction.contact.subject import Subject
 from stiction.laws.registry import RoughSurface, find
-from stiction.quantities.errors import InputDoubt, InputError
+from stiction.quantities.dimensions import arranged
+from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import WHY_NOT, Pointwise, solve_pointwise
+from stiction.solving.pointwise import WHY_NOT, Pointwise
 from stiction.studies.case.read import Case
-from stiction.studies.case.uncertain import SAMPLE
+from stiction.studies.case.uncertain import SAMPLE, expanded
+from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
 __all__ = ["OUTPUTS", "Draws", "Variant", "draw", "scrambled", "shares_of_points", "solves_maps"]
 
@@ -30,9 +30,10 @@ class Variant:
     choice: Choice
     roughness: Any = None
 
-    def of(self, subject: Subject) -> Subject:
-        """The contact as it is asked."""
-        return subject if self.roughness is None else subject.replace(roughness=self.roughness)
+    def tables(self, case: Case) -> Mapping[str, Any]:
+        """The tables of the case as it is asked, every body as a record whose numbers may be replaced."""
+        tables = expanded(case.tables)
+        return tables if self.roughness is None else {**tables, "contact": {**tables["contact"], "roughness": self.roughness}}
 
 
 @dataclass
@@ -92,10 +93,17 @@ def draw(
         raise InputError("uncertainty.count", count, f"{_MOST // found.points} at most at {found.points} points of a contact")
     found.tables = {name: np.full((count, *table.shape), np.nan) for name, table in found.tables.items()}
     rows = np.zeros(count, dtype=int) if rows is None else rows
+    tables, points = [one.tables(case) for one in variants], _points(case)
     for at, some in progress(_steps(variants, rows, found.points)):
-        for part, solved in _solvable(case, variants[at], shares, some, names):
-            _keep(found, part, solved)
+        numbers, choice = case.numbers_at(shares[some]), variants[at].choice
+        for region, _, solved in evaluate_many(tables[at], numbers, points, choice, names, along=(SAMPLE,)):
+            _keep(found, some[region.get(SAMPLE, slice(None))], solved)
     return found
+
+
+def _points(case: Case) -> dict[str, Any] | None:
+    """The loads of the case; separations may be over a sigma that is drawn, and follow from the tables."""
+    return None if case.load is None else {"load": case.load}
 
 
 def solves_maps(choice: Choice) -> bool:
@@ -108,7 +116,7 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
     found = Draws()
     for at, one in enumerate(variants):
         try:
-            solved = _solved(case, one, names)
+            _, solved = evaluate_together(one.tables(case), case.several, _points(case), one.choice, names)
         except (InputError, ArithmeticError):
             if at == 0:
                 raise
@@ -122,36 +130,15 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
     return found
 
 
-def _solved(case: Case, variant: Variant, names: Sequence[str]) -> Pointwise:
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore", InputDoubt)  # these are among the doubts
-        subject = variant.of(case.subject)
-        return solve_pointwise(subject, variant.choice, separation=case.separation, load=case.load, keep=names)
-
-
-def _solvable(
-    case: Case, variant: Variant, shares: np.ndarray, rows: np.ndarray, names: Sequence[str]
-) -> Iterator[tuple[np.ndarray, Pointwise | None]]:
-    """The rows with their results, in as many parts as it takes to tell those that are refused, of which there are none."""
-    waiting = [rows]
-    while waiting:
-        some = waiting.pop()
-        try:
-            yield some, _solved(case.drawn(shares[some]), variant, names)
-        except (InputError, ArithmeticError):
-            if len(some) == 1:
-                yield some, None
-            else:
-                waiting += [some[len(some) // 2 :], some[: len(some) // 2]]
-
-
 def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
     if solved is None:
         _count(found, WHY_NOT[0], len(rows) * found.points)
         return
     for name, (dims, values, _) in solved.variables.items():
         if name in found.tables:
-            found.tables[name][rows] = _ordered(values, dims, found.dims[name])
+            wanted = found.dims[name]  # separations over a sigma that is drawn have a name of their own
+            have = ["mean_separation" if dim == "separation" and dim not in wanted else dim for dim in dims]
+            found.tables[name][rows] = arranged(values, have, (SAMPLE, *wanted))
     bits = solved.doubts[1]
     times = len(rows) * found.points // bits.size
     meanings = [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in solved.rules)]
@@ -162,15 +149,6 @@ def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
 def _count(found: Draws, text: str, points: int) -> None:
     if points:
         found.doubtful[text] = found.doubtful.get(text, 0) + points
-
-
-def _ordered(values: np.ndarray, have: Sequence[str], wanted: Sequence[str]) -> np.ndarray:
-    """The values with the rows first and then the wanted dimensions; length 1 where they do not vary."""
-    # Separations over a sigma that is drawn have a name of their own.
-    have = ["mean_separation" if dim == "separation" and dim not in wanted else dim for dim in have]
-    order = [have.index(dim) for dim in (SAMPLE, *wanted) if dim in have]
-    sizes = dict(zip(have, values.shape, strict=True))
-    return values.transpose(order).reshape([sizes.get(dim, 1) for dim in (SAMPLE, *wanted)])
 
 
 def shares_of_points(draws: Draws) -> dict[str, float]:

@@ -1,4 +1,8 @@
-"""Sobol indices and Morris effects of any function of numbers that are drawn between 0 and 1."""
+"""Sobol indices and Morris effects of any function of numbers that are drawn between 0 and 1.
+
+Sobol indices are those of SciPy. The effects are written here: SALib's are the same to rounding (2e-16), but a single refused
+contact makes all of them NaN, and SALib brings Matplotlib and multiprocess, which nothing else here needs without pictures.
+"""
 
 from dataclasses import dataclass
 

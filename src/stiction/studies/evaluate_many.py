@@ -1,0 +1,84 @@
+"""Evaluate one case at many sets of numbers at once, some of which may be refused.
+
+Every study of many contacts (uncertainty, sensitivity, sweep, fit, design) asks here. What it varies are labelled arrays in the
+places of numbers of the case, so that contacts are the combinations of their dimensions.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.dimensions import dimensions
+from stiction.solving.choice import Choice
+from stiction.solving.pointwise import Pointwise, Region, bisected, solve_pointwise
+from stiction.studies.case.places import with_numbers
+from stiction.studies.case.read import Case, case_of
+
+__all__ = ["evaluate_many", "evaluate_together"]
+
+Numbers = Mapping[tuple[str, ...], Any]
+
+
+def evaluate_together(
+    tables: Mapping[str, Any],
+    numbers: Numbers,
+    points: Mapping[str, Any] | None,
+    model: Choice,
+    keep: Sequence[str] | None = None,
+) -> tuple[Case, Pointwise]:
+    """Evaluate a case at these numbers, all of which must make a contact.
+
+    Parameters
+    ----------
+    tables : the tables of a case file.
+    numbers : place in the tables, ("contact", "first", "hardness") -> float or labelled array, in SI units.
+    points : {"load": ...} or {"separation": ...}; by default those of the case.
+    model : the model with its laws and options.
+    keep : names of results, by default all.
+
+    Returns
+    -------
+    The case with these numbers, and its results: NaN with the reason as bits where no results are known. Warnings and
+    floating-point errors are not raised: they are among the bits of the results.
+
+    Raises
+    ------
+    InputError, ArithmeticError
+        Where a number is out of bounds, or the model refuses all contacts.
+    """
+    with np.errstate(all="ignore"):
+        case = case_of(with_numbers(tables, numbers), {})
+        points = {"separation": case.separation, "load": case.load} if points is None else points
+        return case, solve_pointwise(case.subject, model, **points, keep=keep)
+
+
+def evaluate_many(
+    tables: Mapping[str, Any],
+    numbers: Numbers,
+    points: Mapping[str, Any] | None,
+    model: Choice,
+    keep: Sequence[str] | None = None,
+    *,
+    along: Sequence[str],
+) -> Iterator[tuple[Region, Case | None, Pointwise | None]]:
+    """Yield (region, case, results) in batches; arguments as of `evaluate_together`.
+
+    A region maps each dimension of `along` that the numbers or points have to a slice. A batch that raises is bisected along
+    the longest of these dimensions; a single refused contact yields None, None.
+    """
+    varied = [*numbers.values(), *(points or {}).values()]
+    sizes = {dim: size for dim, size in dimensions(varied).items() if dim in along}
+
+    def evaluated(region: Region) -> tuple[Case, Pointwise]:
+        part = {dim: some for dim, some in region.items() if some != slice(0, sizes[dim])}
+        some = None if points is None else {name: _part(value, part) for name, value in points.items()}
+        return evaluate_together(tables, {path: _part(value, part) for path, value in numbers.items()}, some, model, keep)
+
+    for region, found in bisected({dim: slice(0, size) for dim, size in sizes.items()}, evaluated):
+        yield (region, None, None) if isinstance(found, Exception) else (region, *found)
+
+
+def _part(value: Any, region: Region) -> Any:
+    mine = {dim: some for dim, some in region.items() if dim in getattr(value, "dims", ())}
+    return value.isel(mine) if mine else value
