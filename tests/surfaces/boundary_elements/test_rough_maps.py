@@ -1,6 +1,7 @@
 """Rough maps: what must hold whatever the map is, limits, convergence with points, and what is said where it does not hold."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ import pytest
 from stiction.quantities.errors import InputError
 from stiction.surfaces.boundary_elements import memory
 from stiction.surfaces.boundary_elements.compliance import Compliance, Film
-from stiction.surfaces.boundary_elements.measures import Edges, edges
+from stiction.surfaces.boundary_elements.measures import PIXEL_EXCESS, Edges, edges
 from stiction.surfaces.boundary_elements.minimise import Problem, minimise
 from stiction.surfaces.boundary_elements.operators import PeriodicBoundary
 from stiction.surfaces.boundary_elements.solve import solve_map, sum_of_maps
@@ -166,6 +167,13 @@ def test_alone_and_periodic_agree_far_from_the_ends():
 
 def names(doubts):
     return {doubt.name for doubt in doubts}
+
+
+def test_pages_state_the_coefficient_at_edges_that_is_used():
+    docs = Path(__file__).parents[3] / "docs"
+    for page in ("boundary-elements.md", "published-models.md", "truth.md"):
+        text = (docs / page).read_text(encoding="utf-8")
+        assert f"{PIXEL_EXCESS:.3f}".lstrip("0") in text and r"\pi-1+\ln2" not in text
 
 
 def test_a_good_map_has_no_doubts_and_bad_ones_are_named():
