@@ -116,10 +116,8 @@ class MeasuredErrors:
         if self.kind_known:
             said = f"contact area {mean} against solved surfaces{where} (rms {most:.0%} over {count} like this one{nearest})"
         else:
-            said = (
-                f"contact area {mean} against solved Gaussian surfaces{where}; {ends} for 90% of {count} of all kinds, "
-                f"which numbers do not tell apart{nearest}"
-            )
+            kinds = f"{ends} for 90% of {count} of all kinds, which numbers do not tell apart"
+            said = f"contact area {mean} against solved Gaussian surfaces{where} ({kinds}{nearest})"
         return f"{said}{of_mu}{self._of_sample}"
 
     @property
