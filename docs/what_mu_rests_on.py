@@ -95,7 +95,7 @@ def assumptions() -> dict[str, list[Switch]]:
             Switch("varies by half from junction to junction, one contact of 0.01 mm^2",
                    contact={"strength_variation": 0.5, "nominal_area": "0.01 mm^2"}, load="10 mN", spread=True),
         ],
-        "asperities peak": [
+        "asperities slide alone": [
             Switch(f"one after another, {kept:.0%} kept in sliding", kept=kept) for kept in (1.0, 0.7, 0.4)
         ],
         "peeling, elastic": [

@@ -189,9 +189,20 @@ def test_one_period_has_no_form_and_no_ends(rough, tmp_path):
     said = st.solve(elastic({"first": given | {"periodic": True}}), load="1 mN", model=MODEL)
     ends = st.solve(elastic({"first": given}), load="1 mN", model=MODEL)
     assert float(said["area_fraction"]) == pytest.approx(float(made["area_fraction"]), rel=1e-6)
-    assert "load_at_ends" in ends and "load_at_ends" not in said
     assert float(ends["area_fraction"]) != pytest.approx(float(made["area_fraction"]), rel=1e-3)
     assert "levelled" in ends.attrs["scans"] and "levelled" not in said.attrs["scans"]
+
+
+@pytest.mark.parametrize("model", (MODEL, "persson_widened"))
+def test_a_window_of_few_waves_is_no_sample(rough, model):
+    """Whatever model takes the map: five waves of a quarter of the side or so, less than six of the longest."""
+    window = replace(rough, periodic=False)
+    for surface, few in (
+        (window, True),
+        (gaussian_surface((128, 128), (SIDE, SIDE), SelfAffine(0.8, SIDE / 14, SIDE / 16, 4e-8), 3), False),
+    ):
+        said = {one.quantity for one in doubts_of(st.solve(elastic(surface), load="1 mN", model=model))}
+        assert ("longest_waves_on_a_side" in said) == few
 
 
 def test_doubts_are_those_of_the_map(rough):

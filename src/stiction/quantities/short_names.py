@@ -128,8 +128,6 @@ SHORT = {
     "longest_waves_on_a_side": "longest waves on a side",
     "map_gradient": "rms gradient",
     "points_in_film": "points in the film",
-    "film_over_side": "film over side",
-    "load_at_ends": "load at the ends",
     "solution_residual": "residual",
     "load_error": "error of the load",
     "point_spacing": "point spacing",

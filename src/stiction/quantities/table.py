@@ -259,8 +259,6 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "longest waves of the map on its shorter side"),
     ("map_gradient", "h'_map", r"h'_\mathrm{map}", "", _POSITIVE, "", "rms gradient of the map"),
     ("points_in_film", "t/dx", r"t/\Delta x", "", _POSITIVE, "", "film thickness over the distance of the map's points"),
-    ("film_over_side", "t/L", "t/L", "", _POSITIVE, "", "film thickness over the shorter side of a map that ends"),
-    ("load_at_ends", "s_e", r"s_\mathrm{e}", "", _SHARE, "", "share of the load on the outermost points of the map"),
     ("solution_residual", "r", "r", "", _NOT_NEGATIVE, "",
      "gaps where there is contact, over the rms height difference of neighbouring points"),
     ("load_error", "e_P", r"e_P", "", _NOT_NEGATIVE, "", "relative error of the load that the pressures carry"),

@@ -13,12 +13,14 @@ from typing import Any
 import numpy as np
 
 from stiction.laws.film.shared.measured import MEASURED, MEASURED_ON_MAPS, OnMaps, on_a_sphere, on_maps
+from stiction.solving.errors_near import ErrorsNear
 from stiction.solving.problem import Problem
 
 __all__ = ["as_attributes", "film_errors", "in_words", "off_by", "read_film_errors"]
 
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
 _MAPS = 10
+_NORMAL_END = 1.645  # standard deviations to the 95 % quantile
 _ROUNDING = 1e-3  # of the ends of what was measured
 _FLOWS = "films that flow were compared with nothing: what squeezes them out is solved nowhere here"
 
@@ -107,19 +109,21 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
     return "; ".join(said)
 
 
-def on_solved_maps(problem: Problem, points: int) -> tuple[np.ndarray, ...] | None:
-    """Of an area law of surfaces on a film, on the maps of truth/films.csv near each contact, repeated for its points: mean of
-    ln(area over that of the map), its rms, the relative rms, distance (0, infinite where nothing is near), number of maps, and
-    of the nearest nothing. None of other models, which the set of solved surfaces has."""
+def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
+    """Of an area law of surfaces on a film, on the maps of truth/films.csv near each contact, repeated for its points; None of
+    other models, which the set of solved surfaces has."""
     if not problem.record.on_film:
         return None
     found, _ = _on_maps(problem, problem.record.key)
     if found is None:
         return None
-    near = np.isfinite(found.rms)
+    near, middle, end = np.isfinite(found.rms), np.log(found.mean), _NORMAL_END * found.rms
     nearest = np.full(near.shape, "")  # they are looked up by film alone
-    each = np.log(found.mean), found.rms, np.expm1(found.rms), np.where(near, 0.0, np.inf), np.where(near, _MAPS, 0), nearest
-    return tuple(np.repeat(one, points) for one in each)
+    each = (
+        middle - end, middle + end, np.expm1(found.rms), middle, found.rms, np.where(near, 0.0, np.inf), near.astype(float),
+        np.where(near, _MAPS, 0), nearest,
+    )  # fmt: skip
+    return ErrorsNear(*(np.repeat(one, points) for one in each))
 
 
 def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:

@@ -3,62 +3,78 @@
 The set (docs/truth.md) has the contact area of every model on surfaces whose contact was solved, by every way of finding
 asperities, at some mean pressures, hardnesses and films. Near a contact that means: at its pressure and hardness over E* h',
 read off between those of the set, for each surface of it; and the mean over surfaces, each weighing exp(-d^2/2) with its
-distance d in Nayak's alpha, and where the map is known in skewness, lay and the slope of its top. A contact that is given by
-numbers is compared with Gaussian isotropic surfaces. Friction of an interface is its strength times the area, so that its
-error is that of the area, less where the strength rises with pressure. Adhesion is not in the set.
+distance d in Nayak's alpha, and where the map is known in skewness, lay and the slope of its top. Numbers do not tell the kind
+of a surface: of a contact given by numbers the mean error is that on Gaussian surfaces, which moments describe and models are
+ranked by, and the interval is over all kinds: skewed, worn, with a lay, of two bands of waves. Friction of an interface is its
+strength times the area, so that its error is that of the area, less where the strength rises with pressure, and unknown where
+the strength stated is above that of the bodies. Adhesion is not in the set.
+
+A solution of the map has the error of its points, and where the map is a window of a larger surface it is one sample of it.
 """
 
 import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.contact.indices import Groups
+from stiction.solving.errors_near import ErrorsNear, bare_errors, film_errors_near
 from stiction.solving.film_errors import on_solved_maps
+from stiction.solving.on_map import OnMap
+from stiction.solving.problem import ClosedForm
 from stiction.solving.problem_base import Problem
-from stiction.solving.solved_near import (
-    Difference,
-    Place,
-    differences,
-    film_differences,
-    nearest_in_words,
-    pressure_difference,
-    squared_distance,
-)
+from stiction.solving.solved_near import Place
 from stiction.solving.solved_set import SolvedSet, solved_set
 from stiction.solving.state import state_of
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
 
 __all__ = ["MeasuredErrors", "measured_errors"]
 
 FAR = 2.0  # distance beyond which nothing near was measured
-_ELASTIC = 3.0  # hardness over E* h' from which on nothing flows
 _MOST_ADHESION = 0.1  # pull-off forces over the load, in the set there are none
+_FULL = 1.0  # pull over a load that is none
 _LEAST_SHARE = 0.8  # of the compliance that is the coated body's: in the set the other is rigid
 _MOST_POINTS = 200
-_PIXELS = 0.015  # ln of the area of a map that is solved, by the width of its points
-_ITSELF, _MAP = "the solution itself", "map"
-_SUM = "greenwood_williamson_1966"
+# Rms of ln of the solved area of a map of 8 points in its shortest wave, by the width of its points: at light loads, and where
+# p/(E* h') is larger than that.
+_LIGHT_ERROR, _OWN_ERROR, _LIGHT = 0.015, 0.005, 0.01
+_NORMAL_END = 1.645  # standard deviations to the 95 % quantile
+_LEAST_TOLD = 0.5  # of the weight of what is near: surfaces on which a model says something
+_ITSELF, _MAP, _MOMENTS = "the solution itself", "map", "moments"
+_SUM, _BY_MOMENTS = "greenwood_williamson_1966", "persson_widened"
 
 
 @dataclass(frozen=True)
 class MeasuredErrors:
-    """At k points. area: ln(A/solved A) on average near each, not a number where nothing near was measured; expected: its root
-    mean square over the surfaces near, and relative: that of A/solved A - 1; friction: of mu as area, where it is of the
-    interface; distance: of the nearest surface, pressure, hardness; surfaces: how many count. column: the model and the way of
-    finding asperities; why_not: why there is nothing at some of them, "" if there is; nearest: in what the nearest surface
-    differs, "" where it hardly does."""
+    """At k points. low, high: ln(A/solved A), ends of the middle 90 % over the surfaces near each, NaN where nothing near was
+    measured; relative: root mean square of A/solved A - 1 over them; area, expected: mean and root mean square of the logarithm
+    over those of the kind that the model is made for, by which models are ranked: Gaussian ones, where the map is not known;
+    friction: of mu
+    as area, where it is of the interface; distance: of the nearest surface, pressure, hardness; surfaces: how many count;
+    trust: 1 near, 0 where nothing was measured, continuous between; sample: standard error of ln of the area as one window of
+    a larger surface, of models of its map. column: the model and the way of finding asperities; why_not: why there is nothing
+    at some of them, "" if there is; nearest: in what the nearest surface differs, "" where it hardly does; kind_known: whether
+    the map is known, and so of what kind the surface is."""
 
     column: str
     area: np.ndarray
-    expected: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
     relative: np.ndarray
+    expected: np.ndarray
     friction: np.ndarray
     distance: np.ndarray
     surfaces: np.ndarray
+    trust: np.ndarray
+    sample: np.ndarray
     why_not: str = ""
     nearest: np.ndarray = field(default_factory=lambda: np.empty(0, dtype=str))
+    kind_known: bool = True
 
     @property
     def known(self) -> bool:
@@ -66,34 +82,52 @@ class MeasuredErrors:
         return bool(np.isfinite(self.area).any())
 
     def as_data(self) -> dict[str, Any]:
-        """Relative errors: of the area and mu on average, root mean square of the area's, and how near; lists over the points,
-        null where nothing was measured."""
+        """Relative errors: of the area and mu, mean; ends of the middle 90 % and root mean square of the area's; of the
+        sample; and how near; lists over the points, null where nothing was measured."""
         return {
             "measured_as": self.column,
             "area": _plain(np.expm1(self.area)),
+            "area_low": _plain(np.expm1(self.low)),
+            "area_high": _plain(np.expm1(self.high)),
             "area_rms": _plain(self.relative),
             "friction": _plain(np.expm1(self.friction)),
+            "sample": _plain(self.sample),
             "distance": _plain(self.distance),
             "surfaces": self.surfaces.astype(int).tolist(),
+            "kind_known": self.kind_known,
             "why_not": self.why_not,
         }
 
     @property
     def words(self) -> str:
         """In a line."""
-        if self.column == _ITSELF:
-            return "it is what the others are measured by; where points resolve the map, their width leaves 1 to 2 %"
         if not self.known:
             return f"not measured here: {self.why_not}"
         some = np.isfinite(self.area)
-        low, high = np.expm1(self.area[some].min()), np.expm1(self.area[some].max())
         most = self.relative[some].max()
-        ends = f"{low:+.0%}" if f"{low:+.0%}" == f"{high:+.0%}" else f"{low:+.0%} to {high:+.0%}"
-        nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))] if self.nearest.size else ""
+        if self.column == _ITSELF:
+            return f"the reference solution; points as wide as these leave {most:.1%}{self._of_sample}"
         where = "" if some.all() else f" at {int(some.sum())} of {some.size} points"
         of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
-        like = "; ".join(filter(None, [f"rms {most:.0%} over {int(self.surfaces[some].max())} like this one", nearest]))
-        return f"contact area {ends} against solved surfaces{where} ({like}){of_mu}"
+        nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))] if self.nearest.size else ""
+        nearest = f"; {nearest}" if nearest else ""
+        count = int(self.surfaces[some].max())
+        mean, ends = _ends(self.area[some], self.area[some]), _ends(self.low[some], self.high[some])
+        if self.kind_known:
+            said = f"contact area {mean} against solved surfaces{where} (rms {most:.0%} over {count} like this one{nearest})"
+        else:
+            kinds = f"{ends} for 90% of {count} of all kinds, which numbers do not tell apart"
+            said = f"contact area {mean} against solved Gaussian surfaces{where} ({kinds}{nearest})"
+        return f"{said}{of_mu}{self._of_sample}"
+
+    @property
+    def _of_sample(self) -> str:
+        largest = float(np.max(self.sample, where=np.isfinite(self.sample), initial=0.0))
+        return f"; as one window of a larger surface +/-{largest:.0%} more, by its quadrants" if largest > 0.0 else ""
+
+
+def _ends(low: np.ndarray, high: np.ndarray) -> str:
+    return " to ".join(dict.fromkeys(f"{np.expm1(end):+.0%}" for end in (low.min(), high.max())))
 
 
 def _plain(values: np.ndarray) -> list[float | None]:
@@ -126,31 +160,93 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
     """At the points of these normalised results, contacts first: flat over both."""
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
-    if problem.record.of_map is not None:
-        there = np.where(np.isfinite(area.ravel()), 0.0, np.nan)
-        return MeasuredErrors(_ITSELF, there, there + _PIXELS, there + _PIXELS, there, there, np.ones(load.size))
-    why = _why_not(problem, results, column, load.size)
+    if isinstance(problem, OnMap):
+        return _of_solution(problem, load, area)
+    near_none, why = _adhesion(problem, results)
+    why = _why_not(problem, column, load.size) or why
     if why:
         return _unknown(column, load.size, why)
     place = Place.of(problem, load)
-    known = solved_set()
-    coated = problem.groups.has_film
-    found = _on_film(known, column, place, problem) if coated else _bare(known, column, place)
-    if found is None and coated:
-        found = on_solved_maps(problem, load.size // len(problem.groups))
+    found = _near(problem, column, place, load.size // len(problem.groups))
     if found is None:
         return _unknown(column, load.size, "this model was not measured")
-    *numbers, distance, surfaces, nearest = found
-    far = ~(distance <= FAR) | ~np.isfinite(numbers[0])
-    error, expected, relative = (np.where(far, np.nan, one) for one in numbers)
-    why = _far(distance[far], nearest[far]) if far.any() else ""
-    friction = _of_friction(problem, results, error)
-    return MeasuredErrors(column, error, expected, relative, friction, distance, surfaces, why, nearest)
+    far = ~(found.distance <= FAR) | ~(found.told > _LEAST_TOLD)
+    low, high, relative, error, expected = (np.where(far, np.nan, one) for one in found[:5])
+    why = _far(found.distance[far], found.nearest[far]) if far.any() else ""
+    trust = np.clip(FAR - found.distance, 0.0, 1.0) * np.clip((found.told - _LEAST_TOLD) / (0.5 * _LEAST_TOLD), 0.0, 1.0)
+    own = sample = np.zeros(load.size)
+    if isinstance(problem, ClosedForm) and problem.map is not None:
+        own, sample = _own_error(place.pressure), _sample_error(problem.map, place)
+    return MeasuredErrors(
+        column, error, _widened(error, low, -own), _widened(error, high, own), np.hypot(relative, own), np.hypot(expected, own),
+        _of_friction(problem, results, error), found.distance, found.surfaces, trust * near_none,
+        sample, why, found.nearest, place.shape is not None,
+    )  # fmt: skip
+
+
+def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> MeasuredErrors:
+    """Of the contact of the map itself: what the width of its points leaves, and what a window does."""
+    surface = problem.surface()
+    place = Place.of(problem, load, surface)
+    there = np.where(np.isfinite(area.ravel()), 0.0, np.nan)
+    own, nothing = there + _own_error(place.pressure), np.zeros(load.size)
+    end = _NORMAL_END * own
+    return MeasuredErrors(
+        _ITSELF, there, -end, end, own, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place)
+    )
+
+
+def _own_error(pressure: np.ndarray) -> np.ndarray:
+    """Root mean square error of ln of a solved area, of the width of points; pressure: over E* h'."""
+    light = 1.0 / (1.0 + np.square(np.maximum(pressure, 0.0) / _LIGHT))
+    return _OWN_ERROR + (_LIGHT_ERROR - _OWN_ERROR) * light
+
+
+def _widened(middle: np.ndarray, end: np.ndarray, more: np.ndarray) -> np.ndarray:
+    """An end of 90 % with an error of that root mean square more, to that side."""
+    return middle + np.sign(more) * np.hypot(end - middle, _NORMAL_END * more) if more.any() else end
+
+
+def _sample_error(surface: "HeightMap", place: Place) -> np.ndarray:
+    """Standard error of ln of the area as one window of a larger surface; 0 of one period."""
+    from stiction.surfaces.boundary_elements.map_area import map_area  # which a contact of numbers does without
+
+    if place.pressure.size > _MOST_POINTS:
+        return np.full(place.pressure.size, np.nan)
+    area, found = map_area(surface), np.empty(place.pressure.size)
+    h = area.slopes.gradient
+    for hardness in np.unique(place.hardness):
+        at = place.hardness == hardness
+        found[at] = area.sample_error(np.maximum(place.pressure[at], 0.0) * h, float(hardness) * h)
+    return found
+
+
+def _near(problem: Problem, column: str, place: Place, points: int) -> ErrorsNear | None:
+    """What was measured near each point; None of a model that was not."""
+    known = solved_set()
+    if not problem.groups.has_film:
+        return bare_errors(known, column, place, anywhere=column.endswith(f"|{_MAP}"))
+    found = _on_film(known, column, place, problem)
+    return _on_other_maps(problem, place, points) if found is None else found
+
+
+def _on_other_maps(problem: Problem, place: Place, points: int) -> ErrorsNear | None:
+    """Of area laws of surfaces on a film, by the Gaussian maps of truth/films.csv; by numbers wider by what other kinds of
+    surface do to the bare law."""
+    found = on_solved_maps(problem, points)
+    if found is None or place.shape is not None:
+        return found
+    bare = bare_errors(solved_set(), f"{_BY_MOMENTS}|{_MOMENTS}", place, anywhere=False)
+    if bare is None:
+        return found
+    low = found.middle - np.hypot(found.middle - found.low, bare.middle - bare.low)
+    high = found.middle + np.hypot(found.high - found.middle, bare.high - bare.middle)
+    return found._replace(low=low, high=high, relative=np.hypot(found.relative, bare.relative), surfaces=bare.surfaces)
 
 
 def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
-    nothing = np.full(points, np.nan)
-    return MeasuredErrors(column, nothing, nothing, nothing, nothing, nothing, np.zeros(points), why)
+    nothing, zero = np.full(points, np.nan), np.zeros(points)
+    return MeasuredErrors(column, *6 * (nothing,), nothing, zero, zero, zero, why)
 
 
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
@@ -161,23 +257,29 @@ def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
     return f"no solved surface is like this one: {nearest[at]}" if distance[at] > FAR else "it carries no such load there"
 
 
-def _why_not(problem: Problem, results: Mapping[str, np.ndarray], column: str, points: int) -> str:
+def _why_not(problem: Problem, column: str, points: int) -> str:
     if not column:
         return "not with these options"
     if problem.groups.roughness_parameter is None:
         return "the roughness is not known as a surface"
     if points > _MOST_POINTS:
         return f"asked for {_MOST_POINTS} points at most"
-    state = state_of(problem, results)
-    if "load_meniscus" in results:
-        pull, load = (np.abs(np.asarray(results[name], dtype=float)) for name in ("load_meniscus", "load"))
-        if (pull > _MOST_ADHESION * load).any():
-            return "menisci pull, the solved surfaces are dry"
-    elif _largest(state.get("meniscus_share")) > _MOST_ADHESION:
-        return "menisci would pull, the solved surfaces are dry"
-    if _largest(state.get("adhesion_share")) > _MOST_ADHESION:
-        return "the contact adheres, the solved surfaces do not"
     return ""
+
+
+def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
+    """How near to dry surfaces that do not adhere, 1 to 0, and why it is not near where it is 0."""
+    state, why = state_of(problem, results), "menisci would pull, the solved surfaces are dry"
+    pull = _largest(state.get("meniscus_share"))
+    if "load_meniscus" in results:
+        pulled, load = (np.abs(np.asarray(results[name], dtype=float)) for name in ("load_meniscus", "load"))
+        share = np.divide(pulled, load, out=np.where(pulled > 0.0, _FULL, 0.0), where=load > 0.0)
+        pull, why = _largest(share), "menisci pull, the solved surfaces are dry"
+    sticks = _largest(state.get("adhesion_share"))
+    if sticks > max(pull, _MOST_ADHESION):
+        pull, why = sticks, "the contact adheres, the solved surfaces do not"
+    near = float(np.clip(2.0 - 2.0 * max(pull, sticks) / _MOST_ADHESION, 0.0, 1.0))
+    return near, "" if pull <= _MOST_ADHESION else why
 
 
 def _largest(share: np.ndarray | None) -> float:
@@ -186,77 +288,8 @@ def _largest(share: np.ndarray | None) -> float:
     return float(np.max(known, initial=-np.inf))
 
 
-def _bare(known: SolvedSet, column: str, place: Place):
-    """Mean, root mean square of logarithm and ratio, distance, number of surfaces, words of the nearest, at k points; None of
-    a model that was not measured. A solution of the map is as good on any surface: there only pressure tells how near."""
-    errors = known.errors(column)
-    if errors is None:
-        return None
-    anywhere = column.endswith(f"|{_MAP}")
-    rows = [_at_point(known, errors, place, at, anywhere) for at in range(place.pressure.size)]
-    return tuple(np.array(values) for values in zip(*rows, strict=True))
-
-
-def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywhere: bool):
-    pressure, hardness = float(place.pressure[at]), float(place.hardness[at])
-    if not (pressure > 0.0 and hardness > 0.0):
-        return _NONE
-    of_pressure, inside, hardness = pressure_difference(known, pressure, hardness)
-    found, solved = (_between(known, one, inside, hardness) for one in (errors, known.areas))
-    apart = [*([] if anywhere else differences(known, place, at)), of_pressure]
-    asked = np.isfinite(solved) & np.isfinite(errors).any(axis=(1, 2))  # there, and of this model at all
-    return _averaged(found, np.where(asked, squared_distance(apart), np.inf), apart)
-
-
-_NONE = (math.nan, math.nan, math.nan, math.inf, 0, "")
-
-
-def _averaged(found: np.ndarray, squared: np.ndarray, apart: list[Difference]):
-    """Weighted by exp(-d^2/2), of those that are numbers; none where most of what is near says nothing. apart: what the squared
-    distances are made of."""
-    if not np.isfinite(squared).any():
-        return _NONE
-    least = float(squared.min())
-    weights = np.exp(-0.5 * (squared - least))
-    told = np.isfinite(found)
-    if not told.any() or weights[told].sum() < 0.5 * weights[np.isfinite(squared)].sum():
-        return math.nan, math.nan, math.nan, math.sqrt(least), 0, nearest_in_words(apart, int(np.argmin(squared)))
-    nearest = nearest_in_words(apart, int(np.argmin(np.where(told, squared, np.inf))))
-    weights, values = weights[told] / weights[told].sum(), found[told]
-    mean = float(np.sum(weights * values))
-    expected = math.sqrt(float(np.sum(weights * values**2)))
-    relative = math.sqrt(float(np.sum(weights * np.expm1(values) ** 2)))
-    count = int(np.count_nonzero(weights > 0.1 * weights.max()))
-    return mean, expected, relative, math.sqrt(float(squared[told].min())), count, nearest
-
-
-def _between(known: SolvedSet, errors: np.ndarray, pressure: float, hardness: float) -> np.ndarray:
-    """Errors (s,) at a pressure and a hardness, read off between those of the set by straight lines over their logarithms."""
-    hard = np.minimum(known["hardnesses"], _ELASTIC)
-    order = np.argsort(hard)
-    right = int(np.clip(np.searchsorted(hard[order], min(hardness, _ELASTIC)), 1, len(order) - 1))
-    ends = order[right - 1], order[right]
-    part = math.log(min(hardness, _ELASTIC) / hard[ends[0]]) / math.log(hard[ends[1]] / hard[ends[0]])
-    lower, upper = (_at_pressure(known["loads"], errors[:, end, :], pressure) for end in ends)
-    both = lower + part * (upper - lower)
-    # A surface that was not solved with this hardness, or not at this pressure, is taken where the other end is near.
-    near = np.where(part > 0.7, upper, np.nan) if part > 0.5 else np.where(part < 0.3, lower, np.nan)
-    return np.where(np.isfinite(both), both, near)
-
-
-def _at_pressure(loads: np.ndarray, errors: np.ndarray, pressure: float) -> np.ndarray:
-    right = int(np.clip(np.searchsorted(loads, pressure), 1, len(loads) - 1))
-    part = math.log(pressure / loads[right - 1]) / math.log(loads[right] / loads[right - 1])
-    left, next_one = errors[:, right - 1], errors[:, right]
-    if part < 1e-9:
-        return left
-    if part > 1.0 - 1e-9:
-        return next_one
-    return np.where(np.isfinite(next_one), left + part * (next_one - left), left)  # the last that was solved stands for more
-
-
-def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem):
-    """As `_bare`, on a film that is elastic, on one body, the other rigid."""
+def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem) -> ErrorsNear | None:
+    """On a film that is elastic, on one body, the other rigid."""
     groups, film = problem.groups, problem.chosen.film
     name = column.split("|")[0]
     own = film is not None and f"{film.key}|mccool"
@@ -266,18 +299,7 @@ def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem):
         return None
     elastic = (groups.n_H * place.hardness.reshape(len(groups), -1)[:, 0] / np.maximum(groups.film_modulus, 1.0)) > 1.0
     like = elastic & (groups.coated_share >= _LEAST_SHARE) & (groups.films == 1.0)
-    points = place.pressure.size // len(groups)
-    holds = np.repeat(like, points)
-    rows = [_film_point(known, errors, place, at) if holds[at] else _NONE for at in range(place.pressure.size)]
-    return tuple(np.array(values) for values in zip(*rows, strict=True))
-
-
-def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):
-    apart, loads = film_differences(known, place, at), known["film_loads"]
-    found = np.empty(loads.shape[:2])
-    for one in np.ndindex(*found.shape):
-        found[one] = np.interp(math.log(place.pressure[at]), np.log(loads[one]), errors[one])
-    return _averaged(found.ravel(), squared_distance(apart).ravel(), apart)
+    return film_errors_near(known, errors, place, np.repeat(like, place.pressure.size // len(groups)))
 
 
 def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.ndarray) -> np.ndarray:
@@ -285,6 +307,7 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
     tangential = problem.chosen.tangential
     if tangential is None or not tangential.interfacial or "friction_force" not in results:
         return np.full(error.shape, np.nan)
+    error = np.where(np.repeat(_can_be(problem.groups), error.size // len(problem.groups)), error, np.nan)
     beta = problem.groups.pressure_coefficient
     if beta is None or "pressure_coefficient" not in (*tangential.needs, *tangential.takes):
         return error
@@ -294,6 +317,14 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
     of_load = np.reshape(beta, (-1, 1)) * load
     solved = (friction - of_load) * np.exp(-error.reshape(load.shape)) + of_load
     return np.log(friction / solved).ravel()
+
+
+def _can_be(groups: Groups) -> np.ndarray:
+    """Where (n,) the interface is weaker than the bodies and the film: above their shear strength, Y/3^(1/2), mu is another."""
+    if groups.shear_strength is None:
+        return np.ones(len(groups), dtype=bool)
+    weakest = 1.0 if groups.n_H is None else np.minimum(groups.n_H, 1.0)
+    return np.broadcast_to(groups.shear_strength * groups.hardness_to_yield * math.sqrt(3.0) <= weakest, len(groups))
 
 
 def as_attributes(found: MeasuredErrors) -> dict[str, str]:

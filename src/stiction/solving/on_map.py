@@ -128,8 +128,6 @@ class OnMap(Problem):
         }
         if self.adheres:
             found = {name: table for name, table in found.items() if name not in ("contact_stiffness", *_SOLVED)}
-        if not self.surface().periodic:
-            found["load_at_ends"] = curve.array("load_at_ends")
         if self.friction:
             force = np.array([np.nan if one is None else self._friction(one) for one in curve.contacts])
             found |= with_coefficient(found["load"], force)

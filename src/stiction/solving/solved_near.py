@@ -7,7 +7,7 @@ The distance of a contact from a solved surface is the root of the sum of square
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from stiction.contact.indices import Groups
 from stiction.solving.problem_base import Problem
 from stiction.solving.solved_set import SolvedSet
 from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, slope_over_sharpness
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
 
 __all__ = [
     "Difference", "Place", "differences", "film_differences", "nearest_in_words", "pressure_difference", "squared_distance",
@@ -48,20 +51,22 @@ class Place:
     thickness: np.ndarray | None = None
 
     @classmethod
-    def of(cls, problem: Problem, load: np.ndarray) -> "Place":
+    def of(cls, problem: Problem, load: np.ndarray, surface: "HeightMap | None" = None) -> "Place":
+        """At loads (n, m) of n contacts. surface: the map of the contact, None: as its roughness says."""
         groups, points = problem.groups, load.shape[1]
         density = groups.roughness_parameter[:, None]
         pressure = reduced_pressure(load, density)
         hardness = groups.eta[:, None] * (4.0 / 3.0) / math.pi / slope_over_sharpness(density)
         alpha, shape = np.broadcast_to(bandwidth(density), load.shape).ravel(), None
-        surface = None if problem.subject is None else problem.subject.with_surface_moments().map
+        if surface is None and problem.subject is not None:
+            surface = problem.subject.with_surface_moments().map
         if surface is not None:
             pressure, hardness, alpha, shape = _of_map(surface, problem, load)
         film = _film_of(groups, points) if groups.has_film else (None, None)
         return cls(pressure.ravel(), np.broadcast_to(hardness, load.shape).ravel(), alpha, shape, *film)
 
 
-def _of_map(surface: Any, problem: Problem, load: np.ndarray):
+def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
     """The same by the map itself, whose slopes decide, whatever the asperities."""
     from stiction.surfaces.boundary_elements.map_area import map_area
 
@@ -95,11 +100,11 @@ class Difference:
 
 
 def differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
-    """Of a point from every surface (s,); infinite of those that are not Gaussian where no map is known."""
+    """Of a point from every surface (s,); where no map is known by alpha alone, of every kind of surface."""
     alpha = float(place.alpha[at])
     apart = ((np.log(known.feature("alpha")) - math.log(alpha)) / _SCALES["alpha"]) ** 2
     if place.shape is None:
-        return [Difference(_NAMES["alpha"], alpha, known.feature("alpha"), np.where(known.gaussian, apart, np.inf))]
+        return [Difference(_NAMES["alpha"], alpha, known.feature("alpha"), apart)]
     skewness, lay, top = place.shape
     tops = np.maximum(known.feature("top"), _LEAST_TOP)
     each = {

@@ -75,7 +75,12 @@ def _of_the_map(problem: Problem) -> dict[str, np.ndarray]:
         return {}
     from stiction.surfaces.boundary_elements.map_area import map_area  # which a contact of numbers does without
 
-    return {"points_in_shortest_wave": np.full(len(problem.groups), map_area(surface).points_in_shortest_wave)}
+    area = map_area(surface)
+    known = {
+        "points_in_shortest_wave": area.points_in_shortest_wave,
+        "longest_waves_on_a_side": area.longest_waves_on_a_side,
+    }
+    return {name: np.full(len(problem.groups), value) for name, value in known.items()}
 
 
 def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:

@@ -75,6 +75,32 @@ def test_a_map_too_large_takes_a_formula(monkeypatch):
     assert MapArea(rough(64), UNIT, True).way == "top slopes"
 
 
+def test_windows_touch_as_the_surface_that_they_are_cut_from():
+    """Quarters of one period: their mean is that of the whole but for their scatter; with nothing outside it would be less."""
+    heights = rough(256)
+    pressure = 0.1 * map_slopes(heights, UNIT).gradient
+    whole = solved(heights, [pressure])[0]
+    areas = [
+        MapArea(np.ascontiguousarray(heights[y : y + 128, x : x + 128]), (0.5, 0.5), False) for y in (0, 128) for x in (0, 128)
+    ]
+    shares = np.array([one.share(np.array([pressure]), math.inf)[0] for one in areas])
+    assert np.mean(shares) == pytest.approx(whole, rel=0.03)
+    alone = [
+        solve_map(one.heights, one.size, modulus=1.0, loads=[pressure / 4], periodic=False, free=True)[0].area * 4
+        for one in areas
+    ]
+    assert np.mean(alone) < 0.95 * whole
+    parts = MapArea(heights, UNIT, False)
+    assert parts.sample_error(np.array([pressure]), math.inf) == pytest.approx([np.std(np.log(shares), ddof=1) / 2.0], rel=1e-9)
+    assert MapArea(heights, UNIT, True).sample_error(np.array([pressure]), math.inf) == [0.0]
+
+
+def test_a_flat_quarter_leaves_the_scatter_unknown():
+    heights = rough(64)
+    heights[:32, :32] = -1.0
+    assert np.isnan(MapArea(heights, UNIT, False).sample_error(np.array([0.01]), math.inf))
+
+
 def test_a_map_is_kept_by_its_content():
     heights = rough(64)
     first = map_area(HeightMap(heights, UNIT, periodic=True))

@@ -19,7 +19,6 @@ than can be done for takes one of the formulas of `area_estimates`. `area_by` of
 *Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load, $c=0$ would be [`persson_2001`](#persson_2001); $A=pA_n/H$ for a soft body.
 """
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,8 +26,8 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
+from stiction.laws.rough_surface.shared.maps import A_SAMPLE, RESOLVED
 from stiction.laws.sources import Source
-from stiction.surfaces.boundary_elements.limits import LEAST_IN_WAVE
 from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, LEAST_DENSITY, bandwidth, density_of_bandwidth, reduced_pressure
 from stiction.surfaces.theory.moments import slope_over_sharpness as slope_of
 from stiction.surfaces.theory.widened_area import WIDEST_BAND, of_moments, with_hardness
@@ -91,7 +90,8 @@ RECORD = RoughSurface(
     verified="solved maps that took no part in the fit, periodic, Gaussian and not, elastic and with a hardness",
     needs=("hardness_group", "roughness_parameter"),
     validity=(
-        Validity("points_in_shortest_wave", LEAST_IN_WAVE, math.inf, "the area of the map is not converged in points", "fit"),
+        RESOLVED,
+        A_SAMPLE,
         Validity(
             "roughness_parameter",
             LEAST_DENSITY,

@@ -39,8 +39,8 @@ from stiction.contact.layered.curves import TERMS
 from stiction.laws.film.shared.layered_rows import coefficients
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
+from stiction.laws.rough_surface.shared.maps import A_SAMPLE, RESOLVED
 from stiction.laws.sources import Source
-from stiction.surfaces.boundary_elements.limits import LEAST_IN_WAVE
 from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, require_gaussian, slope_over_sharpness
 
 if TYPE_CHECKING:
@@ -231,7 +231,8 @@ RECORD = RoughSurface(
         "coated_nu", "counter_nu",
     ),
     validity=(
-        Validity("points_in_shortest_wave", LEAST_IN_WAVE, math.inf, "the area of the map is not converged in points", "fit"),
+        RESOLVED,
+        A_SAMPLE,
         Validity("n_E", 0.1, 10.0, "films with which it was compared with solved maps", "fit"),
         Validity("stiff_film_over_wave", 0.15, math.inf, "under a thin film five times as stiff as the bodies its area is off"),
     ),

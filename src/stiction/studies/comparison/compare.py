@@ -84,7 +84,7 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
-    known = any(one.measured is not None and one.measured.known for one in answers)
+    known = max((one.trust for one in answers), default=0.0)
     for one in answers:
         one.beside_measured = known
     return _dataset(contact, answers, target)

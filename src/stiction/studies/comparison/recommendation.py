@@ -47,9 +47,9 @@ class Answer:
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. effects: what it
     takes account of; of_interface: its friction is the shear strength that the contact states; yielded: what its plastic
     junctions resist, of registry.YIELDED, "" for contact only. adhesion: its pull-off forces over the load. measured: its
-    error on solved surfaces near this contact and load; beside_measured: that of others is known. film_off: by how many
-    factors of two its film law was found off on a sphere near this contact; film_errors: what was measured of it, as JSON.
-    why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
+    error on solved surfaces near this contact and load; beside_measured: how near the error of any model is known, 0 to 1.
+    film_off: by how many factors of two its film law was found off on a sphere near this contact; film_errors: what was
+    measured of it, as JSON. why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
     """
 
     candidate: Candidate
@@ -64,7 +64,7 @@ class Answer:
     yielded: str = ""
     adhesion: float = math.inf
     measured: MeasuredErrors | None = None
-    beside_measured: bool = False
+    beside_measured: float = 0.0
     film_off: float = 0.0
     film_errors: str = "[]"
     sources: list[str] = field(default_factory=list)
@@ -82,6 +82,11 @@ class Answer:
         return (
             self.of_map and self.at_load is not None and not any(one.kind in ("impossible", "effect") for one in self.outside)
         )
+
+    @property
+    def trust(self) -> float:
+        """How near its measured error is known, 0 to 1."""
+        return 0.0 if self.measured is None or not self.measured.known else float(np.min(self.measured.trust))
 
     @property
     def impossible(self) -> list[Doubt]:
@@ -104,11 +109,11 @@ class Answer:
 
     @property
     def cost_of_error(self) -> float:
-        """What its measured error costs; where there is none near, that of its film law."""
-        if self.measured is not None and self.measured.known:
-            return COST_OF_ERROR * float(np.nanmax(self.measured.expected))
-        of_film = COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS)
-        return of_film + (COST_OF_ERROR * NOT_MEASURED if self.beside_measured else 0.0)
+        """What its measured error costs; where there is none near, that of its film law; between by how near it is."""
+        without = COST_OF_FILM * min(self.film_off, _MOST_DOUBLINGS) + COST_OF_ERROR * NOT_MEASURED * self.beside_measured
+        if self.trust == 0.0 or self.measured is None:
+            return without
+        return self.trust * COST_OF_ERROR * float(np.nanmax(self.measured.expected)) + (1.0 - self.trust) * without
 
     def cost_of(self, doubt: Doubt) -> float:
         """What one doubt costs."""

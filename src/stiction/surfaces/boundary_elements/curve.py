@@ -85,6 +85,4 @@ def of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
     film = bodies.film or bodies.counter_film
     if film is not None:
         found["points_in_film"] = film.thickness / (pitch * every)
-        if not surface.periodic:
-            found["film_over_side"] = film.thickness / side
     return found

@@ -14,7 +14,6 @@ from stiction.surfaces.boundary_elements.limits import (
     LEAST_WAVES,
     MOST_AT_ENDS,
     STEEPEST,
-    THICKEST,
 )
 from stiction.surfaces.boundary_elements.measures import waves
 from stiction.surfaces.boundary_elements.minimise import Found
@@ -40,9 +39,7 @@ def doubts_of_map(heights: np.ndarray, size: tuple[float, float], film: Film | N
     pitch = max(length / count for length, count in zip(size, heights.shape, strict=True) if count > 1)
     side = min(length for length, count in zip(size, heights.shape, strict=True) if count > 1)
     seen = waves(heights, size, periodic)
-    return tuple(_doubts_of_waves(seen, pitch, side)) + tuple(
-        () if film is None else _doubts_of_film(film, pitch, side, periodic)
-    )
+    return (*_doubts_of_waves(seen, pitch, side), *(() if film is None else _doubts_of_film(film, pitch)))
 
 
 def _doubts_of_waves(seen, pitch, side):
@@ -60,21 +57,16 @@ def _doubts_of_waves(seen, pitch, side):
         yield MapDoubt("rms_gradient", seen.gradient, STEEPEST, why)
 
 
-def _doubts_of_film(film, pitch, side, periodic):
+def _doubts_of_film(film, pitch):
     if film.thickness < pitch:
         thickness, width = show(film.thickness, "thickness"), show(pitch, "scan_size")
         why = f"the film ({thickness}) is thinner than a point of the map is wide ({width})"
         yield MapDoubt("film_thickness", film.thickness, pitch, why)
-    if not periodic and film.thickness > THICKEST * side:
-        why = f"the film is thicker than {THICKEST:g} of the map's side, and what presses at the ends is less exact"
-        yield MapDoubt("film_thickness", film.thickness, THICKEST * side, why)
 
 
-def doubts_of_load(found: Found, load_error: float, periodic: bool, tolerance: float) -> tuple[MapDoubt, ...]:
-    """Of one solution."""
-    return tuple(_doubts_of_solution(found, load_error, tolerance)) + (
-        () if periodic else tuple(_doubts_of_ends(found.pressure))
-    )
+def doubts_of_load(found: Found, load_error: float, ends: bool, tolerance: float) -> tuple[MapDoubt, ...]:
+    """Of one solution; ends: whether nothing presses outside of the map."""
+    return (*_doubts_of_solution(found, load_error, tolerance), *(_doubts_of_ends(found.pressure) if ends else ()))
 
 
 def _doubts_of_solution(found, load_error, tolerance):

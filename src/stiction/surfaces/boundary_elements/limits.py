@@ -8,7 +8,6 @@ STEEPEST = 0.3  # rms gradient: small slopes are assumed
 LEAST_CONTACT = 100  # points in contact
 MOST_AT_ENDS = 0.01  # share of the load on the outermost points of a map that ends
 LEAST_LOAD_ERROR = 1e-9
-THICKEST = 0.15  # of a film beside a map that ends: side of the map
 LEAST_POINTS = 2.0  # along the length over which the edge of an adhesive contact is pulled
 MOST_ATTRACTION_LEFT = 1e-3  # pressure left where faces that attract each other do not touch, over the largest attraction
 LEAST_TABOR = 5.0  # of a range of attraction, from which on it is short

@@ -18,7 +18,7 @@ from scipy.interpolate import PchipInterpolator
 
 from stiction.surfaces.boundary_elements.area_estimates import MapSlopes, by_ranks, by_top_slopes, map_slopes
 from stiction.surfaces.boundary_elements.limits import LEAST_IN_WAVE
-from stiction.surfaces.boundary_elements.measures import waves
+from stiction.surfaces.boundary_elements.measures import Waves, waves
 from stiction.surfaces.boundary_elements.solve import solve_map
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.theory.widened_area import with_hardness
@@ -57,7 +57,36 @@ class MapArea:
     def points_in_shortest_wave(self) -> float:
         """Of the map as it is."""
         pitch = max(length / count for length, count in zip(self.size, self.heights.shape, strict=True))
-        return waves(self.heights, self.size, self.periodic).shortest / pitch
+        return self._waves.shortest / pitch
+
+    @property
+    def longest_waves_on_a_side(self) -> float:
+        """The shorter of both."""
+        return min(self.size) / self._waves.longest
+
+    @cached_property
+    def _waves(self) -> Waves:
+        return waves(self.heights, self.size, self.periodic)
+
+    @cached_property
+    def _quadrants(self) -> "list[MapArea]":
+        halves = [(slice(None, count // 2), slice(count - count // 2, None)) for count in self.heights.shape]
+        parts = [self.heights[rows, columns] for rows in halves[0] for columns in halves[1]]
+        high, wide = (length * (count // 2) / count for length, count in zip(self.size, self.heights.shape, strict=True))
+        return [MapArea(np.ascontiguousarray(part), (high, wide), periodic=False) for part in parts]
+
+    def sample_error(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
+        """Standard error of ln A as one window of a larger surface, by the scatter of its quadrants: 0 of one period.
+
+        pressure, hardness: as in `share`. NaN where a quadrant is flat, or nothing presses.
+        """
+        if self.periodic:
+            return np.zeros(np.shape(pressure))
+        if any(np.ptp(one.heights) == 0.0 for one in self._quadrants):
+            return np.full(np.shape(pressure), np.nan)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            found = np.log([one.share(pressure, hardness) for one in self._quadrants])
+            return np.std(found, axis=0, ddof=1) / math.sqrt(len(found))
 
     @cached_property
     def solvable(self) -> list[int]:

@@ -13,10 +13,11 @@ _FREE = 30  # the same, with the doubled grid; measured: 25
 _GIGA = 1e9
 
 
-def needed_memory(shape: tuple[int, int], *, periodic: bool = True, kept: int = 1) -> int:
-    """Bytes that `solve_map` takes beside the heights; kept: pressure maps that are kept."""
+def needed_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> int:
+    """Bytes that `solve_map` takes beside the heights; free: nothing presses outside of the map; kept: pressure maps that are
+    kept."""
     rows, columns = shape
-    return rows * columns * _NUMBER * ((_PERIODIC if periodic else _FREE) + kept)
+    return rows * columns * _NUMBER * ((_FREE if free else _PERIODIC) + kept)
 
 
 def available_memory() -> int | None:
@@ -33,9 +34,9 @@ def available_memory() -> int | None:
         return None
 
 
-def require_memory(shape: tuple[int, int], *, periodic: bool = True, kept: int = 1) -> None:
+def require_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> None:
     """Raise InputError if a map of this shape cannot be solved in the memory there is: before it is made, or read."""
-    _require(shape, needed_memory(shape, periodic=periodic, kept=kept))
+    _require(shape, needed_memory(shape, free=free, kept=kept))
 
 
 def require_arrays(shape: tuple[int, int], arrays: int) -> None:

@@ -3,6 +3,10 @@
 Periodic: the transform of the pressure times C(k) (Stanley & Kato 1997, J. Tribology 119, 481). Where the bodies are
 half-spaces, the mean displacement of one period is infinite; it is left out, and displacements are about their mean.
 
+Mirrored: the map is a window of a larger surface, continued by its mirror images along both axes, to a period of twice its
+sides. Pressure and displacement are even about every side, so that cosine transforms of the window alone do what Fourier
+transforms of the period would.
+
 Free: the map ends, and nothing presses outside of it. Pressure is uniform on each pixel; convolution on a grid twice as large
 along both axes, so that no copy of the map is seen (Hockney; Liu, Wang & Liu 2000, Wear 243, 101: DC-FFT). The influence of one
 pixel of sides 2a, 2b on a half-space is (Love 1929; Johnson 1985, Contact Mechanics, eq. 3.25)
@@ -24,11 +28,11 @@ The copies of D that this leaves shift displacements by about (t/L)^3 of the lar
 import math
 
 import numpy as np
-from scipy.fft import fftfreq, irfft2, next_fast_len, rfft2, rfftfreq
+from scipy.fft import dctn, fftfreq, idctn, irfft2, next_fast_len, rfft2, rfftfreq
 
 from stiction.surfaces.boundary_elements.compliance import Compliance
 
-__all__ = ["FreeBoundary", "PeriodicBoundary", "components", "wavevectors"]
+__all__ = ["FreeBoundary", "MirroredBoundary", "PeriodicBoundary", "components", "wavevectors"]
 
 _THREADED = 2**19  # points from which on two threads are faster than one
 _DEPTH = 1.5  # c over t
@@ -62,6 +66,25 @@ class PeriodicBoundary:
         return _through(pressure, self.shape, self._kernel)
 
 
+class MirroredBoundary:
+    """Displacements of a window that is continued by its mirror images. shape: (rows, columns); size: (y, x) [m].
+
+    knows_approach: as of one period.
+    """
+
+    def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
+        self.knows_approach = compliance.far == 0.0
+        along_y, along_x = (math.pi * np.arange(count) / length for count, length in zip(shape, size, strict=True))
+        self._kernel = compliance.at(np.hypot(along_y[:, None], along_x))
+
+    def __call__(self, pressure: np.ndarray) -> np.ndarray:
+        """Displacement [m], positive away from the pressure [Pa]; both of the map's shape."""
+        workers = _workers(pressure.size)
+        waves = dctn(pressure, workers=workers)
+        waves *= self._kernel
+        return idctn(waves, workers=workers, overwrite_x=True)
+
+
 class FreeBoundary:
     """Displacements of a map outside of which nothing presses. shape: (rows, columns); size: (y, x) [m]."""
 
@@ -85,10 +108,14 @@ class FreeBoundary:
 
 def _through(pressure, grid, kernel):
     """The pressure, filled with zeros to the grid, times the kernel in wavevectors."""
-    workers = 1 if grid[0] * grid[1] < _THREADED else 2
+    workers = _workers(grid[0] * grid[1])
     waves = rfft2(pressure, s=grid, workers=workers)
     waves *= kernel
     return irfft2(waves, s=grid, workers=workers, overwrite_x=True)
+
+
+def _workers(points):
+    return 1 if points < _THREADED else 2
 
 
 def _distances(shape, pitch):

@@ -23,7 +23,7 @@ from stiction.surfaces.boundary_elements.limits import TOLERANCE
 from stiction.surfaces.boundary_elements.measures import PIXEL_EXCESS, edges, rms_step
 from stiction.surfaces.boundary_elements.memory import require_memory
 from stiction.surfaces.boundary_elements.minimise import Found, Problem, minimise
-from stiction.surfaces.boundary_elements.operators import FreeBoundary, PeriodicBoundary
+from stiction.surfaces.boundary_elements.operators import FreeBoundary, MirroredBoundary, PeriodicBoundary
 from stiction.surfaces.heightmap import size_in_metres
 
 __all__ = ["MapContact", "MapContacts", "Progress", "checked", "solve_map", "sum_of_maps"]
@@ -44,7 +44,7 @@ class MapContact:
     approach [N/m], NaN if no point can answer; plastic_area [m2]: where the pressure is the hardness; plastic_share: of the
     load, carried there [1]; pressure: (rows, columns) [Pa], None if not kept; residual, steps: of the solution;
     load_error: relative; points: how many are in contact; load_at_ends: share of the load on the outermost points, 0 of a
-    periodic map.
+    map that does not end.
     """
 
     load: float
@@ -108,8 +108,9 @@ def solve_map(
 
     heights: (rows, columns) [m], finite, not all alike; size: (y, x) [m]; modulus: effective modulus E* of both bodies [Pa], of
     what carries no film where there is one, or one on each (infinite: the other is rigid); loads: [N], > 0, any order;
-    periodic: whether the map is one period of an endless surface, or alone; hardness: the largest pressure [Pa], None: elastic.
-    Further, by name: tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness:
+    periodic: whether the map is one period of an endless surface, or a window of it, which its mirror images continue;
+    hardness: the largest pressure [Pa], None: elastic. Further, by name: free: whether nothing presses outside of a map that is
+    not periodic (False); tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness:
     whether it is computed (True); progress: called with a `Progress` before every step; done: called with each contact that
     is found. Results are in the order of the loads.
 
@@ -151,6 +152,7 @@ def sum_of_maps(first: np.ndarray, second: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _How:
+    free: bool = False
     tolerance: float = TOLERANCE
     most_steps: int = MOST_STEPS
     keep_maps: bool = True
@@ -181,13 +183,18 @@ class _Asked:
     periodic: bool
     how: _How
 
+    @property
+    def ends(self) -> bool:
+        """Whether the map ends, and nothing presses outside of it."""
+        return self.how.free and not self.periodic
+
     @classmethod
     def of(cls, heights, size, hardness, loads, periodic, how) -> "_Asked":
         size = size_in_metres(size)
         loads = np.atleast_1d(np.asarray(loads, dtype=float))
         if loads.ndim != 1 or loads.size == 0 or not (np.isfinite(loads) & (loads > 0.0)).all():
             raise InputError("loads", loads.tolist(), "a list of finite loads > 0 N")
-        require_memory(np.shape(heights), periodic=periodic, kept=len(loads) if how.keep_maps else 1)
+        require_memory(np.shape(heights), free=how.free and not periodic, kept=len(loads) if how.keep_maps else 1)
         heights = usable_map(heights)
         hardness = math.inf if hardness is None else float(hardness)
         pressures = loads / (size[0] * size[1])
@@ -215,7 +222,7 @@ def usable_map(heights) -> np.ndarray:
 
 def _rising(asked: _Asked, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
     """Contacts at rising mean pressures, each from the one before."""
-    boundary = PeriodicBoundary if asked.periodic else FreeBoundary
+    boundary = PeriodicBoundary if asked.periodic else FreeBoundary if asked.ends else MirroredBoundary
     displacement = boundary(compliance, asked.heights.shape, asked.size)
     length = rms_step(asked.heights)
     start = None
@@ -277,8 +284,8 @@ def _contact(asked: _Asked, problem: Problem, found: Found, knows_approach: bool
         load_error=error,
         steps=found.steps,
         points=int(np.count_nonzero(contact)),
-        load_at_ends=0.0 if asked.periodic else share_at_ends(pressure),
-        doubts=doubts_of_load(found, error, asked.periodic, asked.how.tolerance),
+        load_at_ends=share_at_ends(pressure) if asked.ends else 0.0,
+        doubts=doubts_of_load(found, error, asked.ends, asked.how.tolerance),
         pressure=pressure if asked.how.keep_maps else None,
     )
 
