@@ -28,6 +28,7 @@ _RANGE = 2.0  # no farther at once, over the range
 _ACTS = 1e-3  # of the largest attraction
 _MOST = 3000
 _HALVINGS = 40
+_NONE = 40.0  # gap over the range, beyond which the attraction is below rounding
 _LARGEST = 700.0  # exponent, of a floating point number
 
 
@@ -42,15 +43,15 @@ class Faces:
     def __post_init__(self) -> None:
         inverse = self.stiffness.copy()
         inverse[0, 0] = 0.5 * min(inverse[0, 1], inverse[1, 0])
-        object.__setattr__(self, "_smooth", 1.0 / inverse)
+        object.__setattr__(self, "_smooth", (1.0 / inverse).astype(np.float32))
 
     def elastic(self, shape: np.ndarray) -> np.ndarray:
         """K times a shape, such as g + h."""
         return self._through(shape, self.stiffness)
 
     def smoothed(self, force: np.ndarray) -> np.ndarray:
-        """The force divided by K, of the mean by half of the least K."""
-        return self._through(force, self._smooth)
+        """The force divided by K, of the mean by half of the least K, in single precision: that is enough of a direction."""
+        return self._through(force.astype(np.float32), self._smooth).astype(float)
 
     def _through(self, shape: np.ndarray, factors: np.ndarray) -> np.ndarray:
         waves = rfft2(shape)
@@ -90,7 +91,7 @@ class Downhill:
         self._slope = self._elastic + self._near
         self._slope += self._pressure
         self._free = (self.gap > 0.0) | (self._slope < 0.0)
-        self.residual = float(np.max(np.abs(self._slope), where=self._free, initial=0.0))
+        self.residual = float(np.max(np.abs(self._slope * self._free)))
 
     def _direction(self) -> np.ndarray:
         """Conjugate to the last by the rule of Polak & Ribiere, smoothed; after a failed step along the gradient alone."""
@@ -132,14 +133,16 @@ class Downhill:
 
     def _room(self, way: np.ndarray) -> float:
         """The longest step: to where a point would overlap, or leave the attraction, by the range."""
-        closes = float(np.max(-way / (self.gap + _RANGE), initial=0.0))
-        opens = float(np.max(way, where=self._near > _ACTS, initial=0.0)) / _RANGE
+        closes = max(-float(np.min(way / (self.gap + _RANGE))), 0.0)
+        opens = max(float(np.max(way * (self._near > _ACTS))), 0.0) / _RANGE
         fastest = max(closes, opens)
         return 1.0 / fastest if fastest > 0.0 else 1.0
 
     def _change(self, gap: np.ndarray, elastic: np.ndarray) -> float:
         """Of (1), times the number of points, without the difference of large numbers."""
         closed = self.gap - gap
-        bent = -0.5 * dot(closed, elastic - self._elastic)
-        grown = np.expm1(np.minimum(closed, _LARGEST)) - closed
-        return bent - dot(closed, self._slope) - dot(self._near, grown)
+        smooth = dot(closed, self._slope) + 0.5 * dot(closed, elastic - self._elastic)
+        some = np.minimum(self.gap, gap) < _NONE
+        nearer = closed[some]
+        grown = np.expm1(np.minimum(nearer, _LARGEST)) - nearer
+        return -smooth - float(np.sum(self._near[some] * grown))
