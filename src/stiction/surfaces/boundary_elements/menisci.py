@@ -24,7 +24,6 @@ from stiction.surfaces.boundary_elements.minimise import Found, Problem, minimis
 __all__ = ["Condensed", "Menisci", "condense"]
 
 _ROUGHLY = 1e-3  # residual of solutions that only say how far the liquid reaches
-_TURNS = 500
 
 
 @dataclass(frozen=True)
@@ -43,12 +42,10 @@ class Menisci:
 
 @dataclass(frozen=True)
 class Condensed:
-    """found: q of (1), the pressure of contact over the suction [Pa], and the gap; wet: B, bool of the map's shape; stable:
-    whether B no longer changed."""
+    """found: q of (1), the pressure of contact over the suction [Pa], and the gap; wet: B, bool of the map's shape."""
 
     found: Found
     wet: np.ndarray
-    stable: bool
 
 
 def condense(
@@ -59,21 +56,16 @@ def condense(
     dry; the rest: as in `minimise`."""
     roughly = tolerance if menisci is None else max(tolerance, _ROUGHLY)
     found = minimise(problem, start, tolerance=roughly, most=most, seen=seen)
+    wet = np.zeros(found.gap.shape, dtype=bool)
     if menisci is None:
-        return Condensed(found, np.zeros(found.gap.shape, dtype=bool), stable=True)
-    wet = found.gap < menisci.height
-    for turn in range(_TURNS):
-        wetter = _with_suction(problem, menisci, wet)
-        grown = found.pressure + menisci.pressure * wet if turn == 0 else found.pressure
-        found = minimise(wetter, grown, tolerance=roughly, most=most, seen=seen)
-        reached = wet | (found.gap < menisci.height)
-        if np.count_nonzero(reached) == np.count_nonzero(wet):
-            found = minimise(wetter, found.pressure, tolerance=tolerance, most=most, seen=seen)
-            reached = wet | (found.gap < menisci.height)
-            if np.count_nonzero(reached) == np.count_nonzero(wet):
-                return Condensed(found, wet, stable=True)
-        wet = reached
-    return Condensed(found, wet, stable=False)
+        return Condensed(found, wet)
+    finely = False
+    while (more := (found.gap < menisci.height) & ~wet).any() or not finely:  # ends, as there are so many points and no more
+        finely = not more.any()
+        wet = wet | more
+        wetter, pressed = _with_suction(problem, menisci, wet), found.pressure + menisci.pressure * more
+        found = minimise(wetter, pressed, tolerance=tolerance if finely else roughly, most=most, seen=seen)
+    return Condensed(found, wet)
 
 
 def _with_suction(problem: Problem, menisci: Menisci, wet: np.ndarray) -> Problem:
