@@ -156,11 +156,14 @@ def added(choice, given, heights, law):
     wet = problem_of(given, replace(choice, meniscus=law.key), heights).on_grid(h)
     dry = problem_of(given, replace(choice, meniscus="none"), heights).on_grid(h)
     alone = on_grid(law.pull(given), h, heights or gaussian()).sum(axis=0)[:, 1]
+    laplace = 1.0 / (given.roughness_parameter * given.meniscus_height * given.meniscus_index)  # gamma A_n/r per asperity
+    alone = np.maximum(alone, -laplace[:, None])
     return wet, dry, alone
 
 
 def check(choice, given, law, heights=None):
-    """The load is that of the solids and that of the menisci; friction and area are those of the solids."""
+    """The load is that of the solids and that of the menisci, at most Laplace's pressure on the nominal area; friction and area
+    are those of the solids."""
     wet, dry, alone = added(choice, given, heights, law)
     assert_allclose(wet["load_meniscus"], alone, rtol=1e-10)
     assert (alone <= 0.0).all() and alone.min() < 0.0

@@ -80,6 +80,11 @@ class Liquid(Input):
         return 2 * self.kelvin_radius * self.wetting
 
     @property
+    def suction(self):
+        """Pressure by which a meniscus pulls, Laplace's of its curvature 1/r [Pa]: gamma_L/r."""
+        return self.tension / self.kelvin_radius
+
+    @property
     def work(self):
         """Energy that parting a wetted area takes [J/m^2], 2 gamma_L c."""
         return 2 * self.tension * self.wetting

@@ -30,8 +30,9 @@ class Chosen:
     """A model with its laws and all their options.
 
     asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
-    ignored: what was chosen too and has nothing to answer for. meniscus: None where no menisci pull;
-    ageing: None where nothing strengthens at rest; contamination: None where no spread is asked.
+    ignored: what was chosen too and has nothing to answer for. meniscus: None where no law of menisci
+    pulls; ageing: None where nothing strengthens at rest; contamination: None where no spread is asked; dry: whether menisci
+    were left out by name.
     """
 
     model: RoughSurface
@@ -44,6 +45,7 @@ class Chosen:
     meniscus: Meniscus | None = None
     ageing: Ageing | None = None
     contamination: Contamination | None = None
+    dry: bool = False
 
     @property
     def law(self) -> Law:
@@ -82,7 +84,8 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
     if not model.asperity:
         _refuse_parts(choice, model, tangential, coated and model.of_map is None)
         options, ignored = _options(choice, model, tangential), _ignored(choice, coated)
-        return Chosen(model, None, tangential, None, None, options, ignored, ageing=_ageing(choice, model, tangential))
+        ageing, dry = _ageing(choice, model, tangential), choice.meniscus == "none"
+        return Chosen(model, None, tangential, None, None, options, ignored, ageing=ageing, dry=dry)
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
     meniscus = None if choice.meniscus in (None, "none") else find(choice.meniscus, Meniscus)

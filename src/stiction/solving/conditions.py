@@ -12,9 +12,11 @@ from typing import Any
 import numpy as np
 
 from stiction.laws.claims import Validity
+from stiction.laws.meniscus.equilibrium_meniscus import KELVIN
 from stiction.laws.proportion import OUT_OF_PROPORTION
 from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.quantities.dimensions import aligned
+from stiction.solving.on_map import OnMap
 from stiction.solving.problem import Problem, lost_in_rounding
 from stiction.solving.state import state_of
 
@@ -41,7 +43,11 @@ def _does_not_adhere(problem: Problem) -> bool:
 
 
 def _knows_no_menisci(problem: Problem) -> bool:
-    return problem.groups.meniscus_index is not None and problem.chosen.meniscus is None
+    return problem.groups.meniscus_index is not None and problem.chosen.meniscus is None and not _solves_menisci(problem)
+
+
+def _solves_menisci(problem: Problem) -> bool:
+    return isinstance(problem, OnMap) and problem.menisci
 
 
 def _elastic_on_a_film(problem: Problem) -> bool:
@@ -66,6 +72,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
     (Validity("meniscus_share", 0.0, 0.1, "the liquid is left out, and its menisci pull with much of the load", "effect"),
      _knows_no_menisci),
+    (KELVIN, _solves_menisci),
     (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),
     (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _by_numbers),
     (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _by_numbers),

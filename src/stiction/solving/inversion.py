@@ -9,6 +9,7 @@ import numpy as np
 
 from stiction.engine.at_loads import NO_TENSION, NOTHING, starts
 from stiction.engine.heights import gaussian_density
+from stiction.engine.regime import MENISCUS
 from stiction.engine.summation import FARTHEST
 from stiction.quantities.errors import InputError
 from stiction.solving.problem import LOAD, ClosedForm, Problem, Sum
@@ -140,8 +141,19 @@ def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, 
     x, left, of_each, evaluations = _polished(problem, law, start.h[known], target, slope, enough)
     h[known], excess[known] = x, left
     sums = of_each.reshape(len(of_each), *known.shape, of_each.shape[-1]) if known.all() else _placed(of_each, known)
-    good = start.plain & (tension >= 0.0) & ~np.isnan(excess).any(axis=1)
+    good = start.plain & (tension >= 0.0) & ~np.isnan(excess).any(axis=1) & ~_is_bounded(problem, where)
     return Inversion(h, _relative(excess, targets, tension), evaluations, tension, where), good, sums
+
+
+def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
+    """Laws (n,) whose largest tension, at the separations `where`, was found without the bound of Laplace's pressure on it."""
+    bound = np.zeros(where.size, dtype=bool)
+    pulled = np.flatnonzero(np.isfinite(where))
+    if problem.most_pull is not None and pulled.size:
+        alone = [at for at, regime in enumerate(problem.regimes) if regime.state == MENISCUS]
+        pull = -problem.sums(where[pulled], pulled)[alone, ..., LOAD].sum(axis=0)
+        bound[pulled] = pull >= problem.most_pull[pulled] * (1.0 - _LEFT)
+    return bound
 
 
 def _placed(of_each: np.ndarray, known: np.ndarray) -> np.ndarray:

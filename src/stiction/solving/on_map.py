@@ -1,6 +1,7 @@
 """The contact of a measured map, solved point by point: the one kind of problem that knows no asperities and no statistics."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
@@ -47,6 +48,12 @@ class OnMap(Problem):
         return self.options.get("adhesion", "left_out") != "left_out"
 
     @property
+    def menisci(self) -> bool:
+        """Whether a liquid pulls between the faces."""
+        liquid = self.groups.meniscus_index is not None
+        return liquid and not self.chosen.dry and not self.adheres
+
+    @property
     def effects(self) -> list[str]:
         coated = isinstance(self.subject, Contact) and self.subject.has_film
         flows = self.options.get("yielding") != "none"
@@ -54,6 +61,7 @@ class OnMap(Problem):
             ("adhesion", self.adheres),
             ("plasticity", flows),
             ("the film", coated),
+            ("menisci", self.menisci),
             ("contacts that act on each other", True),
         )
         return [name for name, there in known if there]
@@ -80,16 +88,17 @@ class OnMap(Problem):
     def _refuse_separation(self) -> NoReturn:
         raise InputError("separation", None, f"a load: {self.record.key} is solved at loads")
 
-    @property
+    @cached_property
     def contact(self) -> Contact:
-        """The contact with its map. Raises InputError where it has none, or several numbers."""
+        """The contact with its map, without a liquid that is left out. Raises InputError where there is no map, or several
+        numbers."""
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
             raise InputError(
                 "roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves its contact"
             )
         for name, array in self.subject.arrays():
             raise InputError(name, several_in_words(array, name), f"one number, where {self.record.key} solves a map")
-        return self.subject
+        return self.subject if self.menisci else self.subject.replace(liquid=None)
 
     def surface(self) -> "HeightMap":
         """The map that is solved. Raises InputError."""
@@ -126,6 +135,8 @@ class OnMap(Problem):
             },
             **curve.more,
         }
+        if self.menisci:
+            found["load_meniscus"] = -curve.array("pull") * whole / factors["N"]
         if self.adheres:
             found = {name: table for name, table in found.items() if name not in ("contact_stiffness", *_SOLVED)}
         if self.friction:

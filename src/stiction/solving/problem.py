@@ -19,7 +19,9 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.candidates import with_ageing, with_contamination, with_interface, with_menisci
 from stiction.solving.choice import DEFAULT_MODEL, Choice
 from stiction.solving.chosen import look_up
+from stiction.solving.laplace import bounded, most_pull
 from stiction.solving.on_map import OnMap
+from stiction.solving.parts import of_those, share_beyond, share_without, states_of
 from stiction.solving.problem_base import Problem, with_coefficient
 
 _AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
@@ -86,7 +88,9 @@ class Sum(Problem):
         return self._scattered(h, law)[..., [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
-        return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
+        if self.most_pull is None:
+            return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
+        return self._on_grid(h)[..., LOAD].sum(axis=0)
 
     def stiffness(self, h: np.ndarray) -> np.ndarray:
         """Tangential stiffness per asperity (n, m) at the separations h (n, m), before anything slides."""
@@ -113,7 +117,7 @@ class Sum(Problem):
         return np.divide(deviation, load, where=load > 0.0, out=np.full(load.shape, np.nan))
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        results = self._by_name(np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1))
+        results = self._by_name(self._on_grid(h))
         if (published := self._as_published()) is not None:
             friction = totals_on_grid(published.regimes, h, self.heights, threads=self.threads)[:, 2]
             results |= _published(results["load"], friction)
@@ -145,8 +149,19 @@ class Sum(Problem):
             results |= _published(results["load"], friction.reshape(h.shape))
         return self._with_stiffness(results, h)
 
+    @cached_property
+    def most_pull(self) -> np.ndarray | None:
+        """The most that menisci pull per asperity (n,); None where none pull, or no bound is known."""
+        return None if self.chosen.meniscus is None else most_pull(self.groups)
+
     def _scattered(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        return scattered(self.regimes, h, self.heights, law, self.threads)
+        sums = scattered(self.regimes, h, self.heights, law, self.threads)
+        return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[law])
+
+    def _on_grid(self, h: np.ndarray) -> np.ndarray:
+        """Sums (regimes, n, H, 5)."""
+        sums = np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1)
+        return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[:, None])
 
     def _as_published(self) -> "Sum | None":
         """The same with its tangential law as it is published, where another one is taken for junctions that have yielded."""
@@ -166,38 +181,38 @@ class Sum(Problem):
         results = {
             "load": total[..., LOAD],
             "contact_area": total[..., _AREA],
-            "touching_asperities": _of_those(sums[..., _COUNT], [regime.touching for regime in regimes]),
+            "touching_asperities": of_those(sums[..., _COUNT], [regime.touching for regime in regimes]),
         }
-        for state in _states(regimes):
+        for state in states_of(regimes):
             chosen = [regime.state == state for regime in regimes]
             name = state.replace("-", "_")
-            results[f"load_{name}"] = _of_those(loads, chosen)
-            results[f"contact_area_{name}"] = _of_those(areas, chosen)
+            results[f"load_{name}"] = of_those(loads, chosen)
+            results[f"contact_area_{name}"] = of_those(areas, chosen)
         if self.chosen.meniscus is not None:
-            results["load_meniscus"] = _of_those(loads, [regime.state == MENISCUS for regime in regimes])
+            results["load_meniscus"] = of_those(loads, [regime.state == MENISCUS for regime in regimes])
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
-            results[f"load_{body}"] = _of_those(loads, [regime.body == body for regime in regimes])
+            results[f"load_{body}"] = of_those(loads, [regime.body == body for regime in regimes])
         if bodies:
             film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
             whole = film + substrate
             results["load_share_substrate"] = np.divide(substrate, whole, where=whole > 0.0, out=np.zeros_like(whole))
         if not all(regime.in_half_space for regime in regimes):
-            results["load_share_beyond_film"] = _share_beyond(regimes, loads)
+            results["load_share_beyond_film"] = share_beyond(regimes, loads)
         if not self.friction:
             return results
         friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
         if not self.law.interfacial:
             solid = [at for at, regime in enumerate(regimes) if regime.state != MENISCUS]
             some = [regimes[at] for at in solid]
-            results["load_share_without_friction"] = _share_without(some, loads[solid], friction[solid])
+            results["load_share_without_friction"] = share_without(some, loads[solid], friction[solid])
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
         for body in bodies:
-            results[f"friction_{body}"] = _of_those(friction, [regime.body == body for regime in regimes])
+            results[f"friction_{body}"] = of_those(friction, [regime.body == body for regime in regimes])
         if "load_share_beyond_film" in results:
-            results["friction_share_beyond_film"] = _share_beyond(regimes, friction)
+            results["friction_share_beyond_film"] = share_beyond(regimes, friction)
         return results
 
 
@@ -311,35 +326,9 @@ def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
     return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 
 
-def _of_those(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
-    """Sum (n, m) of those of the parts (regimes, n, m) that are chosen."""
-    return parts[chosen].sum(axis=0)
-
-
-def _states(regimes: list[Regime]) -> list[str]:
-    """Elastic and plastic, and elastic-plastic if there is any."""
-    return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
-
-
 def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
     """The friction coefficient of these forces, under the name of what the law says as it is published."""
     return {"friction_coefficient_published": with_coefficient(load, friction)["friction_coefficient"]}
-
-
-def _share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
-    """Share (n, m) of the sizes of `parts` (regimes, n, m) that is beyond the film's half-space; 0 where all is nothing."""
-    sizes = np.abs(parts)
-    whole = sizes.sum(axis=0)
-    beyond = sizes[[not regime.in_half_space for regime in regimes]].sum(axis=0)
-    return np.divide(beyond, whole, where=whole > 0.0, out=np.zeros_like(whole))
-
-
-def _share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
-    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, or only as far as they do not flow yet, all
-    of it at the most: of the net load, where others pull and make that small; 0 where all is nothing."""
-    flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
-    lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
-    return np.minimum(np.divide(lost, net, where=net > 0.0, out=np.zeros_like(net)), 1.0)
 
 
 def with_surface_moments(subject: Subject, model: str) -> Subject:

@@ -137,15 +137,18 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
     """How much of the surface they cover, and how far asperities are pressed in beside their height (n, m).
 
     pull: normalised (n, m). It is Laplace's pressure on what is wetted, so that it counts also those that bridge a gap; around
-    elastic asperities it is less, and there those that touch count with the ring 2 pi R 2 r c of each.
+    elastic asperities it is less, and there those that touch count with the ring 2 pi R 2 r c of each. Where it is the most
+    that can be, gamma A_n/r, it no longer says how many are bridged: there that is what Gaussian heights give.
     """
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
     height = groups.meniscus_height[:, None]
     found = {"penetration_over_meniscus": area / (np.where(share > 0.0, share, np.nan) * height)}
     if groups.roughness_parameter is not None:
+        ring = 2.0 * math.pi * groups.roughness_parameter[:, None] * height
         bridged = np.maximum(pull * groups.meniscus_index[:, None] / (2.0 * math.pi), share)
-        found["meniscus_coverage"] = 2.0 * math.pi * groups.roughness_parameter[:, None] * height * bridged
+        flooded = ring * bridged >= 1.0 - 1e-9
+        found["meniscus_coverage"] = ring * np.where(flooded, np.maximum(bridged, _held_by_menisci(share, height)), bridged)
     return found
 
 

@@ -18,6 +18,9 @@ each has half of the thickness. The substrate does not yield.
 *Adhesion*, if asked for, of elastic bodies and one period: faces a gap $g$ apart have the energy $-w\,e^{-g/\rho}$
 ([pastewka_robbins_2014] for the way), $\rho$ 0.3 nm, or the shortest that the map resolves: then $E^*\rho^2/w$ is two points.
 
+*Menisci* of a liquid: its suction $\gamma_\mathrm L/r$ on every point whose gap is below $2rc$, as the attraction of
+[maugis_1992]; found in turns with the points that are wetted, from the dry contact on. Adhesion leaves the liquid out.
+
 *Friction*: a law of the interface, of the pressure of every point. Where $\tau=\tau_0+\alpha p$ the sum is exact,
 $T=\tau_0A+\alpha P$. With `shear` the strength of a point is the lesser of $\alpha p$ and $\tau_0$ ([orowan_1943]), or points
 that flow under pressure and shear grow until $p^2+9\tau_0^2=H^2$ ([tabor_1959]): $T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$
@@ -42,6 +45,7 @@ from stiction.quantities.errors import InputError
 from stiction.surfaces.boundary_elements import limits
 from stiction.surfaces.boundary_elements.bodies import Bodies
 from stiction.surfaces.boundary_elements.compliance import Film
+from stiction.surfaces.boundary_elements.menisci import Menisci
 
 if TYPE_CHECKING:
     from stiction.surfaces.boundary_elements.curve import MapCurve
@@ -78,6 +82,8 @@ def of_map(
         bodies = replace(bodies, hardness=None)
     if adhesion != "left_out":
         return _sticking(surface, contact, bodies, pressures, adhesion)
+    if contact.liquid is not None:
+        bodies = replace(bodies, menisci=Menisci(float(contact.liquid.suction), float(contact.liquid.height)))
     return curve_of_map(surface, bodies, pressures, sampled=points == "sampled")
 
 
@@ -108,6 +114,7 @@ RECORD = RoughSurface(
         Source("nogi_kato_1997", "", "compliance of a film; checked by the boundary conditions of a wave, not against print"),
         Source("love_1929", "", "displacement under a point of a lone map, for the checks"),
         Source("pastewka_robbins_2014", "", "faces that attract each other over a range; solved by another descent"),
+        Source("maugis_1992", "", "the attraction of a liquid: a pressure up to a gap; here at every point of a map"),
         Source("orowan_1943", "", "shear = lesser; reconstructed, not compared with print"),
         Source("tabor_1959", "", "shear = junction_growth; reconstructed, not compared with print"),
         Source("yastrebov_2017", "", "the area that pixels add"),

@@ -50,7 +50,7 @@ def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float],
         return solve_kept(heights, size, loads=[load * covered for load in loads], **how)
 
     loads = [float(pressure) * whole for pressure in pressures]
-    how = {"film": bodies.film, "counter_film": bodies.counter_film, "hardness": bodies.hardness, "progress": tell}
+    how = {name: getattr(bodies, name) for name in ("film", "counter_film", "hardness", "menisci")} | {"progress": tell}
     given: dict[str, Any] = {"modulus": bodies.modulus, "loads": loads, "periodic": surface.periodic, **how}
     if sampled:
         found = solve_sampled(surface.heights, surface.size, solve=at_pressures, **given)

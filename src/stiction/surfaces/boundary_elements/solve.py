@@ -3,9 +3,9 @@
     found = solve_map(surface.heights, surface.size, modulus=1e11, loads=[1.0, 10.0], periodic=True)
     found[-1].area, found[-1].separation, found.doubts
 
-Assumptions: small slopes, no friction, no adhesion; bodies are half-spaces (with or without a film) whose compliance carries
-the load of the whole map; plastic flow is a pressure that does not rise above the hardness, without hardening, without volume
-that goes elsewhere, and every load is reached from none (no memory of the loads before).
+Assumptions: small slopes, no friction, no adhesion but that of a liquid; bodies are half-spaces (with or without a film) whose
+compliance carries the load of the whole map; plastic flow is a pressure that does not rise above the hardness, without
+hardening, without volume that goes elsewhere, and every load is reached from none (no memory of the loads before).
 """
 
 import math
@@ -22,7 +22,8 @@ from stiction.surfaces.boundary_elements.increments import stiffness_per_area
 from stiction.surfaces.boundary_elements.limits import TOLERANCE
 from stiction.surfaces.boundary_elements.measures import PIXEL_EXCESS, edges, rms_step
 from stiction.surfaces.boundary_elements.memory import require_memory
-from stiction.surfaces.boundary_elements.minimise import Found, Problem, minimise
+from stiction.surfaces.boundary_elements.menisci import Condensed, Menisci, condense
+from stiction.surfaces.boundary_elements.minimise import Problem, minimise
 from stiction.surfaces.boundary_elements.operators import FreeBoundary, MirroredBoundary, PeriodicBoundary
 from stiction.surfaces.heightmap import size_in_metres
 
@@ -44,7 +45,7 @@ class MapContact:
     approach [N/m], NaN if no point can answer; plastic_area [m2]: where the pressure is the hardness; plastic_share: of the
     load, carried there [1]; pressure: (rows, columns) [Pa], None if not kept; residual, steps: of the solution;
     load_error: relative; points: how many are in contact; load_at_ends: share of the load on the outermost points, 0 of a
-    map that does not end.
+    map that does not end; pull: by the liquid where faces do not touch [N], which is carried beside the load.
     """
 
     load: float
@@ -66,6 +67,7 @@ class MapContact:
     load_at_ends: float
     doubts: tuple[MapDoubt, ...] = ()
     pressure: np.ndarray | None = field(default=None, repr=False)
+    pull: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -102,22 +104,24 @@ class Progress:
 
 def solve_map(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool,
-    film: Film | None = None, counter_film: Film | None = None, hardness: float | None = None, **how,
+    film: Film | None = None, counter_film: Film | None = None, hardness: float | None = None,
+    menisci: Menisci | None = None, **how,
 ) -> MapContacts:  # fmt: skip
     """Contact of the map with a rigid flat face that is pressed on its highest points, at every load.
 
     heights: (rows, columns) [m], finite, not all alike; size: (y, x) [m]; modulus: effective modulus E* of both bodies [Pa], of
     what carries no film where there is one, or one on each (infinite: the other is rigid); loads: [N], > 0, any order;
     periodic: whether the map is one period of an endless surface, or a window of it, which its mirror images continue;
-    hardness: the largest pressure [Pa], None: elastic. Further, by name: free: whether nothing presses outside of a map that is
-    not periodic (False); tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness:
+    hardness: the largest pressure [Pa], None: elastic; menisci: of the liquid between the faces, in equilibrium with its
+    vapour, None: dry. Further, by name: free: whether nothing presses outside of a map that is not periodic (False);
+    tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness:
     whether it is computed (True); progress: called with a `Progress` before every step; done: called with each contact that
     is found. Results are in the order of the loads.
 
     A load that did not converge has a doubt `not_converged`. Interrupted by the keyboard, it gives the loads that are done.
     Raises InputError for what cannot be used, also for a load that the hardness cannot carry, or too little memory.
     """
-    asked = _Asked.of(heights, size, hardness, loads, periodic, _How.of(**how))
+    asked = _Asked.of(heights, size, hardness, loads, periodic, _How.of(**how), menisci)
     compliance = Compliance(modulus, film, counter_film)
     of_map = doubts_of_map(asked.heights, asked.size, film or counter_film, periodic)
     order = np.argsort(asked.pressures, kind="stable")
@@ -135,8 +139,8 @@ def solve_map(
 
 def checked(heights: np.ndarray, size: tuple[float, float], loads: Sequence[float], periodic: bool, how: dict) -> None:
     """InputError for a map, loads or keywords that `solve_map` refuses."""
-    rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness")}
-    _Asked.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest))
+    rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness", "menisci")}
+    _Asked.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest), how.get("menisci"))
 
 
 def sum_of_maps(first: np.ndarray, second: np.ndarray) -> np.ndarray:
@@ -182,6 +186,7 @@ class _Asked:
     pressures: np.ndarray
     periodic: bool
     how: _How
+    menisci: Menisci | None
 
     @property
     def ends(self) -> bool:
@@ -189,7 +194,7 @@ class _Asked:
         return self.how.free and not self.periodic
 
     @classmethod
-    def of(cls, heights, size, hardness, loads, periodic, how) -> "_Asked":
+    def of(cls, heights, size, hardness, loads, periodic, how, menisci) -> "_Asked":
         size = size_in_metres(size)
         loads = np.atleast_1d(np.asarray(loads, dtype=float))
         if loads.ndim != 1 or loads.size == 0 or not (np.isfinite(loads) & (loads > 0.0)).all():
@@ -203,7 +208,7 @@ class _Asked:
         if pressures.max() >= hardness:
             allowed = f"< {hardness * size[0] * size[1]:.6g} N, the hardness times the area of the map"
             raise InputError("loads", float(loads.max()), allowed)
-        return cls(heights, size, hardness, pressures, periodic, how)
+        return cls(heights, size, hardness, pressures, periodic, how, menisci)
 
 
 def usable_map(heights) -> np.ndarray:
@@ -233,10 +238,9 @@ def _rising(asked: _Asked, compliance: Compliance, pressures: np.ndarray) -> Ite
         seen = None
         if asked.how.progress is not None:
             seen = _reporting(asked.how.progress, index, len(pressures))
-        found = minimise(problem, start, tolerance=asked.how.tolerance, most=asked.how.most_steps, seen=seen)
-        start = found.pressure
-        yield _contact(asked, problem, found, displacement.knows_approach)
-        start = start * (pressures[min(index + 1, len(pressures) - 1)] / mean)
+        held = condense(problem, asked.menisci, start, tolerance=asked.how.tolerance, most=asked.how.most_steps, seen=seen)
+        yield _contact(asked, problem, held, displacement.knows_approach)
+        start = held.found.pressure * (pressures[min(index + 1, len(pressures) - 1)] / held.found.pressure.mean())
 
 
 def _reporting(progress, index, loads):
@@ -254,18 +258,21 @@ def _from_coarser(asked, compliance, boundary, mean, heights) -> np.ndarray:
     return found.pressure.repeat(2, axis=0).repeat(2, axis=1)
 
 
-def _contact(asked: _Asked, problem: Problem, found: Found, knows_approach: bool) -> MapContact:
-    """The numbers of one load."""
-    pressure, gap = found.pressure, found.gap
+def _contact(asked: _Asked, problem: Problem, held: Condensed, knows_approach: bool) -> MapContact:
+    """The numbers of one load. What presses the solids is the pressure found, less the suction of the liquid around them."""
+    found, gap = held.found, held.found.gap
+    suction = 0.0 if asked.menisci is None else asked.menisci.pressure
     nominal = asked.size[0] * asked.size[1]
-    pixel = nominal / pressure.size
-    mean = float(pressure.mean())
-    contact, flows = pressure > 0.0, pressure >= asked.hardness
+    pixel = nominal / gap.size
+    contact, flows = found.pressure > 0.0, found.pressure >= asked.hardness + suction
+    pressure = found.pressure if asked.menisci is None else _of_solids(found.pressure, suction)
+    mean = float(found.pressure.mean())
     plastic = int(np.count_nonzero(flows))
     corrected, perimeter = _without_excess(asked, pressure, pixel)
     free = contact & ~flows
     per_area = stiffness_per_area(problem.displacement, free, pressure) if asked.how.stiffness else math.nan
-    error = abs(mean / problem.mean - 1.0)
+    wanted = problem.mean + suction * float(held.wet.mean())
+    error = abs(mean / wanted - 1.0)
     highest = float(asked.heights.max())
     return MapContact(
         load=float(problem.mean) * nominal,
@@ -279,7 +286,7 @@ def _contact(asked: _Asked, problem: Problem, found: Found, knows_approach: bool
         approach=highest + found.offset if knows_approach else None,
         stiffness=per_area * nominal,
         plastic_area=plastic * pixel,
-        plastic_share=plastic * asked.hardness / (mean * pressure.size) if plastic else 0.0,
+        plastic_share=plastic * asked.hardness / float(pressure.sum()) if plastic else 0.0,
         residual=found.residual,
         load_error=error,
         steps=found.steps,
@@ -287,7 +294,13 @@ def _contact(asked: _Asked, problem: Problem, found: Found, knows_approach: bool
         load_at_ends=share_at_ends(pressure) if asked.ends else 0.0,
         doubts=doubts_of_load(found, error, asked.ends, asked.how.tolerance),
         pressure=pressure if asked.how.keep_maps else None,
+        pull=suction * (int(np.count_nonzero(held.wet)) * pixel - corrected) if suction else 0.0,
     )
+
+
+def _of_solids(pressure: np.ndarray, suction: float) -> np.ndarray:
+    """What the solids bear of the pressure over the suction: next to nothing where points touch, and are drawn together."""
+    return np.where(pressure > 0.0, np.maximum(pressure - suction, np.finfo(float).tiny), 0.0)
 
 
 def _without_excess(asked: _Asked, pressure: np.ndarray, pixel: float) -> tuple[float, float]:

@@ -45,21 +45,16 @@ def sticking_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[flo
         surface.heights, surface.size, modulus=bodies.modulus, film=bodies.film, work=work, reach=reach,
         loads=[float(pressure) * whole for pressure in pressures],
     )  # fmt: skip
-    near = Compliance(bodies.modulus, bodies.film).near
-    numbers = of_map(surface, bodies, 1) | {
-        "adhesion_range": reach,
-        "points_at_edge": reach**2 / (near * work) / max(surface.pitch),
-    }
-    contacts = tuple(_as_contact(one, surface, whole) for one in found)
+    numbers = of_map(surface, bodies, 1) | {"adhesion_range": reach, "points_at_edge": found[0].points_at_edge}
+    contacts = tuple(_as_contact(one, whole) for one in found)
     return MapCurve(contacts, 1, numbers, {"attraction_residual": np.array([one.residual for one in found])})
 
 
-def _as_contact(one: AdhesiveContact, surface: "HeightMap", whole: float) -> MapContact:
+def _as_contact(one: AdhesiveContact, whole: float) -> MapContact:
     """Faces that do not touch are infinitely far apart. The pressure is left out: it pulls also where there is contact."""
-    pixel = whole / surface.heights.size
     return MapContact(
-        load=one.load, mean_pressure=one.load / whole, nominal_area=whole, area=one.area, area_pixels=one.area,
+        load=one.load, mean_pressure=one.load / whole, nominal_area=whole, area=one.area, area_pixels=one.area_pixels,
         perimeter=one.perimeter, separation=one.mean_gap, mean_gap=one.mean_gap, approach=None, stiffness=math.nan,
-        plastic_area=0.0, plastic_share=0.0, residual=math.nan, load_error=math.nan, steps=0, points=round(one.area / pixel),
+        plastic_area=0.0, plastic_share=0.0, residual=math.nan, load_error=math.nan, steps=0, points=one.points,
         load_at_ends=0.0, doubts=one.doubts,
     )  # fmt: skip

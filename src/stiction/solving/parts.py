@@ -1,0 +1,33 @@
+"""Parts of the sums over asperities, by what their regimes are labelled."""
+
+import numpy as np
+
+from stiction.engine.regime import Regime
+
+__all__ = ["of_those", "share_beyond", "share_without", "states_of"]
+
+
+def of_those(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
+    """Sum (n, m) of those of the parts (regimes, n, m) that are chosen."""
+    return parts[chosen].sum(axis=0)
+
+
+def states_of(regimes: list[Regime]) -> list[str]:
+    """Elastic and plastic, and elastic-plastic if there is any."""
+    return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
+
+
+def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
+    """Share (n, m) of the sizes of `parts` (regimes, n, m) that is beyond the film's half-space; 0 where all is nothing."""
+    sizes = np.abs(parts)
+    whole = sizes.sum(axis=0)
+    beyond = sizes[[not regime.in_half_space for regime in regimes]].sum(axis=0)
+    return np.divide(beyond, whole, where=whole > 0.0, out=np.zeros_like(whole))
+
+
+def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
+    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, or only as far as they do not flow yet, all
+    of it at the most: of the net load, where others pull and make that small; 0 where all is nothing."""
+    flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
+    lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
+    return np.minimum(np.divide(lost, net, where=net > 0.0, out=np.zeros_like(net)), 1.0)
