@@ -22,9 +22,10 @@ import os
 import pytest
 from make_pinned import COLUMNS, FILE, ask
 
-# Of the size of each result, which is in the file. With libraries of other versions films that are solved differ by some 1e-12:
+# Of the size of each result. Processors and versions of libraries round differently, by up to 3e-12 for solved films; on one
+# machine PINNED_WITHIN=1e-13 holds a rearrangement to the last digits:
 # release/try_versions.py asks for less.
-WITHIN = float(os.environ.get("PINNED_WITHIN", "1e-13"))
+WITHIN = float(os.environ.get("PINNED_WITHIN", "1e-11"))
 
 
 def rows() -> dict[str, list[dict[str, str]]]:
