@@ -8,8 +8,8 @@ on purpose, with
 
 say in the commit which rows changed and why, and let no others change with them: `zdiff` shows which did.
 
-Numbers agree to 1e-13 of the size that stands beside each. That is the number's own size, except where it is what is left of
-larger ones: see `_sizes` in make_pinned.py.
+Numbers agree to 1e-13 of the size that stands beside each, a few that processors round differently to 1e-11 (`within`). That
+is the number's own size, except where it is what is left of larger ones: see `_sizes` in make_pinned.py.
 """
 
 import ast
@@ -22,10 +22,12 @@ import os
 import pytest
 from make_pinned import COLUMNS, FILE, ask
 
-# Of the size of each result. Processors and versions of libraries round differently, by up to 3e-12 for solved films; on one
-# machine PINNED_WITHIN=1e-13 holds a rearrangement to the last digits:
+# Of the size of each result, which is in the file. With libraries of other versions films that are solved differ by some 1e-12:
 # release/try_versions.py asks for less.
-WITHIN = float(os.environ.get("PINNED_WITHIN", "1e-11"))
+WITHIN = float(os.environ.get("PINNED_WITHIN", "1e-13"))
+# Processors round differently what is left of much larger numbers: seen are 1.3e-12 of mu in a comparison on solved films, and
+# 1.05e-13 of a pull-off force.
+ON_ANY_PROCESSOR = 1e-11
 
 
 def rows() -> dict[str, list[dict[str, str]]]:
@@ -42,14 +44,20 @@ ROWS = rows()
 PARTS = {number: list(ROWS.items())[number::8] for number in range(8)}
 
 
-def agree(found, size: float, pinned: str) -> bool:
-    """Whether a result is the pinned one: numbers within its size, texts and refusals as they are."""
+def within(quantity: str, at: str) -> float:
+    """By which share of its size a result may differ."""
+    rounded = quantity == "pull_off_force" or (quantity == "friction_coefficient_at_load" and "+ layered" in at)
+    return max(WITHIN, ON_ANY_PROCESSOR) if rounded else WITHIN
+
+
+def agree(found, most: float, pinned: str) -> bool:
+    """Whether a result is the pinned one: numbers to this difference at most, texts and refusals as they are."""
     value = math.nan if pinned == "nan" else ast.literal_eval(pinned)
     if isinstance(value, str) or isinstance(found, str):
         return found == value
     if math.isnan(value) or math.isnan(found):
         return math.isnan(value) and math.isnan(found)
-    return abs(found - value) <= WITHIN * size
+    return abs(found - value) <= most
 
 
 def test_there_are_enough():
@@ -66,7 +74,8 @@ def test_results_are_what_they_were(part):
         found = ask(json.loads(asked))
         for row in results:
             value, _ = found.pop((row["quantity"], row["at"]), (None, 0.0))
-            if value is None or not agree(value, float(row["size"]), row["value"]):
+            most = within(row["quantity"], row["at"]) * float(row["size"])
+            if value is None or not agree(value, most, row["value"]):
                 different.append(f"{row['quantity']} {row['at']} is {value!r}, was {row['value']}, size {row['size']}: {asked}")
         different += [f"{quantity} {at} is new: {asked}" for quantity, at in found]
     shown = "\n".join(different[:20])

@@ -8,10 +8,11 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.regime import MENISCUS, Regime
+from stiction.engine.summation import QUANTITIES
 
 __all__ = ["bounded", "most_pull"]
 
-_LOAD = 1  # as summation.QUANTITIES
+_LOAD = QUANTITIES.index("load")
 
 
 def most_pull(groups: Groups) -> np.ndarray | None:
