@@ -17,8 +17,8 @@ from stiction.laws.sources import Source
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
     """E'_s/E' = f E'_s/E'_f + 1 - f with f = 2 t/(pi a + 2 t). Poisson's ratios do not enter."""
-    film = 1.0 / (1.0 + 0.5 * math.pi / thickness_over_radius)
-    return 1.0 / (film / film_over_substrate + 1.0 - film)
+    substrate = 1.0 / (1.0 + thickness_over_radius / (0.5 * math.pi))
+    return 1.0 / ((1.0 - substrate) / film_over_substrate + substrate)
 
 
 RECORD = Composite(

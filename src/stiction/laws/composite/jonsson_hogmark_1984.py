@@ -21,7 +21,7 @@ _DIAGONAL = 7.0  # of a Vickers pyramid, over the depth of its impression
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
     """H/H_s = 1 + (H_f/H_s - 1) A_f/A, A_f/A = 2 C t/d - C^2 (t/d)^2 up to C t/d = 1, then 1; d = 7 omega. No exponent."""
-    rim = min(constant / (_DIAGONAL * depth_over_thickness), 1.0)
+    rim = constant / max(_DIAGONAL * depth_over_thickness, constant)
     return 1.0 + (hardness_ratio - 1.0) * rim * (2.0 - rim)
 
 

@@ -21,7 +21,7 @@ WEIGHT = 0.09  # k1
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
     """H/H_s = 1 + (H_f/H_s - 1) 2 k1 t/omega; held at the film's hardness nearer to the surface. No exponent."""
-    return 1.0 + (hardness_ratio - 1.0) * min(constant / depth_over_thickness, 1.0)
+    return 1.0 + (hardness_ratio - 1.0) * constant / max(depth_over_thickness, constant)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
