@@ -42,8 +42,3 @@ def test_presliding():
     bare = str(Path(CASE).with_name("compare_models.toml"))
     found = json.loads(run(bare, "--presliding", "mindlin_1949").stdout)
     assert found["variables"]["tangential_stiffness"]["unit"] == "N/m"
-
-
-def test_the_old_name_of_a_film_law_is_said_to_be_old():
-    found = run(CASE, "--coating-law", "graded")
-    assert json.loads(found.stdout)["attrs"]["film"] == "graded" and "film" in found.stderr

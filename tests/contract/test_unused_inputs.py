@@ -156,7 +156,7 @@ def test_the_command_says_it(tmp_path):
     assert "is not used" in run(
         case, "--film", "sequential"
     ) and "film sequential is not used: this contact has no film" in run(case, "--film", "sequential")
-    assert "film sequential is not used: this contact has no film" in run(case, "--coating-law", "sequential")
+    assert "film sequential is not used: this contact has no film" in run(case, "--film", "sequential")
     assert (
         "film"
         not in json.loads(CliRunner().invoke(app, ["run", str(case), "--json"]).stdout)["attrs"]["unused_inputs"][0]["input"]

@@ -81,11 +81,14 @@ def elastic_coordinate(w, stiffness):
     return math.sqrt(max(w, 0.0))
 
 
+_LEAST = 1e-300  # of ln(delta/delta_c): its inverse is still a number
+
+
 @formula
 def yielding(u, w_c, stiffness, load_power, area_power):
     """P/L_c = ratio^1.5 (1 - exp(1/(1 - ratio^beta))), A/A_c = ratio (1 + exp(1/(1 - ratio^alpha))), ratio = delta/delta_c."""
     w = u * u
-    growth = max(math.log(w / w_c), 0.0)  # rounding may put the first point a little before delta_c
+    growth = max(math.log(w / w_c), _LEAST)  # rounding may put the first point a little before delta_c
     load = -math.expm1(-1.0 / math.expm1(load_power * growth))
     area = 1.0 + math.exp(-1.0 / math.expm1(area_power * growth))
     return w, 2.0 * u, stiffness * w * u * load, w * area

@@ -35,7 +35,7 @@ def unit_root(a):
     over many that all take the same steps is one of vectors."""
     # With s^2 = -a > 0 the root is s + d, 2 s^2 d + 3 s d^2 + d^3 = 1. It is below each of these, and near one of them.
     s = math.sqrt(max(-a, 0.0))
-    v = min(1.0 + s, s + 0.5 / (s * s)) if a < 0.0 else min(1.0, 1.0 / a)
+    v = s + 0.5 / max(s * s, 0.5) if a < 0.0 else 1.0 / max(a, 1.0)
     for _ in range(_STEPS):
         v -= (v * (v * v + a) - 1.0) / (3.0 * v * v + a)
     return v
