@@ -8,6 +8,7 @@ from typer.testing import CliRunner
 
 from stiction import cli
 from stiction.quantities.errors import InputError
+from stiction.report.design_tables import design_notes
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.solving.problem import make_problem
@@ -278,6 +279,41 @@ def test_no_yield_of_the_substrate_is_a_limit():
     share = yielded_shares(make_problem(there, Choice()), h.reshape(1, 1), "load_share_substrate_yielded")
     assert bool(found["kept"][0]) and share.item() == pytest.approx(0.001, rel=1e-3)
     assert share.item() <= 0.001 * (1 + 1e-6)
+
+
+@pytest.mark.parametrize("model", ["rough_on_film", "persson_2001"])
+@pytest.mark.parametrize("name", ["load_share_yielded", "load_share_substrate_yielded"])
+def test_yield_is_refused_for_a_model_without_asperities(model, name):
+    """Reject the limit before the search, in one line that names a model that counts its asperities."""
+    table = coated(MOST, {"coating": {"thickness": {"low": "20 nm", "high": "1 um"}}}, {name: {"high": 0.001}})
+    table["contact"] |= {"interfacial_shear_strength": "200 MPa"}
+    table["solve"]["model"] = model
+    if model == "persson_2001":
+        table["design"]["choose"] = RADIUS
+        del table["contact"]["coating"]
+    with pytest.raises(InputError) as caught:
+        design(table)
+    assert (caught.value.field, caught.value.value) == (name, model)
+    assert "greenwood_williamson_1966" in caught.value.allowed
+
+
+def test_broken_limits_are_named_with_their_values():
+    """Persson's friction is strength times area over load; at sigma = 20 um and R = 50 um, N R sigma = 17 and
+    sqrt(sigma/R) = 0.63 are beyond 1 and 10, and beyond 0.3."""
+    bounded = design(case(MOST, RADIUS, {"area_fraction": {"high": 1e-9}, "friction_coefficient": {"low": 1e-9}}))
+    area = float(bounded["friction_coefficient"][0]) * LOAD / STRENGTH / AREA
+    assert bounded["violated"].values.tolist() == [f"area_fraction 1e-09 at most, found {area:.3g}"]
+    table = case(LEAST, {"second": ["silver", "gold"]}, model="greenwood_williamson_1966", validity="claimed")
+    table["contact"]["roughness"] = ROUGH | {"asperity_height_deviation": "20 um"}
+    rough = design(table)
+    for words in rough["violated"].values:
+        assert {line.partition(":")[0] for line in words.split("\n")} >= {
+            "N R sigma is not 1e-05 to 10",
+            "N R sigma is not 0.001 to 1",
+            "sqrt(sigma/R) is not 0 to 0.3",
+        }
+    notes = "\n".join(map(str, design_notes(rough)))
+    assert notes.count("N R sigma is not 0.001 to 1") == 2 and "broken (silver): " in notes and "broken (gold): " in notes
 
 
 def test_what_is_uncertain_is_held_for_nineteen_of_twenty():

@@ -31,7 +31,7 @@ def design_table(data: "xarray.Dataset", along: str) -> Table:
     numbers = np.unique(np.linspace(0, data.sizes[along] - 1, min(data.sizes[along], _ROWS)).round().astype(int))
     if along == "design":
         numbers = np.arange(min(data.sizes[along], _ROWS))
-    shown_columns = [name for name in columns if name != "broken"]
+    shown_columns = [name for name in columns if name not in ("broken", "violated")]
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
     for name in shown_columns:
         table.add_column(_head(name), justify="right")
@@ -64,8 +64,17 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
         yield Text(f"of what is uncertain ({used['uncertain']}) wishes and limits hold for 95 %")
     if used["verdict"]:
         yield Text(used["verdict"], style="bold yellow")
+    for at in range(min(data.sizes["design"], _ROWS)):
+        for words in filter(None, data["violated"].values[at].split("\n")):
+            yield Text(f"broken{_which(data, at)}: {words}", style="yellow")
     if used["stopped"]:
         yield Text("stopped before the end: the best so far", style="bold")
+
+
+def _which(data: "xarray.Dataset", at: int) -> str:
+    """Return which design this is, by what it takes from lists, where there are several."""
+    taken = [data[name].values[at] for name in data.data_vars if name != "violated" and data[name].dtype.kind in "UO"]
+    return f" ({', '.join(map(str, taken)) or f'design {at + 1}'})" if data.sizes["design"] > 1 else ""
 
 
 def design_rows(data: "xarray.Dataset", along: str) -> tuple[list[str], list[list[Any]]]:

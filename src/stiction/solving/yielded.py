@@ -6,9 +6,20 @@ from stiction.engine.regime import MENISCUS
 from stiction.quantities.errors import InputError
 from stiction.solving.problem import Problem, Sum
 
-__all__ = ["YIELDED", "yielded_shares"]
+__all__ = ["YIELDED", "require_states", "yielded_shares"]
 
 YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
+
+
+def require_states(problem: Problem, name: str) -> Sum:
+    """Return the problem if its model counts asperities by state, as the share of this name needs. Raises InputError."""
+    if not isinstance(problem, Sum):
+        allowed = "a model of asperities, e.g. greenwood_williamson_1966; this one does not tell which have yielded"
+        raise InputError(name, problem.record.key, allowed)
+    film = problem.chosen.film
+    if name != YIELDED[0] and film is not None and not any(one.body == "substrate" for one in problem.regimes):
+        raise InputError(name, film.key, "a film law that tells film and substrate apart: sequential, printed")
+    return problem
 
 
 def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
@@ -17,15 +28,10 @@ def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
 
     Raises InputError for a model that does not count its asperities by state, or counts film and substrate as one.
     """
-    if not isinstance(problem, Sum):
-        raise InputError(name, problem.record.key, "a model of asperities, which counts those that have yielded")
-    regimes = problem.regimes
-    film = problem.chosen.film
-    of_all = name == "load_share_yielded"
-    if not of_all and film is not None and not any(one.body == "substrate" for one in regimes):
-        raise InputError(name, film.key, "a film law that tells film and substrate apart: sequential, printed")
+    sums, film = require_states(problem, name), problem.chosen.film
+    regimes, of_all = sums.regimes, name == YIELDED[0]
     law = np.repeat(np.arange(len(h)), h.shape[1])
-    loads = np.abs(problem.loads_by_regime(h.reshape(-1), law)).reshape(len(regimes), *h.shape)
+    loads = np.abs(sums.loads_by_regime(h.reshape(-1), law)).reshape(len(regimes), *h.shape)
     counted = [
         one.state not in ("elastic", MENISCUS) and (of_all or film is None or one.body == "substrate") for one in regimes
     ]

@@ -87,8 +87,8 @@ def design(case: Any, *, tell: Tell = lambda count, text: None) -> "xarray.Datas
     best so far.
 
     Returns a labelled dataset: over `design` the best one for each way to choose from lists, the best of all first, with what
-    is chosen, what is wished and limited, `broken`, by how much the limits are broken, over their size, and `kept`; with two
-    wishes also over `front` the designs of which none is better in both. Raises InputError.
+    is chosen, what is wished and limited, `kept`, `violated`, the limits that are broken, one a line, and `broken`, by how
+    much, over their size; with two wishes also over `front` the designs of which none is better in both. Raises InputError.
     """
     require_callable(tell, "tell")
     return run_design(plan_of_design(case), tell, keep_on_interrupt=False).data()
@@ -287,6 +287,7 @@ def _dataset(found: Designing) -> "xarray.Dataset":
 
     best = found.best()
     data = xarray.Dataset(_columns(found, best, "design"), coords={"design": np.arange(len(best))})
+    data["violated"] = ("design", _violated(found, best), {"long_name": "limits and ranges of validity that are broken"})
     if len(found.plan.wishes) == 2:
         front = found.front()
         chosen = (
@@ -326,15 +327,16 @@ def _columns(found: Designing, rows: np.ndarray, along: str) -> dict[str, tuple]
     return columns
 
 
+def _violated(found: Designing, rows: np.ndarray) -> np.ndarray:
+    """Return what each of these designs of the archive breaks, in words, one a line; "" where it keeps all limits."""
+    shares, _, worst, _ = found.archive.table()
+    return np.array(["\n".join(found.space.violations(shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
+
+
 def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
     _, _, worst, _ = found.archive.table()
     plan = found.plan
     unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
-    said = (
-        ""
-        if worst[best[0]] <= TOLERANCE
-        else f"no design keeps the limits; the nearest is beyond them by {worst[best[0]]:.3g} times their size"
-    )
     return {
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",
@@ -346,7 +348,7 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
         "asked": found.archive.count,
         "tolerance": TOLERANCE,
         "uncertain": _uncertain(plan),
-        "verdict": said,
+        "verdict": "" if worst[best[0]] <= TOLERANCE else "no design keeps the limits; the nearest is shown",
         "stopped": int(found.stopped),
     }
 
@@ -364,7 +366,7 @@ def _designed_case(found: Designing, out: Path) -> str:
     shares, _, worst, _ = found.archive.table()
     comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.wishes)}."]
     if worst[best] > TOLERANCE:
-        comments.append(f"It breaks its limits, by {worst[best]:.3g} times their size.")
+        comments += [f"It breaks a limit: {words}." for words in found.space.violations(shares[best])]
     content: Any = without_studies(plan.given)
     numbers = found.space.numbers(shares[best])
     for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # a material before numbers of it

@@ -7,18 +7,20 @@ from typing import Any
 import numpy as np
 
 from stiction.laws.claims import Validity
+from stiction.laws.validity import Doubt
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import reason_of, show
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, Pointwise, solve_pointwise
 from stiction.solving.problem import make_problem
-from stiction.solving.yielded import YIELDED, yielded_shares
+from stiction.solving.yielded import YIELDED, require_states, yielded_shares
 from stiction.studies.case.places import with_numbers
 from stiction.studies.case.read import Case, case_of, wants_ranges
 from stiction.studies.case.uncertain import with_ranges
 from stiction.studies.design.plan import LOAD, DesignPlan
-from stiction.studies.evaluate_many import evaluate_many
+from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
 __all__ = ["TOLERANCE", "Answers", "Space"]
 
@@ -72,6 +74,8 @@ class Space:
         subject = case_of(with_numbers(content, numbers), {}).subject
         given = {name: value for name, value in self.case.choice.arguments().items() if name != "model"}
         choice = choice_of(self.case.choice.model, given, subject)
+        for name in set(self.names) & set(YIELDED):
+            require_states(make_problem(subject, choice), name)
         solved = solve_pointwise(subject, choice, load=float(points["load"].values.flat[0]))
         for name in [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
@@ -111,13 +115,12 @@ class Space:
         count, limits = len(shares), len(self.plan.limits) + 1
         wishes, broken = np.full((count, len(self.plan.wishes)), _REFUSED), np.full((count, limits), _REFUSED)
         known = {name: np.full(count, np.nan) for name in self.names}
-        keep = sorted({*self.names, "mean_separation"} - set(YIELDED))
         for some in self._alike(shares):
             try:
                 content, numbers, points = self._contacts(shares, some)
             except InputError:
                 continue  # what is taken together makes no contact
-            for region, case, solved in evaluate_many(content, numbers, points, self.choice, keep, along=(_DESIGN,)):
+            for region, case, solved in evaluate_many(content, numbers, points, self.choice, self._kept, along=(_DESIGN,)):
                 if solved is None or case is None:
                     continue
                 rows = some[region.get(_DESIGN, slice(None))]
@@ -126,6 +129,32 @@ class Space:
                 for name, values in part.known.items():
                     known[name][rows] = values
         return Answers(wishes, broken, known)
+
+    @property
+    def _kept(self) -> list[str]:
+        """Names of the results that designs are judged by."""
+        return sorted({*self.names, "mean_separation"} - set(YIELDED))
+
+    def violations(self, shares: np.ndarray) -> list[str]:
+        """Return what one design (d,) breaks, in words: limits with the value found, and ranges of validity."""
+        try:
+            content, numbers, points = self._contacts(shares[None, :], np.arange(1))
+            case, solved = evaluate_together(content, numbers, points, self.choice, self._kept)
+        except InputError as error:
+            return [reason_of(error)]
+        except ArithmeticError as error:
+            return [str(error)]
+        shape = _shape(case.subject, 1, points["load"].sizes.get("load", 1))
+        tables = self._tables(case.subject, solved, shape)
+        found = []
+        for limit in self.plan.limits:
+            beyond = _beyond(limit.low, limit.high, tables[limit.quantity])
+            if _worst(beyond)[0] > TOLERANCE:
+                value = float(tables[limit.quantity][_place_of_worst(beyond)][0])
+                found.append(f"{limit.words}, found {show(value, limit.quantity, 3)}")
+        counted = _as_table(solved.doubts[0], _outside(solved, self.plan.validity), shape)
+        bits = _as_table(*solved.doubts, shape)[_place_of_worst(counted)][0]
+        return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
         """Rows of designs that take the same of what is no number."""
@@ -170,10 +199,8 @@ class Space:
         return {one.path: one.at(shares[:, together.index(one.dimension)]) for one in kept}
 
     def _judged(self, subject: Any, solved: Pointwise, designs: int, loads: int) -> Answers:
-        samples = next((array.sizes[_SAMPLE] for _, array in subject.arrays() if _SAMPLE in array.dims), 1)
-        shape = (designs, samples, loads)
-        groups = subject.all_groups()
-        tables = {name: self._table(name, solved, groups, shape, subject) for name in self.names}
+        shape = _shape(subject, designs, loads)
+        tables = self._tables(subject, solved, shape)
         wishes = [
             _wished(wish, tables[wish.quantity], target)
             for wish, target in zip(self.plan.wishes, self.plan.targets, strict=True)
@@ -185,6 +212,11 @@ class Space:
             np.column_stack([_worst(one) for one in broken]),
             self._shown(tables, wishes, broken),
         )
+
+    def _tables(self, subject: Any, solved: Pointwise, shape: tuple[int, int, int]) -> dict[str, np.ndarray]:
+        """Return every result and group that is asked for (designs, samples, loads), by name."""
+        groups = subject.all_groups()
+        return {name: self._table(name, solved, groups, shape, subject) for name in self.names}
 
     def _shown(self, tables: Mapping, wishes: list[np.ndarray], broken: list[np.ndarray]) -> dict[str, np.ndarray]:
         """What is shown of each result (designs,): where a limit or a wish of it is kept worst; else in the middle."""
@@ -228,6 +260,12 @@ def _replaced(content: Any, path: tuple[str, ...], entry: Any) -> Any:
     return {**content, path[0]: _replaced(content.get(path[0], {}), path[1:], entry)}
 
 
+def _shape(subject: Any, designs: int, loads: int) -> tuple[int, int, int]:
+    """Return the shape (designs, samples, loads) of the tables of a contact."""
+    samples = next((array.sizes[_SAMPLE] for _, array in subject.arrays() if _SAMPLE in array.dims), 1)
+    return designs, samples, loads
+
+
 def _as_table(dims: Any, values: np.ndarray, shape: tuple[int, int, int]) -> np.ndarray:
     return np.broadcast_to(arranged(values, dims, (_DESIGN, _SAMPLE, "load")), shape)
 
@@ -245,11 +283,18 @@ def _beyond(low: float, high: float, table: np.ndarray) -> np.ndarray:
 
 
 def _outside(solved: Pointwise, validity: str) -> np.ndarray:
-    """How many ranges of validity are left that must not be."""
+    """Count at each point the ranges of validity that are left and must not be."""
     bits = solved.doubts[1]
-    counted = [np.uint32(1 << at) for at in range(len(WHY_NOT))]
-    counted += [np.uint32(1 << at) for at, rule in enumerate(solved.rules, start=len(WHY_NOT)) if _counts(rule, validity)]
-    return np.sum([(bits & one) > 0 for one in counted], axis=0).astype(float)
+    return np.sum([(bits & bit) > 0 for bit in _validity_bits(solved, validity)], axis=0).astype(float)
+
+
+def _validity_bits(solved: Pointwise, validity: str) -> dict[np.uint32, str]:
+    """Return the bits of the ranges that must not be left, each with its words; those of refusals always count."""
+    found = {np.uint32(1 << at): why for at, why in enumerate(WHY_NOT)}
+    for at, rule in enumerate(solved.rules, start=len(WHY_NOT)):
+        if _counts(rule, validity):
+            found[np.uint32(1 << at)] = Doubt(rule.why, rule.quantity, low=rule.low, high=rule.high).rule
+    return found
 
 
 def _counts(rule: Validity, validity: str) -> bool:
