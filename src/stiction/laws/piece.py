@@ -1,9 +1,13 @@
 """A piece: one smooth part of an asperity's behaviour under normal load, before any tangential law is joined to it."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
+
+from stiction.engine.compiled import formula
 
 # "elastic" up to first yield, "plastic" where the mean pressure is the hardness, "elastic-plastic" between.
 STATES = ("elastic", "elastic-plastic", "plastic")
@@ -44,3 +48,52 @@ class TangentialResistance:
     parameters: tuple[np.ndarray, ...]
     kinks: np.ndarray | None = None
     branch: np.ndarray | None = None
+
+
+def from_curve(
+    load: Callable,
+    area: Callable,
+    start: np.ndarray,
+    end: np.ndarray | float = math.inf,
+    *,
+    parameters: tuple[np.ndarray, ...] = (),
+    state: str = "elastic",
+) -> NormalPiece:
+    """Return a piece from load and contact area as plain functions of the displacement.
+
+    Slower than a piece with formulas in a coordinate of its own, and sums are good to 1e-8: the coordinate is the square root
+    of the displacement beyond `start`, which smooths curves that begin there like a half-integer power.
+
+    Parameters
+    ----------
+    load, area : functions of (displacement, *parameters)
+        Of numbers, smooth between `start` and `end`; `math`, `if`, `min` and `max` may be used.
+    start : array (n,)
+        Displacement at which the piece starts, over sigma.
+    end : array (n,) or float
+        Displacement at which it ends, over sigma; infinite for the last piece.
+    parameters : arrays (n,)
+        In the order in which both functions take them.
+    state : str
+        One of STATES.
+    """
+    normal, coordinate = _curve(load, area)
+    edges = np.sqrt(np.stack(np.broadcast_arrays(np.zeros_like(start), end - start), axis=1))
+    return NormalPiece(normal, coordinate, (start, *parameters), edges, state, lowest=float(np.min(start, initial=0.0)))
+
+
+@cache
+def _curve(load: Callable, area: Callable) -> tuple[Callable, Callable]:
+    """Formulas for two functions of the displacement; the same objects for the same functions, so that kernels compile once."""
+    load, area = formula(load), formula(area)
+
+    @formula
+    def normal(u, start, *parameters):
+        w = start + u * u
+        return w, 2.0 * u, load(w, *parameters), area(w, *parameters)
+
+    @formula
+    def coordinate(w, start, *parameters):
+        return math.sqrt(max(w - start, 0.0))
+
+    return normal, coordinate
