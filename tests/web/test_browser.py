@@ -120,10 +120,10 @@ def _tab(page, name):
 
 
 def _give(page, upload, name, content):
-    """Choose a file in the upload of this name, which is not there before its tab has been opened."""
-    page.get_by_label(upload).locator("input[type=file]").set_input_files(
-        {"name": name, "mimeType": "text/plain", "buffer": content}
-    )
+    """Click the upload button and choose a file in the chooser that the browser opens."""
+    with page.expect_file_chooser(timeout=5 * SECOND) as chooser:
+        page.get_by_role("button", name=upload, exact=True).click()
+    chooser.value.set_files({"name": name, "mimeType": "text/plain", "buffer": content})
 
 
 # ---- the page as it is opened
@@ -175,6 +175,17 @@ def test_a_measured_series_calibrates_a_number(page):
     page.get_by_text("measured.csv is here, until the page is closed").wait_for()
     page.get_by_role("button", name="Calibrate").click()
     page.get_by_role("img", name="measured and fitted").first.wait_for()
+
+
+def test_a_lost_upload_can_be_tried_again(page):
+    _tab(page, "Studies")
+    upload, sent = "Upload measured series, .csv", re.compile("/upload/")
+    page.route(sent, lambda route: route.abort())
+    _give(page, upload, "lost.csv", b"load [N],friction_coefficient\n1,0.05\n")
+    page.get_by_text(f"{upload}: the file did not arrive; try again").wait_for()
+    page.unroute(sent)
+    _give(page, upload, "found.csv", b"load [N],friction_coefficient\n1,0.05\n")
+    page.get_by_text("found.csv is here, until the page is closed").wait_for()
 
 
 def test_what_is_downloaded_runs_to_the_same_numbers(page, tmp_path):

@@ -29,7 +29,13 @@ def upload_button(
 
     hidden = ui.upload(auto_upload=True, max_file_size=most, on_upload=arrived)
     hidden.on_rejected(lambda: refused(f"{label}: refused; allowed: one file of {most // 2**20} MiB at most"))
+    def failed() -> None:
+        hidden.reset()  # else the library takes no other file
+        refused(f"{label}: the file did not arrive; try again")
+
+    hidden.on("failed", failed)
     # Of the library's own box only what sends the file is used: it has parts without a name.
     attributes(hidden, aria_label=label).style("display: none")
     button = ui.button(label, icon="upload_file").props("no-caps outline")
-    button.on("click", js_handler=f"() => getElement({hidden.id}).pickFiles()")
+    # The browser opens a file chooser only within the click itself, so that no message to the server may come before.
+    button.on("click", js_handler=f"() => document.querySelector('#{hidden.html_id} input[type=file]').click()")
