@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.laws.registry import GRADES
 from stiction.laws.validity import doubts_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import installed
 from stiction.quantities.paths import require_place
+from stiction.report.model_line import grade_line, model_line
 
 if TYPE_CHECKING:
     import xarray
@@ -78,13 +78,11 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
     """What a table of a result has to say before its first row: what was computed, by which model, with what doubts, from which
     inputs, and what the columns are."""
     used = data.attrs
-    laws = ", ".join(f"{kind} {used[kind]}" for kind in ("asperity", "tangential", "film") if used.get(kind, "none") != "none")
-    options = ", ".join(f"{name} {used[name]}" for name in used.get("options", "").split())
     said = {
         "title": used.get("case") or used.get("title"),
         "program": used.get("program"),
-        "model": f"{used.get('model')} ({', '.join(filter(None, [laws, options])) or 'no other laws'})",
-        "grade": f"{used.get('grade')}: {GRADES.get(used.get('grade', ''), '')}",
+        "model": model_line(used),
+        "grade": grade_line(used),
         "doubt": [str(doubt) for doubt in doubts_of(data)] or "none: within the ranges that are claimed",
         "measured error": used.get("measured_error_in_words"),
         "area": used.get("area_by"),

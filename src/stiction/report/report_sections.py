@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.laws.claims import KINDS_OF_DOUBT
-from stiction.laws.registry import GRADES
 from stiction.laws.sources import bibliography
 from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
@@ -19,6 +18,7 @@ from stiction.report.comparison_doubts import doubts_with_meanings
 from stiction.report.families import said_of_plastic_junctions
 from stiction.report.html_tables import Table, of_printed
 from stiction.report.html_words import letters
+from stiction.report.model_line import grade_line, model_line
 from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
 from stiction.report.report_inputs import groups_of_inputs, with_powers
 from stiction.report.tables import comparison_table, curve_table, run_notes
@@ -63,10 +63,7 @@ def here_table(findings: Findings) -> Table | None:
 def model_lines(findings: Findings) -> list[str]:
     """By which model and laws, and how well these are founded."""
     used = findings.answer.data.attrs
-    laws = [f"{kind} law {used[kind]}" for kind in ("asperity", "tangential", "film") if used.get(kind, "none") != "none"]
-    options = [f"{name.replace('_', ' ')}: {used[name]}" for name in used["options"].split()]
-    words = ", ".join([used["model"], *laws, *options, f"{used['heights']} heights"])
-    return [f"Model {words}.", f"Grade {used['grade']}: {GRADES[used['grade']]}."]
+    return [f"Model {model_line(used)}.", f"Grade {grade_line(used)}."]
 
 
 def curve_rows(findings: Findings) -> Table:

@@ -1,14 +1,15 @@
 """What the command line prints of sensitivity: the inputs from the most to the least important, at the working load."""
 
 import json
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
 from rich.table import Table
 from rich.text import Text
 
 from stiction.laws.validity import doubts_of
+from stiction.report.model_line import model_line
 from stiction.report.several_tables import of_point, points_dimension
 from stiction.report.uncertainty_tables import draws_in_words, in_draws
 from stiction.solving.pointwise import WHY_NOT
@@ -96,14 +97,6 @@ def _signed(value: float) -> str:
     return "0" if abs(value) < _LEAST else f"{value:+.3g}"
 
 
-def _laws_in_words(used: Mapping[str, Any]) -> str:
-    """The model of a result, by its attributes, with every law and option that answers in it."""
-    kinds = ("asperity", "tangential", "film", "meniscus", "ageing", "contamination")
-    laws = [f"{kind} law {used[kind]}" for kind in kinds if used.get(kind, "none") != "none"]
-    options = [f"{name.replace('_', ' ')} {used[name]}" for name in str(used.get("options", "")).split() if name in used]
-    return ", ".join([str(used["model"]), *laws, *options])
-
-
 def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
     """What was varied, how, and what is doubtful of the nominal contact."""
     used = data.attrs
@@ -121,6 +114,6 @@ def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
         yield Text("total, first: share of the variance of the logarithm; effect: its change from end to end", style="dim")
     else:
         yield Text('nothing is uncertain: give numbers errors, "0.5 +/- 0.1 GPa", or use --ranges', style="bold")
-    yield Text(f"elasticities: by {_laws_in_words(used)}, at the nominal numbers", style="dim")
+    yield Text(f"elasticities: by {model_line(used)}, at the nominal numbers", style="dim")
     for doubt in doubts_of(data):
         yield Text(f"doubtful: {doubt}", style="bold yellow")

@@ -19,6 +19,7 @@ from stiction.quantities.units import show
 from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_with_meanings
 from stiction.report.comparison_rows import run_command
 from stiction.report.families import said_of_plastic_junctions
+from stiction.report.model_line import grade_line, model_line
 from stiction.solving.film_errors import in_words, read_film_errors
 from stiction.solving.unused import unused_of
 
@@ -111,17 +112,13 @@ def facts(pairs: Iterable[tuple[str, str]]) -> Table:
 
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
     """What was solved: contact, groups, model with its options and grade, and the pull-off force if the model knows it."""
-    used = data.attrs
-    kinds = ("asperity", "tangential", "film", "meniscus", "ageing", "contamination")
-    laws = [f"{kind} law {used[kind]}" for kind in kinds if used.get(kind, "none") != "none"]
-    options = [f"{name} {used[name]}" for name in used["options"].split()]
     return facts(
         [
             ("case", case.title),
             *_contact(case.subject),
             ("groups", _groups(case.subject)),
-            ("model", ", ".join([used["model"], *laws, *options, f"{used['heights']} heights"])),
-            ("grade", f"{used['grade']}: {GRADES[used['grade']]}"),
+            ("model", model_line(data.attrs)),
+            ("grade", grade_line(data.attrs)),
             ("pull-off force", _pull_off(data)),
         ]
     )

@@ -91,7 +91,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         "title": f"Static friction after {problem.record.key}",
         "model": problem.record.key,
         **laws,
-        **{one.kind: one.key for one in records if one.kind in ("meniscus", "ageing", "contamination")},
+        **{one.kind: one.key for one in records if one.kind in ("presliding", "meniscus", "ageing", "contamination")},
         **problem.options,
         "options": " ".join(problem.options),
         "heights": problem.heights_taken,

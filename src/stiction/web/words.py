@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from stiction.laws.claims import KINDS_OF_DOUBT
-from stiction.laws.registry import GRADES
 from stiction.report.honest_digits import rounded
+from stiction.report.model_line import grade_line, model_line
 from stiction.report.tables import shown
 from stiction.web.asked import Answer
 
@@ -66,8 +66,7 @@ def remarks(answer: Answer) -> list[str]:
     """What else is to be said of an answer: model, grade, questions about numbers, inputs that change nothing."""
     assert answer.data is not None
     said = answer.data.attrs
-    laws = [f"{kind} law {said[kind]}" for kind in ("asperity", "tangential", "film") if said.get(kind, "none") != "none"]
-    found = [f"Model {', '.join([said['model'], *laws])}; grade {said['grade']}: {GRADES[said['grade']]}."]
+    found = [f"Model {model_line(said)}; grade {grade_line(said)}."]
     found += [f"Questioned: {one}" for one in answer.questions]
     found += [f"Not used: {said['inputs_not_used']}"] if said.get("inputs_not_used") else []
     found += [f"Remark: {one}" for one in str(said.get("remarks", "")).splitlines() if one]

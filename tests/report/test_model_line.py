@@ -1,0 +1,69 @@
+"""The line that names the model: terminal, CSV, report and page name every law that answered, in the same words."""
+
+import tomllib
+
+import pytest
+from typer.testing import CliRunner
+
+from report.page import Page
+from stiction.cli import app
+from stiction.web.asked import Question, solved
+from stiction.web.words import remarks
+
+CASE = """
+[contact]
+first = "silicon"
+second = "silicon"
+nominal_area = "0.01 mm^2"
+interfacial_shear_strength = "100 MPa"
+waiting_time = "100 s"
+strengthening = 0.02
+cut_off_time = "1 s"
+strength_variation = 0.5
+[contact.roughness]
+asperity_height_deviation = "10 nm"
+asperity_radius = "1 um"
+asperity_density = "1e13 1/m^2"
+[contact.liquid]
+relative_humidity = 0.6
+contact_angle_first = "10 deg"
+contact_angle_second = "10 deg"
+temperature = "20 degC"
+[solve]
+load = "1 mN"
+model = "greenwood_williamson_1966"
+presliding = "mindlin_1949"
+"""
+LAWS = {
+    "asperity": "hertz",
+    "tangential": "bowden_tabor_1943",
+    "presliding": "mindlin_1949",
+    "meniscus": "equilibrium_meniscus",
+    "ageing": "berthoud_1999",
+    "contamination": "independent_junctions",
+}
+LINE = ", ".join(["greenwood_williamson_1966", *(f"{kind} law {key}" for kind, key in LAWS.items())])
+
+
+@pytest.fixture(scope="module")
+def said(tmp_path_factory):
+    """What each place says of the same case, each as one line of text."""
+    folder = tmp_path_factory.mktemp("case")
+    case = folder / "case.toml"
+    case.write_text(CASE, encoding="utf-8")
+    ran = CliRunner().invoke(app, ["run", str(case), "--out", str(folder / "out")])
+    assert ran.exit_code == 0, ran.output
+    reported = CliRunner().invoke(app, ["report", str(case), "--out", str(folder / "report.html")])
+    assert reported.exit_code == 0, reported.output
+    texts = {
+        "terminal": ran.output,
+        "csv": (folder / "out" / "curve.csv").read_text(encoding="utf-8"),
+        "report": Page((folder / "report.html").read_text(encoding="utf-8")).text,
+        "page": "\n".join(remarks(solved(Question(tomllib.loads(CASE), folder)))),
+    }
+    return {place: " ".join(text.split()) for place, text in texts.items()}
+
+
+@pytest.mark.parametrize("place", ["terminal", "csv", "report", "page"])
+def test_every_law_is_named(said, place):
+    assert LINE in said[place]
