@@ -55,7 +55,7 @@ def test_the_table_begins_with_what_it_is_and_pandas_reads_it(case, tmp_path):
     np.testing.assert_allclose(table["friction_coefficient"], solved["friction_coefficient"], rtol=4e-16)
     np.testing.assert_allclose(table["load [N]"], solved["load"], rtol=4e-16)
     said = [line[2:] for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("#")]
-    assert "title: with # in it" in said and any(line.startswith("model: soft_coating_2015 (") for line in said)
+    assert "title: with # in it" in said and any(line.startswith("model: soft_coating_2015, asperity law ") for line in said)
     assert any(line.startswith("grade: C: ") for line in said)
     assert [line.removeprefix("doubt: ") for line in said if line.startswith("doubt: ")] == [
         str(one) for one in doubts_of(solved)
