@@ -20,7 +20,7 @@ from functools import cache, partial
 from pathlib import Path
 
 import stiction as st
-from stiction.contact.materials import material_names
+from stiction.contact.materials import material_names, symbols_of
 from stiction.laws.asperity.shared import letting_go as unloading
 from stiction.laws.claims import KINDS_OF_DOUBT
 from stiction.laws.film.shared.measured import summary, summary_on_maps
@@ -220,9 +220,12 @@ def more(record: Record) -> list[str]:
 
 def materials() -> str:
     """Every preset with its numbers and their ranges."""
-    head = ("preset", *(f"{QUANTITIES[name].meaning.split(',')[0]} {QUANTITIES[name].symbol} (range)" for name in LISTED))
-    presets = [st.material(key) for key in material_names()]
-    return table(head, [(f"`{preset.name}`", *(with_range(preset, name) for name in LISTED)) for preset in presets])
+    numbers = (f"{QUANTITIES[name].meaning.split(',')[0]} {QUANTITIES[name].symbol} (range)" for name in LISTED)
+    rows = []
+    for name in material_names():
+        words = ", ".join(f"`{word}`" for word in (name, *symbols_of(name)))
+        rows.append((words, *(with_range(st.material(name), quantity) for quantity in LISTED)))
+    return table(("preset, symbols", *numbers), rows)
 
 
 def material_sources() -> str:

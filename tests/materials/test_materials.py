@@ -5,9 +5,16 @@ import re
 import pytest
 
 from stiction.contact.contact import Contact
-from stiction.contact.materials import Material, material, material_names
+from stiction.contact.materials import Material, material, material_names, symbols_of
 from stiction.laws.sources import bibliography
 from stiction.quantities.errors import InputError
+from stiction.studies.case.read import parse_case
+
+SURFACE = {
+    "nominal_area": "1 mm^2",
+    "work_of_adhesion": "0.1 J/m^2",
+    "roughness": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+}
 
 
 def test_every_preset_is_valid_and_says_where_each_number_is_from():
@@ -63,6 +70,68 @@ def test_hardness_numbers_are_converted():
     }
     for name, kgf in numbers.items():
         assert material(name).hardness == pytest.approx(kgf * 9.80665e6, rel=0.01), name
+
+
+# Symbol or formula, and the printed Young's modulus in GPa: tin, the metal, has 50, its namesake TiN 525.
+@pytest.mark.parametrize(
+    ("symbol", "name", "modulus"),
+    [
+        ("TiN", "titanium_nitride", 525),
+        ("tin", "tin", 50),
+        ("Sn", "tin", 50),
+        ("Ag", "silver", 82),
+        ("ag", "silver", 82),
+        ("In", "indium", 11),
+        ("Al2O3", "alumina", 360),
+        ("a-C:H", "hydrogenated_amorphous_carbon", 173),
+        ("ta-C", "tetrahedral_amorphous_carbon", 572),
+        ("PTFE", "ptfe", 0.6),
+        ("Ti-6Al-4V", "titanium_6al_4v", 114),
+        ("100Cr6", "hardened_steel_52100", 210),
+    ],
+)
+def test_a_symbol_or_formula_is_its_material(symbol, name, modulus):
+    assert material(symbol).name == name
+    assert material(symbol).youngs_modulus == pytest.approx(modulus * 1e9, rel=1e-12)
+    contact = {"first": symbol, "second": {"preset": symbol, "hardness": "5 GPa"}}
+    subject = parse_case({"contact": contact | SURFACE, "solve": {"load": "1 N"}}).subject
+    assert (subject.first, subject.second) == (material(name), material(name, hardness="5 GPa"))
+
+
+@pytest.mark.parametrize(
+    ("word", "candidates"),
+    [
+        ("DLC", {"hydrogenated_amorphous_carbon", "tetrahedral_amorphous_carbon", "amorphous_carbon"}),
+        ("TIN", {"tin", "titanium_nitride"}),
+        ("Tin", {"tin", "titanium_nitride"}),
+    ],
+)
+def test_a_word_for_several_presets_is_asked_back(word, candidates):
+    """Offer every preset that is meant by the word, and no other one, also in a case with materials of its own."""
+    contact = {"first": "silver", "second": word, **SURFACE}
+    own = {"mine": {"youngs_modulus": "1 GPa", "poissons_ratio": 0.3, "hardness": "1 GPa"}}
+    for asked in (
+        lambda: material(word),
+        lambda: parse_case({"contact": contact, "solve": {"load": "1 N"}}),
+        lambda: parse_case({"contact": contact, "materials": own, "solve": {"load": "1 N"}}),
+    ):
+        with pytest.raises(InputError) as caught:
+            asked()
+        assert caught.value.value == word
+        assert {name for name in material_names() if re.search(rf"\b{name} \(", caught.value.allowed)} == candidates
+
+
+def test_no_symbol_is_the_name_of_another_preset():
+    every = [symbol for name in material_names() for symbol in symbols_of(name)]
+    assert len(every) == len(set(every)) and not set(every) & set(material_names())
+    assert "DLC" not in every
+
+
+def test_a_material_of_the_case_goes_before_a_symbol():
+    own = {"Ag": {"youngs_modulus": "1 GPa", "poissons_ratio": 0.3, "hardness": "1 GPa"}}
+    contact = {"first": "Ag", "second": "Au", **SURFACE}
+    subject = parse_case({"contact": contact, "materials": own, "solve": {"load": "1 N"}}).subject
+    assert (subject.first.youngs_modulus, subject.second) == (1e9, material("gold"))
 
 
 def test_a_replaced_number_loses_its_source_and_its_range():
@@ -164,8 +233,8 @@ def test_docstring_comes_from_the_table():
     assert "youngs_modulus: Young's modulus [Pa], >= 1000 Pa" in Material.__doc__
 
 
-@pytest.mark.parametrize(("written", "meant"), (("PTFE", "ptfe"), ("Ti6Al4V", "titanium_6al_4v"), ("SILVER", "silver")))
-def test_a_preset_in_capital_letters_is_suggested(written, meant):
-    """As coating people write them."""
-    with pytest.raises(InputError, match=f"a preset: {meant}.* \\(all: alumina"):
-        material(written)
+@pytest.mark.parametrize(("given", "meant"), [("SLVER", "silver"), ("TTANIUM", "titanium"), ("PTE", "ptfe")])
+def test_a_misspelt_preset_is_suggested_whatever_its_case(given, meant):
+    with pytest.raises(InputError) as caught:
+        material(given)
+    assert meant in caught.value.allowed.partition(" (all:")[0]

@@ -1,7 +1,7 @@
 """Materials, given by numbers or taken from the presets in material_data/ (one file per source of data)."""
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import resources
 from typing import Any, NamedTuple, Self
@@ -14,7 +14,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber, nearest
 from stiction.quantities.units import to_si
 
-__all__ = ["Material", "material", "material_names"]
+__all__ = ["Material", "material", "material_names", "preset_name", "symbols_of"]
 
 
 class Material(Input):
@@ -90,15 +90,40 @@ def material_names() -> list[str]:
 
 
 def material(name: str, /, **changes) -> Material:
-    """The preset of that name, changed where fields are given: material("silver", hardness="1 GPa").
+    """The preset of that name or symbol, changed where fields are given: material("Ag", hardness="1 GPa").
 
     changes: fields of `Material`, in SI or text with a unit; what is replaced loses its source and its range. Raises InputError
-    for an unknown name, listing those near to it, and for a bad number.
+    for an unknown name, listing those near to it, for one of several presets, and for a bad number.
     """
-    if not isinstance(name, str) or name not in _presets():
-        raise InputError("material", name, "a preset: " + nearest(name, material_names()))
+    name = preset_name(name)
     preset = _presets()[name]
     return Material(**{"name": name, **preset.numbers} | changes | _notes_left(preset.source, preset.range, changes))
+
+
+def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) -> str:
+    """Return the name of the preset that a name, chemical symbol or formula stands for: "silver" for "Ag".
+
+    Upper and lower case count only where they tell presets apart: "tin" is the metal, "TiN" the nitride. others: names that
+    would be accepted in place of a preset. Raises InputError, with the name of the field, for an unknown or ambiguous word.
+    """
+    if isinstance(word, str) and word in _presets():
+        return word
+    words = {(name, text) for name, preset in _presets().items() for text in (name, *preset.symbols)}
+    exact = {name for name, text in words if text == word}
+    meant = sorted(exact or {name for name, text in words if text.casefold() == str(word).casefold()})
+    if len(meant) == 1:
+        return meant[0]
+    if meant:
+        choices = ", ".join(f"{name} ({symbols_of(name)[0]})" for name in meant)
+        raise InputError(field, word, f"one of {choices}: several presets have this name")
+    wanted = "a material of the case, or a preset: " if others else "a preset: "
+    raise InputError(field, word, wanted + nearest(word, [*others, *material_names()]))
+
+
+def symbols_of(name: str) -> tuple[str, ...]:
+    """Return the chemical symbols, formulas and designations that mean this preset and no other, the usual one first."""
+    every = [symbol for preset in _presets().values() for symbol in preset.symbols]
+    return tuple(symbol for symbol in _presets()[name].symbols if every.count(symbol) == 1)
 
 
 def _notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
@@ -124,11 +149,12 @@ def as_material(value):
 
 
 class _Preset(NamedTuple):
-    """A preset as its file has it: numbers, and for each of them where it comes from and its low and high end."""
+    """A preset as its file has it: numbers, for each of them where it comes from and its low and high end, and symbols."""
 
     numbers: dict[str, Any]
     source: dict[str, str]
     range: dict[str, list]
+    symbols: tuple[str, ...]
 
 
 @cache
@@ -140,9 +166,9 @@ def _presets() -> dict[str, _Preset]:
             continue
         content = tomllib.loads(file.read_text(encoding="utf-8"))
         for name, data in content["materials"].items():
-            notes, ends = data.pop("source", {}), data.pop("range", {})
+            notes, ends, symbols = data.pop("source", {}), data.pop("range", {}), tuple(data.pop("symbols", ()))
             source = {field: notes.get(field, content["source"].get(field, "")) for field in data}
             if name in presets:
                 raise ValueError(f"material {name} stands in two files")
-            presets[name] = _Preset(data, source, ends)
+            presets[name] = _Preset(data, source, ends, symbols)
     return presets

@@ -9,7 +9,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from stiction.contact.materials import Material, material, material_names
+from stiction.contact.materials import Material, material, material_names, symbols_of
 from stiction.contact.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
@@ -34,7 +34,7 @@ def _row(preset: Material) -> dict[str, Any]:
         }
         for name in sources
     }
-    return {"name": preset.name, "numbers": numbers}
+    return {"name": preset.name, "symbols": list(symbols_of(preset.name)), "numbers": numbers}
 
 
 def with_range(preset: Material, name: str) -> str:
@@ -54,20 +54,26 @@ def materials_table(names: Iterable[str]) -> Table:
         table.add_column(f"{QUANTITIES[name].symbol}\nrange", overflow="fold")
     for name in names:
         preset = material(name)
-        table.add_row(name, *(_two_lines(preset, quantity) for quantity in LISTED))
+        table.add_row(_lines(name, ", ".join(symbols_of(name))), *(_two_lines(preset, quantity) for quantity in LISTED))
     return table
 
 
 def _two_lines(preset: Material, name: str) -> Text:
     """A number, and its range below."""
     number, _, ends = with_range(preset, name).partition(" (")
-    return Text(number) + Text(f"\n{ends.removesuffix(')')}", style="dim")
+    return _lines(number, ends.removesuffix(")"))
+
+
+def _lines(first: str, second: str) -> Text:
+    """Return two lines of a cell, the second one dim."""
+    return Text(first) + Text(f"\n{second}", style="dim")
 
 
 def material_in_full(name: str) -> Group:
     """Every number of a preset, with its range and its source."""
     preset = material(name)
-    lines: list[RenderableType] = [Text(name, style="bold")]
+    symbols = "".join(f", {one}" for one in symbols_of(preset.name))
+    lines: list[RenderableType] = [Text(preset.name, style="bold") + Text(symbols)]
     for quantity, source in (preset.source if isinstance(preset.source, dict) else {}).items():
         row = QUANTITIES[quantity]
         lines.append(Text(f"{row.symbol}, {row.meaning.partition(',')[0]}: {with_range(preset, quantity)}"))

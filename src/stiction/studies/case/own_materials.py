@@ -5,9 +5,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from stiction.contact.materials import Material, as_material, material_names
+from stiction.contact.materials import Material, as_material, material_names, preset_name
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import nearest
 
 __all__ = ["telling_the_file", "with_materials_of_file", "with_own_materials"]
 
@@ -97,6 +96,5 @@ def _found(body: Any, own: Mapping[str, Material], where: str) -> Any:
             return own[name].replace(**changes)
         except InputError as error:
             raise InputError(f"{where}.{error.field}", error.value, error.allowed) from None
-    if name not in material_names():
-        raise InputError(where, name, "a material of the case, or a preset: " + nearest(name, [*own, *material_names()]))
+    preset_name(name, where, list(own))
     return body
