@@ -372,6 +372,43 @@ def test_the_address_opens_the_same_page_elsewhere_and_what_is_wrong_stands_besi
     assert _status(page) == said
 
 
+OLD = re.compile("^Result of earlier numbers: press “Compare all models at this load”")
+
+
+def test_a_comparison_of_earlier_numbers_says_so_until_it_is_made_again(fresh):
+    page, ready = fresh, re.compile("^(Recommended|No model is recommended)")
+    before = _mu_of_the_case(page)
+    _tab(page, "Compare")
+    page.get_by_text(ready).wait_for()
+    assert not page.get_by_text(OLD).is_visible() and _mu_of_the_row(page) == pytest.approx(before, rel=0.005)
+    page.get_by_label("work of adhesion gamma", exact=True).first.fill("0.3 J/m^2")
+    page.get_by_text(OLD).wait_for()
+    page.get_by_role("button", name="Compare all models at this load").click()
+    page.get_by_text(OLD).wait_for(state="hidden")
+    after = _mu_of_the_case(page)
+    _tab(page, "Compare")
+    assert abs(after / before - 1.0) > 0.05 and _mu_of_the_row(page) == pytest.approx(after, rel=0.005)
+    page.get_by_role("button", name="Compare all models at this load").wait_for()
+    _tab(page, "Contact")
+    page.get_by_role("slider", name="point of the curve").locator("[tabindex='0']").press("PageDown")
+    page.wait_for_function("mu => !document.body.innerText.includes(`four digits ${mu}`)", arg=f"{after:.4g}")
+    elsewhere = _mu_of_the_case(page)
+    _tab(page, "Compare")  # opened anew, it compares anew, at the load of that point
+    page.get_by_text(OLD).wait_for(state="hidden")
+    assert abs(elsewhere / after - 1.0) > 0.02 and _mu_of_the_row(page) == pytest.approx(elsewhere, rel=0.005)
+
+
+def _mu_of_the_case(page):
+    """The number of the tab Contact."""
+    _tab(page, "Contact")
+    return float(re.search(r"mu to four digits (\S+)", page.get_by_role("status").first.inner_text())[1])
+
+
+def _mu_of_the_row(page):
+    """The number of the model of the case in the table of the tab Compare."""
+    return float(page.locator("tr", has_text="soft_coating_2015 + sequential").locator("td").nth(1).inner_text())
+
+
 def test_the_place_with_a_figure_as_the_case(fresh):
     page = fresh
     _tab(page, "Where am I")

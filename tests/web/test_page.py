@@ -41,17 +41,20 @@ async def _page(state=""):
 
 
 def _texts(user: User) -> list[str]:
+    return [one.text for one in _elements(user, ui.label)]
+
+
+def _elements(user: User, kind: type) -> list:
     with user:
-        return [one.text for one in user.current_layout.descendants() if isinstance(one, ui.label)]
+        return [one for one in user.current_layout.descendants() if isinstance(one, kind)]
+
+
+def _labelled(user: User, kind: type, label: str):
+    return next(one for one in _elements(user, kind) if one.props.get("aria-label") == label)
 
 
 def _input(user: User, label: str):
-    with user:
-        return next(
-            one
-            for one in user.current_layout.descendants()
-            if isinstance(one, ui.input) and one.props.get("aria-label") == label
-        )
+    return _labelled(user, ui.input, label)
 
 
 async def _until(user: User, wanted) -> None:
@@ -79,6 +82,21 @@ async def test_a_knob_that_moves_changes_the_number():
         before = _mu(user)
         _input(user, "work of adhesion gamma").set_value("0.3 J/m^2")
         await _until(user, lambda: _mu(user) != before)
+
+
+@in_a_loop
+async def test_a_film_that_is_switched_off_and_on_keeps_its_numbers_and_the_title_follows():
+    async with _page() as user:
+        steel, silver = "hardened steel 52100 on hardened steel 52100", first_case()["title"]
+        assert silver in _texts(user) and _mu(user) == "mu ≈ 0.046"
+        _labelled(user, ui.switch, "there is a coating").set_value(False)
+        await _until(user, lambda: steel.capitalize() in _texts(user))
+        assert silver not in _texts(user) and _mu(user) != "mu ≈ 0.046"
+        _labelled(user, ui.switch, "there is a coating").set_value(True)
+        await _until(user, lambda: silver in _texts(user))
+        assert _mu(user) == "mu ≈ 0.046" and "0.4 GPa" in [one.value for one in _elements(user, ui.input)]
+        _input(user, "film thickness, of both films together if there are two t").set_value("300 nm")
+        await _until(user, lambda: f"Silver film, 300 nm, {steel}" in _texts(user))
 
 
 @in_a_loop

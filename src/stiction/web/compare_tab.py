@@ -42,7 +42,7 @@ class CompareTab:
         self._explorer = explorer
         self._data: Any = None
         self._asked: Any = None
-        self._study = Study("Compare all models at this load", self._work, self._show)
+        self._study = Study(explorer, "Compare all models at this load", self._work, self._show)
         self._advice = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
         self._more = ui.label().classes("text-sm").style("white-space: pre-line")
         self._picture = Picture("friction by model", "", 620)
@@ -59,8 +59,8 @@ class CompareTab:
         explorer.listen(self._again)
 
     async def opened(self) -> None:
-        """The tab is seen: compare, if the case is another one than last time."""
-        if self._asked is not self._explorer.good:
+        """Compare when the tab is opened, unless that was done for the present numbers."""
+        if not self._study.is_current:
             await self._study.start()
 
     def _again(self) -> None:

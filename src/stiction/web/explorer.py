@@ -10,6 +10,7 @@ from weakref import WeakSet
 from stiction.web.address import files_named, packed
 from stiction.web.asked import Answer, Question, solved
 from stiction.web.fields import dropped, placed
+from stiction.web.titles import retitled
 from stiction.web.words import headline
 from stiction.web.working import Latest
 
@@ -42,6 +43,7 @@ class Explorer:
 
     def __init__(self, question: Question, answer: Answer):
         self.question, self.answer = question, answer
+        self._opened = question.tables  # the case that has the title
         self.good = answer  # the newest without an error
         self.view = View()
         self._models: tuple[Answer, list[float]] | None = None
@@ -67,8 +69,10 @@ class Explorer:
         self.redraw()
 
     async def ask(self, tables: Mapping[str, Any]) -> None:
-        """Solve these tables, and show what comes out."""
-        self.question = self.question.with_tables(tables)
+        """Solve these tables under a title that fits them, and show the result. Another title makes it another case."""
+        if tables.get("title") != self.question.tables.get("title"):
+            self._opened = tables
+        self.question = self.question.with_tables(retitled(tables, self._opened))
         await self._latest.ask(self.question)
 
     async def put(self, path: tuple[str, ...], value: Any) -> None:

@@ -28,6 +28,7 @@ class Form:
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         self._inputs: dict[tuple[str, ...], Any] = {}
+        self._switched_off: dict[tuple[str, ...], Any] = {}  # numbers of parts, which come back with them
         self.other = ui.label().classes("text-negative").props('role="alert"')  # an error of no field
         self.other.set_visibility(False)
         self._column = ui.column().classes("w-full gap-1")
@@ -108,7 +109,10 @@ class Form:
     async def _switched(self, part: Part, there: bool) -> None:
         from stiction.web.first import OPTIONAL_PARTS
 
-        await self._explorer.put(part.path, OPTIONAL_PARTS.get(part.path[-1]) if there else None)
+        if not there:
+            self._switched_off[part.path] = got(self._explorer.question.tables, part.path)
+        numbers = self._switched_off.get(part.path) or OPTIONAL_PARTS.get(part.path[-1])
+        await self._explorer.put(part.path, numbers if there else None)
         self.build()
 
     def _choices(self, one: Choices) -> None:

@@ -41,7 +41,7 @@ class PlaceTab:
             self._claim = ui.select(claims, value=_NO_CLAIM, label="claim of the 2015 paper", on_change=self._claimed)
             self._claim.classes("w-80").props("dense outlined")
             self._reading = ui.toggle(list(READINGS), value=READINGS[0], on_change=self._again).props("dense no-caps")
-        self._study = Study("Judge the claims in the plane", self._judged, lambda _: self.show())
+        self._study = Study(None, "Judge the claims in the plane", self._judged, lambda _: self.show())
         self._plane = Picture("plane of the adhesion indices", "460px", 620)
         ui.label("Figures of the 2015 paper").classes("text-lg")
         with ui.row().classes("items-center gap-3"):

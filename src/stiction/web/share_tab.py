@@ -30,7 +30,11 @@ class ShareTab:
         ui.label("The report: answer, inputs with their sources, pictures, all models, validity, on one page to print or send. "
                  "On the command line: stiction report case.toml").classes("text-sm")  # fmt: skip
         self._study = Study(
-            "Make the report", lambda progress: report_of(explorer.good, progress), self._give, "report.html is downloaded"
+            explorer,
+            "Make the report",
+            lambda progress: report_of(explorer.good, progress),
+            self._give,
+            "report.html is downloaded",
         )
         ui.label("The same numbers, to the last digit, on the command line: stiction run case.toml").classes("text-sm")
         self._text = ui.code("", language="toml").classes("w-full")

@@ -142,7 +142,7 @@ class StudiesTab:
 
     def _study(self, label: str, work: Callable[[Progress], Result]) -> None:
         view = self._explorer.view
-        Study(label, lambda progress: work(progress).drawn(view.narrow), lambda found: self._show(below, found))
+        Study(self._explorer, label, lambda progress: work(progress).drawn(view.narrow), lambda found: self._show(below, found))
         below = ui.column().classes("w-full")
 
     @staticmethod

@@ -7,6 +7,7 @@ from typing import Any
 from nicegui import context, ui
 
 from stiction.quantities.errors import InputError
+from stiction.web.explorer import Explorer
 from stiction.web.working import STUDIES, Progress, run
 
 __all__ = ["Study"]
@@ -15,20 +16,57 @@ _EVERY = 0.3  # seconds between looks at how far it is
 
 
 class Study:
-    """One at a time for each visitor. work(progress), in a thread, gives what show takes, in the loop; done: what is said
-    then."""
+    """Run one study at a time for each visitor, and mark its result as old once the case has changed.
 
-    def __init__(self, label: str, work: Callable[[Progress], Any], show: Callable[[Any], None], done: str = ""):
-        self._work, self._show, self._done = work, show, done
+    explorer: has the case, None for a result that does not depend on it; work(progress) runs in a thread; show takes its
+    result in the loop; done: the text that follows.
+    """
+
+    def __init__(
+        self,
+        explorer: Explorer | None,
+        label: str,
+        work: Callable[[Progress], Any],
+        show: Callable[[Any], None],
+        done: str = "",
+    ):
+        self._explorer, self._work, self._show, self._done = explorer, work, show, done
         self._progress: Progress | None = None
+        self._asked: Any = None  # the answer of the case, and its point, of the last run
+        self._shown: Any = None  # those of the result that is shown
         self._began = 0.0
         with ui.row().classes("items-center gap-3 w-full"):
             self._start = ui.button(label, on_click=self.start).props("no-caps")
             self._stop = ui.button("Stop", on_click=self.stop).props("no-caps outline")
             self._said = ui.label().props('role="status"')
+        self._old = ui.label(f"Result of earlier numbers: press “{label}” for the present ones.")
+        self._old.classes("text-negative font-bold").props('role="status"')
         self._timer = ui.timer(_EVERY, self._look, active=False)
         self._stop.set_visibility(False)
+        self._mark()
+        if explorer is not None:
+            explorer.listen(self._mark)
         context.client.on_delete(self.stop)  # who leaves keeps nobody waiting
+
+    @property
+    def is_current(self) -> bool:
+        """Whether the last run was of the present answer and point."""
+        return self._of_present(self._asked)
+
+    def _present(self) -> tuple[Any, int]:
+        return (None, 0) if self._explorer is None else (self._explorer.good, self._explorer.here)
+
+    def _of_present(self, asked: Any) -> bool:
+        answer, here = self._present()
+        return asked is not None and asked[0] is answer and asked[1] == here
+
+    def _mark(self) -> None:
+        self._old.set_visibility(self._shown is not None and not self._of_present(self._shown))
+
+    def _watched(self, progress: Progress) -> Any:
+        """The result; its numbers are noted first, so that it is never taken for one of later numbers."""
+        self._asked = self._present()
+        return self._work(progress)
 
     async def start(self) -> None:
         """Begin, unless it is under way."""
@@ -39,8 +77,8 @@ class Study:
         self._running(True)
         said = ""
         try:
-            self._show(await run(progress.watched, self._work, pool=STUDIES))
-            said = self._done
+            self._show(await run(progress.watched, self._watched, pool=STUDIES))
+            self._shown, said = self._asked, self._done
         except InputError as error:
             said = str(error)
         except KeyboardInterrupt:
@@ -49,6 +87,7 @@ class Study:
             self._progress = None
             self._running(False)
             self._said.set_text(said)
+            self._mark()
 
     def stop(self) -> None:
         """End it at its next step."""

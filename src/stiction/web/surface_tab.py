@@ -64,7 +64,7 @@ class SurfaceTab:
             with ui.element("div").classes("w-full") as self._above:
                 self._solid = ui.echart({}, enable_3d=True).classes("w-full").style("height: 380px")
             self._solid.props('role="img" aria-label="map of the heights in three dimensions"')
-            Study("Resolution: how asperities and mu hang on the shortest wave", self._fan, self._show_fan)
+            Study(explorer, "Resolution: how asperities and mu hang on the shortest wave", self._fan, self._show_fan)
             self._below = ui.column().classes("w-full")
         self._body.set_visibility(False)
         explorer.listen(self._again)

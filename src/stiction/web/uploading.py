@@ -29,6 +29,7 @@ def upload_button(
 
     hidden = ui.upload(auto_upload=True, max_file_size=most, on_upload=arrived)
     hidden.on_rejected(lambda: refused(f"{label}: refused; allowed: one file of {most // 2**20} MiB at most"))
+
     def failed() -> None:
         hidden.reset()  # else the library takes no other file
         refused(f"{label}: the file did not arrive; try again")
