@@ -5,6 +5,7 @@ from pydantic import model_validator
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber
+from stiction.quantities.units import show
 
 __all__ = ["Liquid"]
 
@@ -40,7 +41,9 @@ class Liquid(Input):
         self.check_dimensions()
         if not np.all(np.asarray(self.wetting) > 0.0):
             allowed = "angles whose cosines add up to more than 0: this liquid does not condense between the bodies"
-            raise InputError("contact_angle_second", float(np.asarray(self.contact_angle_second).max()), allowed)
+            angles = {name: float(np.max(getattr(self, name))) for name in ("contact_angle_first", "contact_angle_second")}
+            name = max(angles, key=lambda name: angles[name])
+            raise InputError(name, show(angles[name], name), allowed)
         if self.surface_tension is None:
             low, high = _LIQUID
             outside = (np.asarray(self.temperature) < low) | (np.asarray(self.temperature) >= high)

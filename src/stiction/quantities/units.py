@@ -20,7 +20,7 @@ from stiction.quantities.hardness import from_hardness_test
 from stiction.quantities.hints import meant, too_soft, with_a_point
 from stiction.quantities.table import QUANTITIES, Quantity
 
-__all__ = ["axis", "from_series", "reason_of", "several_in_words", "show", "to_si"]
+__all__ = ["axis", "from_series", "in_degrees", "reason_of", "several_in_words", "show", "to_si"]
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 # pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
@@ -59,9 +59,9 @@ def to_si(value, name: str):
 
 
 def show(value, name: str, digits: int = 6) -> str:
-    """A value of the named quantity, given in SI, as short text with a fitting prefix: "48 nm", "1.25 mN"; to so many digits,
-    six at most."""
-    unit = QUANTITIES[name].unit
+    """A value of the named quantity, given in SI, as short text with a fitting prefix: "48 nm", "1.25 mN", "110 deg"; to so
+    many digits, six at most."""
+    value, unit = in_degrees(value, QUANTITIES[name].unit)
     value = float(f"{value:.{digits}g}")
     prefixed = re.fullmatch(r"(m|Pa|N|J)(\^[23])?(.*)", unit)
     if prefixed is None or value == 0 or not np.isfinite(value):
@@ -72,6 +72,11 @@ def show(value, name: str, digits: int = 6) -> str:
     exponent = int(f"{value:.5e}".partition("e")[2]) // (3 * power) * 3
     exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
     return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{raised}{rest}"
+
+
+def in_degrees(value: float, unit: str) -> tuple[float, str]:
+    """Return a number and its unit as people write them: angles in degrees, all else as it is."""
+    return (float(np.degrees(value)), "deg") if unit == "rad" else (value, unit)
 
 
 def several_in_words(values, where: str, count: int | None = None) -> InWords:

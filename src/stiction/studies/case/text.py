@@ -9,6 +9,7 @@ import numpy as np
 import tomli_w
 
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import in_degrees
 from stiction.studies.case.distribution import Distribution, is_law
 from stiction.studies.case.places import with_numbers
 from stiction.studies.case.uncertain import read_distribution
@@ -25,7 +26,7 @@ def with_written(content: Mapping, numbers: Mapping[tuple[str, ...], float]) -> 
 
 def show_exactly(value: float, name: str) -> Any:
     """A number of the named quantity as a case file has it, to ten digits."""
-    unit = QUANTITIES[name].unit
+    value, unit = in_degrees(value, QUANTITIES[name].unit)
     return f"{value:.10g} {unit}" if unit else float(f"{value:.10g}")
 
 
