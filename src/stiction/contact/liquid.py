@@ -41,7 +41,7 @@ class Liquid(Input):
         self.check_dimensions()
         if not np.all(np.asarray(self.wetting) > 0.0):
             allowed = "angles whose cosines add up to more than 0: this liquid does not condense between the bodies"
-            angles = {name: float(np.max(getattr(self, name))) for name in ("contact_angle_first", "contact_angle_second")}
+            angles = {name: float(np.max(getattr(self, name))) for name in ("contact_angle_second", "contact_angle_first")}
             name = max(angles, key=lambda name: angles[name])
             raise InputError(name, show(angles[name], name), allowed)
         if self.surface_tension is None:
