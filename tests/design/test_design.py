@@ -8,6 +8,7 @@ from typer.testing import CliRunner
 
 from stiction import cli
 from stiction.quantities.errors import InputError
+from stiction.report.design_pictures import design_figure
 from stiction.report.design_tables import design_notes
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
@@ -68,6 +69,23 @@ def test_a_target_is_met():
     subject = subject_of(table)
     there = subject.replace(roughness=subject.roughness.replace(asperity_radius=radius))
     assert float(solve(there, load=LOAD, model="persson_2001")["friction_coefficient"]) == pytest.approx(0.123, rel=1e-8)
+    assert found.data().attrs["missed"] == "" and abs(float(found.data()["friction_coefficient_off_target"][0])) < 1e-8
+
+
+def test_a_target_out_of_reach_is_missed_and_it_is_said_by_how_much(tmp_path):
+    """Slopes go as (sigma/R)^(1/2): the least friction between 1 and 2 um is that of 1 um, above .0002."""
+    radius = {"roughness": {"asperity_radius": {"low": "1 um", "high": "2 um"}}}
+    table = case({"target": "friction_coefficient", "value": 0.0002}, radius)
+    data = design(table)
+    least = design(case(LEAST, radius))
+    mu = float(least["friction_coefficient"][0])
+    assert float(data["friction_coefficient"][0]) == pytest.approx(mu, rel=1e-6) and mu > 0.0003
+    assert float(data["friction_coefficient_off_target"][0]) == pytest.approx(mu / 0.0002 - 1.0, rel=1e-6)
+    said = f"friction_coefficient = {mu:.4g}, {100.0 * (mu / 0.0002 - 1.0):.3g} % above 0.0002"
+    assert data.attrs["missed"] == said and least.attrs["missed"] == ""
+    assert f"objective missed: {said}" in "\n".join(map(str, design_notes(data)))
+    assert said in design_figure(data).get_suptitle()
+    assert said in run_design(plan_of_design(table), lambda count, text: None).case_text(tmp_path)
 
 
 def test_a_limit_from_below_and_an_end_that_decides():

@@ -156,6 +156,12 @@ def test_studies_are_made_and_stopped(page):
     _tab(page, "Studies")
     page.get_by_role("button", name="Design", exact=True).click()
     page.get_by_text(re.compile("wished: friction_coefficient next to 0.1")).wait_for()
+    assert not page.get_by_text(re.compile("^Objective missed")).count()
+    page.get_by_label("wished mu").fill("0.5")  # beyond what the ends of the free number give
+    page.get_by_role("button", name="Design", exact=True).click()
+    page.get_by_role("alert").get_by_text(
+        re.compile(r"^Objective missed: friction_coefficient = 0\.1\d+, \d\d.* % below 0\.5\.$")
+    ).wait_for()
     page.get_by_role("button", name="Uncertainty", exact=True).click()
     page.get_by_role("button", name="Stop").click()
     page.get_by_text("stopped", exact=True).wait_for()

@@ -33,7 +33,8 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     figure = Figure(figsize=(max(5.6 * len(drawn), 7.0), 4.8), layout="constrained")
     for axes, draw in zip(figure.subplots(1, len(drawn), squeeze=False)[0], drawn, strict=True):
         draw(axes)
-    figure.suptitle("\n".join(filter(None, [data.attrs.get("case", ""), "; ".join(said)])), fontsize=11)
+    missed = [f"missed: {words}" for words in data.attrs["missed"].split("\n") if words]
+    figure.suptitle("\n".join(filter(None, [data.attrs.get("case", ""), "; ".join(said), *missed])), fontsize=11)
     return figure
 
 

@@ -42,12 +42,17 @@ def design_table(data: "xarray.Dataset", along: str) -> Table:
 
 def _head(name: str) -> str:
     last = name.rpartition(".")[2]
+    if name.endswith("_off_target"):
+        return "off target"
     return {"kept": "limits"}.get(last, QUANTITIES[last].symbol if last in QUANTITIES else last.replace("_", " "))
 
 
 def _cell(name: str, value: Any) -> str:
     if name == "kept":
         return "kept" if value else "broken"
+    if name.endswith("_off_target"):
+        percent = 100.0 * float(value)
+        return f"{percent:+.3g} %" if abs(percent) >= 0.005 else "0 %"
     last = name.rpartition(".")[2]
     if isinstance(value, str | np.str_):
         return str(value)
@@ -62,6 +67,8 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
         yield Text("limits: " + "; ".join(used["limits"].split("\n")))
     if used["uncertain"]:
         yield Text(f"of what is uncertain ({used['uncertain']}) wishes and limits hold for 95 %")
+    for words in filter(None, used["missed"].split("\n")):
+        yield Text(f"objective missed: {words}; widen the ranges or choose another number", style="bold yellow")
     if used["verdict"]:
         yield Text(used["verdict"], style="bold yellow")
     for at in range(min(data.sizes["design"], _ROWS)):

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,14 +24,15 @@ __all__ = ["Result", "StudiesTab", "calibrated", "designed", "how_sure", "what_m
 
 @dataclass(frozen=True)
 class Result:
-    """What a study shows: text as of the terminal, and figures, each with what it shows in words."""
+    """What a study shows: text as of the terminal, figures, each with what it shows in words, and what is wrong with it."""
 
     text: str
     pictures: tuple[tuple[Any, str], ...] = ()
+    warnings: tuple[str, ...] = ()
 
     def drawn(self, narrow: bool) -> "Result":
         """The same with images in place of figures, for a narrow page or a wide one."""
-        return Result(self.text, tuple((image_of(figure, narrow), told) for figure, told in self.pictures))
+        return replace(self, pictures=tuple((image_of(figure, narrow), told) for figure, told in self.pictures))
 
 
 def how_sure(question: Question, ranges: bool, progress: Progress) -> Result:
@@ -95,7 +96,8 @@ def designed(
     tables = {**question.tables, "solve": {**solve, "load": [load]}, "design": table}
     data = run_design(make_design_plan(tables, question.folder), progress.tell).data()
     text = text_of([design_table(data, "design"), *design_notes(data)])
-    return Result(text, ((design_figure(data), "designs by how near they come to the wish"),))
+    missed = tuple(f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words)
+    return Result(text, ((design_figure(data), "designs by how near they come to the wish"),), missed)
 
 
 def calibrated(question: Question, data: Path, free: dict[tuple[str, ...], Any], progress: Progress) -> Result:
@@ -149,6 +151,8 @@ class StudiesTab:
     def _show(below: Any, found: Result) -> None:
         below.clear()
         with below:
+            for words in found.warnings:
+                ui.label(words).classes("text-lg text-negative").props('role="alert"')
             ui.label(found.text).classes("font-mono text-xs w-full overflow-auto").style("white-space: pre").props("tabindex=0")
             for source, told in found.pictures:
                 show_image(source, told)

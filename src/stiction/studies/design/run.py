@@ -12,6 +12,7 @@ from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
 from stiction.studies.case.read import read_content, wants_ranges, without_studies
 from stiction.studies.case.text import case_text, show_exactly, with_written
+from stiction.studies.design.missed import missed_objectives, off_targets
 from stiction.studies.design.plan import LOAD, DesignPlan, Options, make_design_plan
 from stiction.studies.design.space import TOLERANCE, Answers, Space
 
@@ -322,6 +323,8 @@ def _columns(found: Designing, rows: np.ndarray, along: str) -> dict[str, tuple]
     for name, values in known.items():
         if name not in columns:
             columns[name] = (along, values[rows], dict(QUANTITIES[name].attributes))
+    for name, off in off_targets(found.plan, known):
+        columns[f"{name}_off_target"] = (along, off[rows], {"long_name": "distance from the target, over its size"})
     columns["broken"] = (along, worst, {"long_name": "how far beyond its limits, over their size"})
     columns["kept"] = (along, worst <= TOLERANCE, {"long_name": "whether all limits are kept"})
     return columns
@@ -334,7 +337,7 @@ def _violated(found: Designing, rows: np.ndarray) -> np.ndarray:
 
 
 def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
-    _, _, worst, _ = found.archive.table()
+    _, _, worst, known = found.archive.table()
     plan = found.plan
     unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
     return {
@@ -349,6 +352,7 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
         "tolerance": TOLERANCE,
         "uncertain": _uncertain(plan),
         "verdict": "" if worst[best[0]] <= TOLERANCE else "no design keeps the limits; the nearest is shown",
+        "missed": "\n".join(missed_objectives(plan, known, int(best[0]))),
         "stopped": int(found.stopped),
     }
 
@@ -363,8 +367,9 @@ def _uncertain(plan: DesignPlan) -> str:
 def _designed_case(found: Designing, out: Path) -> str:
     plan = found.plan
     best = int(found.best()[0])
-    shares, _, worst, _ = found.archive.table()
+    shares, _, worst, known = found.archive.table()
     comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.wishes)}."]
+    comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
     if worst[best] > TOLERANCE:
         comments += [f"It breaks a limit: {words}." for words in found.space.violations(shares[best])]
     content: Any = without_studies(plan.given)
