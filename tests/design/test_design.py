@@ -17,6 +17,7 @@ from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
 from stiction.studies.case.read import parse_case, read_case
 from stiction.studies.case.results import solve_case
+from stiction.studies.comparison.compare import compare
 from stiction.studies.design import run as design_module
 from stiction.studies.design.plan import Limit
 from stiction.studies.design.run import _beyond, _front, _searched, design, plan_of_design, run_design
@@ -332,6 +333,16 @@ def test_broken_limits_are_named_with_their_values():
         }
     notes = "\n".join(map(str, design_notes(rough)))
     assert notes.count("N R sigma is not 0.001 to 1") == 2 and "broken (silver): " in notes and "broken (gold): " in notes
+
+
+def test_the_recommended_model_is_that_of_compare(tmp_path):
+    """Search with the model that compare recommends for the case as written, and name it in the designed case."""
+    table = case(MOST, RADIUS, {"area_fraction": {"high": 0.001}}, model="recommended", effort=5)
+    name = compare(subject_of(table | {"solve": {"load": "1 N"}}), load=LOAD).attrs["recommended"]
+    found, named = design(table), design(table | {"solve": {"load": "1 N", "model": name}})
+    assert found.attrs["model"] == name and found.identical(named)
+    text = run_design(plan_of_design(table), lambda count, text: None).case_text(tmp_path)
+    assert tomllib.loads(text)["solve"]["model"] == name
 
 
 def test_what_is_uncertain_is_held_for_nineteen_of_twenty():

@@ -132,7 +132,7 @@ def test_kelvin_radius():
         ({"relative_humidity": 1.0}, "relative_humidity"),
         ({"relative_humidity": "120 %"}, "relative_humidity"),
         ({"contact_angle_second": "180 deg"}, "contact_angle_second"),
-        ({"contact_angle_first": "100 deg", "contact_angle_second": "85 deg"}, "contact_angle_second"),
+        ({"contact_angle_first": "100 deg", "contact_angle_second": "85 deg"}, "contact_angle_first"),
         ({"temperature": "0 K"}, "temperature"),
         ({"temperature": "70 degF"}, "temperature"),
         ({"temperature": "700 K"}, "surface_tension"),

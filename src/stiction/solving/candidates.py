@@ -107,7 +107,8 @@ def choice_of(name: str, given: Mapping[str, str | None], subject: Subject) -> C
         known |= {key: Choice(_SUM, asperity=key) for key in of_kind(AsperityLaw)} if name not in known else {}
         if name not in known:
             if name == "recommended":
-                raise InputError(error.field, name, "a name: stiction.compare says which, in attrs['recommended']") from None
+                allowed = "the key of a model; `stiction compare` prints which it recommends"
+                raise InputError(error.field, name, allowed) from None
             raise InputError(error.field, name, ", ".join(dict.fromkeys([*of_kind(RoughSurface), *known]))) from None
     asked = Choice.of(name, given)
     laws = {law: getattr(asked, law) for law in LAWS if law != "model"}

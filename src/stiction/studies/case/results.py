@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -23,11 +23,13 @@ from stiction.studies.uncertainty.spreads import spreads_of_comparison
 
 if TYPE_CHECKING:
     import xarray
+    from _typeshed import DataclassInstance
 
-__all__ = ["compare_case", "film_of_case", "slide_case", "solve_case"]
+__all__ = ["compare_case", "film_of_case", "slide_case", "solve_case", "with_recommended"]
 
 
 RECOMMENDED = "recommended"
+Plan = TypeVar("Plan", bound="DataclassInstance")
 _LAYERED = "layered"  # the film law of `stiction film`
 _MOST = 1_000_000  # points at once in memory
 _FEW = 5  # curves of force against displacement of one case
@@ -121,15 +123,32 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
 
 def choice_of_case(case: Case, choice: Choice) -> Choice:
     """The choice with the model that its name stands for. Raises InputError where none is recommended."""
-    name = choice.model
-    if name == RECOMMENDED:
-        said = compare(case.subject, load=working_load(replace(case, choice=Choice()), None)).attrs
-        name = said.get("recommended", "none")
-        if name == "none":
-            why = said.get("reason", "without a working load, which is above 0, no model is judged")
-            raise InputError("model", RECOMMENDED, "; ".join(filter(None, ["a model by its key", why, said.get("advice")])))
+    name = recommended_model(case) if choice.model == RECOMMENDED else choice.model
     given = {law: getattr(choice, law) for law in LAWS if law != "model"} | dict(choice.options)
     return choice_of(name, given, case.subject)
+
+
+def recommended_model(case: Case) -> str:
+    """Return the name of the model that `compare` recommends at the working load. Raises InputError where there is none."""
+    said = compare(case.subject, load=working_load(replace(case, choice=Choice()), None)).attrs
+    name = said.get("recommended", "none")
+    if name == "none":
+        why = said.get("reason", "without a working load, which is above 0, no model is judged")
+        raise InputError("model", RECOMMENDED, "; ".join(filter(None, ["a model by its key", why, said.get("advice")])))
+    return name
+
+
+def with_recommended(plan: Plan, case: Case) -> Plan:
+    """Return the plan of a study with the recommended model by its name, where its case asks for the recommended one.
+
+    case: the case of the plan at the numbers and loads where models are compared. The whole study then has that model. Raises
+    InputError where none is recommended.
+    """
+    if case.choice.model != RECOMMENDED:
+        return plan
+    name = recommended_model(case)
+    tables = {key: getattr(plan, key) for key in ("content", "given")}
+    return replace(plan, **{key: {**some, "solve": {**some["solve"], "model": name}} for key, some in tables.items()})
 
 
 def compare_case(

@@ -10,7 +10,8 @@ import numpy as np
 from stiction import __version__
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
-from stiction.studies.case.read import read_content, wants_ranges, without_studies
+from stiction.studies.case.read import case_of, read_content, wants_ranges, without_studies
+from stiction.studies.case.results import with_recommended
 from stiction.studies.case.text import case_text, show_exactly, with_written
 from stiction.studies.design.missed import missed_objectives, off_targets
 from stiction.studies.design.plan import LOAD, DesignPlan, Options, make_design_plan
@@ -104,6 +105,7 @@ def plan_of_design(case: Any) -> DesignPlan:
 
 def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> Designing:
     """As `design`; where it is interrupted, with what is done by then."""
+    plan = with_recommended(plan, case_of(plan.content, {}))
     found = Designing(plan, Space(plan))
     try:
         _ask(found, _drawn(found), tell)

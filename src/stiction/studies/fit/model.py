@@ -1,7 +1,7 @@
 """What a model says of measured values: for many sets of its free numbers at once."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from stiction.studies.fit.plan import RESISTANCE, FitPlan
 if TYPE_CHECKING:
     from stiction.studies.case.read import Case
 
-__all__ = ["Forward", "Parameter", "check_models", "derived", "forward_of", "result_of", "solved_sets"]
+__all__ = ["Forward", "Parameter", "case_between_the_ends", "check_models", "derived", "forward_of", "result_of", "solved_sets"]
 
 _SET, _ROW = "set", "row"
 
@@ -122,7 +122,7 @@ def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | Non
     nothing of what was measured."""
     data = plan.data if data is None else data
     parameters = _parameters(plan)
-    case = _case_between_the_ends(plan, data)
+    case = case_between_the_ends(plan, data)
     given = {name: value for name, value in case.choice.arguments().items() if name != "model"} if model is None else {}
     choice = choice_of(model or case.choice.model, given, case.subject)
     forward = Forward(plan, choice, parameters, data, _groups(data, parameters))
@@ -130,18 +130,21 @@ def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | Non
     return forward
 
 
-def _case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
+def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
+    """Return the case with free numbers in the middle between their ends, at the loads of the data."""
     from stiction.studies.case.read import case_of
 
     middle = {one.path: float(one.at(np.array(0.5))) for one in plan.free if one.path != RESISTANCE}
-    return case_of(with_numbers(plan.content, {**data.known[0], **middle}), {})
+    case = case_of(with_numbers(plan.content, {**data.known[0], **middle}), {})
+    load = np.sort(data.load[np.isfinite(data.load)])
+    return replace(case, load=load, separation=None) if load.size else case
 
 
 def check_models(plan: FitPlan) -> None:
     """InputError for a name among those that are compared that no model has: what a model cannot answer is said in the end."""
     if not plan.models:
         return
-    subject = _case_between_the_ends(plan, plan.data).subject
+    subject = case_between_the_ends(plan, plan.data).subject
     for name in plan.models:
         try:
             choice_of(name, {}, subject)
