@@ -77,7 +77,7 @@ def test_the_recommended_model_is_that_of_compare(tmp_path):
     plan = plan_of_fit(case("recommended"), data)
     found = run_fit(plan, lambda text: iter)
     assert found.data().attrs["model"] == name
-    assert found.data()["best"].identical(run_fit(plan_of_fit(case(name), data), lambda text: iter).data()["best"])
+    assert found.data().identical(run_fit(plan_of_fit(case(name), data), lambda text: iter).data())
     assert tomllib.loads(found.case_text(tmp_path))["solve"]["model"] == name
 
 
