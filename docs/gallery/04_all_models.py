@@ -1,7 +1,8 @@
 """All models on one contact.
 
-Every model that applies to two bearing steels with a boundary film, each with its friction over four decades of load. Grey
-lines are outside of what their authors claim at the working load; the thick one is recommended, by the errors that were
+Every model that applies to two bearing steels with a boundary film, each with its friction over four decades of load: the
+same case, and the same numbers, as those of `stiction compare examples/compare_models.toml`. Grey
+lines are outside of what their authors claim at the working load; the thick black one is recommended, by the errors that were
 measured against solved surfaces (docs/trust.md).
 """
 
@@ -9,16 +10,7 @@ import matplotlib.pyplot as plt
 
 import stiction as st
 
-steel = "hardened_steel_52100"
-contact = st.Contact(
-    first=steel,
-    second=steel,
-    roughness=st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2"),
-    work_of_adhesion="20 mJ/m^2",
-    interfacial_shear_strength="200 MPa",
-    nominal_area="1 mm^2",
-)
-everyone = st.compare(contact, load="1 N")
+everyone = st.compare_case(st.read_case("examples/compare_models.toml"), load="1 N")
 
 figure, axes = plt.subplots(figsize=(9.5, 5.5), layout="constrained")
 order = everyone["friction_coefficient_at_load"].argsort()[::-1]
@@ -26,13 +18,13 @@ for at, model in enumerate(everyone["model"].values[order]):
     one = everyone.sel(model=model)
     mu = float(one["friction_coefficient_at_load"])
     recommended, doubtful = model == everyone.attrs["recommended"], bool(one["outside_validity"].item())
-    pressed = one["load"] > 1e-3
+    pressed = one["load"] > 1e-2
     look = {"color": "0.7"} if doubtful else {"color": f"C{at % 10}", "linestyle": ("-", "--", ":")[at // 10 % 3]}
-    width = 4.0 if recommended else 1.5
+    look, width = ({"color": "black"}, 4.0) if recommended else (look, 1.5)
     axes.loglog(one["load"].where(pressed), one["friction_coefficient"].where(pressed), linewidth=width, **look,
                 label=f"{mu:.3f}  {model}{' (recommended)' * recommended}{' *' * doubtful}")  # fmt: skip
 axes.axvline(1.0, color="black", linewidth=0.8)
-axes.set(xlabel="load [N]", ylabel="static friction coefficient", xlim=(1e-3, 30.0))
+axes.set(xlabel="load [N]", ylabel="static friction coefficient", xlim=(1e-2, 100.0))
 axes.grid(alpha=0.3)
 figure.legend(loc="outside right upper", fontsize="x-small", title="mu at 1 N; * outside its validity", title_fontsize="small")
 figure.savefig("all_models.png", dpi=120)

@@ -37,8 +37,9 @@ def told(script: Path) -> tuple[str, str]:
 
 
 def run(script: Path, target: Path) -> None:
-    """Run a script in an empty folder, and keep its picture."""
+    """Run a script in a folder that has nothing but the examples, and keep its picture."""
     with sandbox() as folder:
+        (folder / "examples").symlink_to(ROOT / "examples")
         before = sys.argv
         sys.argv = [str(script)]
         try:

@@ -1,5 +1,6 @@
 """What the site is laid out from: links, pages that are made, tutorials, the gallery; and the search for dead links."""
 
+import csv
 import json
 import re
 import sys
@@ -7,9 +8,12 @@ from pathlib import Path, PurePosixPath
 
 import matplotlib
 import pytest
+from matplotlib.figure import Figure
 from pages import ROOT
+from typer.testing import CliRunner
 
 import stiction as st
+from stiction import cli
 from stiction.laws.registry import KINDS, of_kind, records
 from stiction.studies.case.read import json_schema
 
@@ -193,6 +197,25 @@ def test_gallery_has_twelve_pictures():
 def test_gallery_script_draws_its_picture(script, tmp_path):
     gallery.run(script, tmp_path / "x.png")
     assert drawn(tmp_path / "x.png")
+
+
+def test_the_landing_picture_shows_the_numbers_of_its_command(monkeypatch, tmp_path):
+    """Read mu of each model from the legend of the picture, and from the table that the command on the page writes."""
+    page = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    command = re.search(r"^stiction (compare .*)$", page, re.M)[1].split()
+    picture = re.search(r"{image} gallery/(\w+)\.png", page)[1]
+    shown, save = [], Figure.savefig
+    keep = lambda figure, *given, **more: (shown.extend(figure.legends[0].get_texts()), save(figure, *given, **more))  # noqa: E731
+    monkeypatch.setattr(Figure, "savefig", keep)
+    gallery.run(next(one for one in gallery.scripts() if gallery.name_of(one) == picture), tmp_path / "x.png")
+    monkeypatch.setattr(Figure, "savefig", save)
+    monkeypatch.chdir(ROOT)
+    answer = CliRunner().invoke(cli.app, [*command[:-1], str(tmp_path / "results")])
+    assert answer.exit_code == 0, answer.output
+    rows = (tmp_path / "results" / "compare_at_load.csv").read_text(encoding="utf-8").splitlines()
+    table = [row for row in csv.DictReader(row for row in rows if not row.startswith("#"))]
+    told = {row["model"]: f"{float(row['friction_coefficient']):.3f}" for row in table if row["friction_coefficient"]}
+    assert len(told) > 20 and {text.get_text().split()[1]: text.get_text().split()[0] for text in shown} == told
 
 
 TUTORIAL = """# One
