@@ -5,6 +5,7 @@
 - models.md: lists of models and laws, from their records;
 - published-models.md: a section for each, the docstring of its file and what its record says;
 - materials.md: the presets, from their files;
+- interfaces.md: states of an interface and finish classes, from their files (interface_tables.py);
 - truth.md: how far models are from solved surfaces, from the set of these (truth_tables.py);
 - what-mu-rests-on.md: friction of one contact with each assumption switched (what_mu_rests_on.py);
 - tests/reference/README.md: how each table of numbers was made, from the docstrings of the scripts that make them.
@@ -41,8 +42,10 @@ from stiction.surfaces.read import readers
 
 HERE = Path(__file__).parent
 sys.path.append(str(HERE))
+import interface_tables  # noqa: E402 - beside this file
 import truth_tables  # noqa: E402 - beside this file
 import what_mu_rests_on  # noqa: E402
+from markdown_table import table  # noqa: E402
 
 REFERENCE = HERE.parent / "tests" / "reference"
 SECTIONS = "published-models.md"
@@ -239,12 +242,6 @@ def material_sources() -> str:
     return table(head, [(*row, ", ".join(presets[row])) for row in ordered])
 
 
-def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
-    """A Markdown table."""
-    lines = [head, ("---",) * len(head), *rows]
-    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
-
-
 def conditions() -> str:
     """What every result is asked, whichever model made it."""
     rows = [
@@ -363,6 +360,7 @@ TABLES = {
     "truth.md": truth_tables.TABLES,
     "what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},
     "materials.md": {"materials": materials, "sources of materials": material_sources},
+    "interfaces.md": interface_tables.TABLES,
     "../tests/reference/README.md": {"scripts": reference_scripts},
 }
 

@@ -4,6 +4,7 @@ from .contact.contact import Liquid as Liquid
 from .contact.contact import Roughness as Roughness
 from .contact.contact import work_of_adhesion as work_of_adhesion
 from .contact.indices import Indices as Indices
+from .contact.interfaces import interfaces as interfaces
 from .contact.materials import Material as Material
 from .contact.materials import material as material
 from .engine.heights import height_distribution as height_distribution

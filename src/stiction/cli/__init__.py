@@ -24,6 +24,7 @@ with ended_by_interrupts():
         figures,
         models,
         materials,
+        interfaces,
         cite,
         schema,
     )

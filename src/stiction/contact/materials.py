@@ -1,20 +1,23 @@
 """Materials, given by numbers or taken from the presets in material_data/ (one file per source of data)."""
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from functools import cache
-from importlib import resources
-from typing import Any, NamedTuple, Self
+from typing import Any, Literal, NamedTuple, Self, get_args
 
 import numpy as np
 from pydantic import Field, model_validator
 
+from stiction.contact.data_files import read_tables
 from stiction.contact.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber, nearest
 from stiction.quantities.units import to_si
 
-__all__ = ["Material", "material", "material_names", "preset_name", "symbols_of"]
+__all__ = ["MATERIAL_CLASSES", "Material", "class_of", "material", "material_names", "preset_name", "symbols_of"]
+
+# What decides which states an interface may be in, the class that rules a pair first.
+MaterialClass = Literal["ice", "elastomer", "polymer", "layered solid", "carbon film", "soft metal", "metal", "ceramic"]
+MATERIAL_CLASSES: tuple[str, ...] = get_args(MaterialClass)
 
 
 class Material(Input):
@@ -24,7 +27,8 @@ class Material(Input):
     number lies, {"hardness": ("0.3 GPa", "0.5 GPa")}, kept in SI units: of a preset, what tables, grades and makes give; no
     result uses it. characteristic_depth: h* of a hardness that grows as imprints get smaller (Nix and Gao 1998), under a
     pyramid; hardness is then that of large imprints, and asperities find more (stiction.contact.size_effect). Left out, the
-    hardness is that of every asperity; the contact of a map, solved point by point, always takes it so.
+    hardness is that of every asperity; the contact of a map, solved point by point, always takes it so. material_class: see
+    MATERIAL_CLASSES; left out, `class_of` guesses it from the numbers.
 
     Numbers are SI floats, text with a unit ("210 GPa"), or arrays with a named dimension (`stiction.axis`).
     Raises InputError naming the field, its value and the allowed range.
@@ -40,6 +44,7 @@ class Material(Input):
     surface_energy: OptionalNumber = None
     source: str | dict[str, str] | None = Field(None, union_mode="left_to_right")
     range: Ranges = Field(default_factory=dict, description="low and high end of its numbers")
+    material_class: MaterialClass | None = Field(None, description=", ".join(MATERIAL_CLASSES))
 
     @model_validator(mode="after")
     def _ranges_hold_the_numbers(self):
@@ -97,7 +102,8 @@ def material(name: str, /, **changes) -> Material:
     """
     name = preset_name(name)
     preset = _presets()[name]
-    return Material(**{"name": name, **preset.numbers} | changes | _notes_left(preset.source, preset.range, changes))
+    own = {"name": name, "material_class": preset.material_class, **preset.numbers}
+    return Material(**own | changes | _notes_left(preset.source, preset.range, changes))
 
 
 def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) -> str:
@@ -148,27 +154,33 @@ def as_material(value):
     return value
 
 
+def class_of(body: Material) -> str:
+    """Return the class of a material; where it has none, guess it: elastomers below 0.1 GPa, polymers below 10 GPa, ceramics
+    from H/E = 0.038 on, metals else."""
+    if body.material_class is not None:
+        return body.material_class
+    modulus, hardness = (float(np.mean(value)) for value in (body.youngs_modulus, body.hardness))
+    if modulus < 1e10:
+        return "elastomer" if modulus < 1e8 else "polymer"
+    return "ceramic" if hardness / modulus >= 0.038 else "metal"
+
+
 class _Preset(NamedTuple):
-    """A preset as its file has it: numbers, for each of them where it comes from and its low and high end, and symbols."""
+    """A preset as its file has it: numbers, the source and the low and high end of each, symbols and class."""
 
     numbers: dict[str, Any]
     source: dict[str, str]
     range: dict[str, list]
     symbols: tuple[str, ...]
+    material_class: str
 
 
 @cache
 def _presets() -> dict[str, _Preset]:
     """Every preset, read from all files of material_data/."""
     presets: dict[str, _Preset] = {}
-    for file in sorted(resources.files("stiction.contact").joinpath("material_data").iterdir(), key=lambda file: file.name):
-        if not file.name.endswith(".toml"):
-            continue
-        content = tomllib.loads(file.read_text(encoding="utf-8"))
-        for name, data in content["materials"].items():
-            notes, ends, symbols = data.pop("source", {}), data.pop("range", {}), tuple(data.pop("symbols", ()))
-            source = {field: notes.get(field, content["source"].get(field, "")) for field in data}
-            if name in presets:
-                raise ValueError(f"material {name} stands in two files")
-            presets[name] = _Preset(data, source, ends, symbols)
+    for name, data in read_tables("material_data", "materials").items():
+        notes, ends = data.pop("source", {}), data.pop("range", {})
+        symbols, group = tuple(data.pop("symbols", ())), data.pop("material_class")
+        presets[name] = _Preset(data, {field: notes.get(field, "") for field in data}, ends, symbols, group)
     return presets

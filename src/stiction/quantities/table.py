@@ -121,6 +121,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "square root of the nominal area over sigma"),
     ("shear_strength", "tau_0/H", r"\tau_0/H", "", _NOT_NEGATIVE, "0.1",
      "interfacial shear strength at no pressure over hardness"),
+    ("strength_over_shear_modulus", "tau_0/G", r"\tau_0/G", "", _NOT_NEGATIVE, "",
+     "interfacial shear strength at no pressure over the shear modulus of the softer body"),
     ("pressure_coefficient", "alpha", r"\alpha", "", _NOT_NEGATIVE, "0.05",
      "rise of the interfacial shear strength with pressure"),
     ("peeling", "zeta", r"\zeta", "", _SHARE, "1",
@@ -138,6 +140,7 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("contact_resistance", "R_c", r"R_\mathrm{c}", "ohm", _POSITIVE, "", "electrical resistance of the contact"),
     # of a measured surface; no example either
     ("scan_size", "L", "L", "m", _POSITIVE, "", "size of a scan, or another length along it"),
+    ("rms_height", "Sq", r"S_\mathrm{q}", "m", _POSITIVE, "", "root mean square height of a surface"),
 ]
 
 _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form is divided by, meaning

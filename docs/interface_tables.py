@@ -1,0 +1,90 @@
+"""Tables of docs/interfaces.md, from the states and finishes of the package; written by docs/make_tables.py."""
+
+from markdown_table import table
+
+import stiction as st
+from stiction.contact.finishes import NUMBERS, finishes
+from stiction.contact.interfaces import GRADES
+from stiction.contact.ranges import range_in_words
+from stiction.quantities.table import QUANTITIES
+from stiction.report.interface_tables import grade_of, median_in_words, range_of
+
+_OF_A_STATE = ("strength", "pressure_coefficient")
+
+
+def states() -> str:
+    """Each state with its two numbers."""
+    head = ("state", "tau_0", "90 % range", "grade", "alpha", "90 % range", "grade")
+    cells = (median_in_words, range_of, grade_of)
+    return table(
+        head, [(f"`{row['name']}`", *(say(row[key]) for key in _OF_A_STATE for say in cells)) for row in st.interfaces()]
+    )
+
+
+def grades() -> str:
+    """What the letters mean."""
+    return table(("grade", "meaning"), list(GRADES.items()))
+
+
+def sources() -> str:
+    """Where each number of a state comes from."""
+    rows = [
+        (f"`{row['name']}`", QUANTITIES[row[key]["quantity"]].symbol, row[key]["source"])
+        for row in st.interfaces()
+        for key in _OF_A_STATE
+        if row[key] is not None
+    ]
+    return table(("state", "number", "source, in the words of the file"), rows)
+
+
+def limits() -> str:
+    """Where a state must not be used."""
+    return table(("state", "not for"), [(f"`{row['name']}`", row["not_for"]) for row in st.interfaces()])
+
+
+def weights() -> str:
+    """The prior weights of a state, by pair."""
+    rows = []
+    for row in st.interfaces():
+        pairs = "; ".join(f"{pair}: {weight:g}" for pair, weight in row["pairs"].items())
+        only = f" (one body of {' or '.join(row['only_with'])})" if row["only_with"] else ""
+        rows.append((f"`{row['name']}`", pairs + only))
+    return table(("state", "weight between"), rows)
+
+
+def of_finishes() -> str:
+    """Each finish with its ranges."""
+    head = ("finish", "surface", *(f"{QUANTITIES[name].symbol} (grade)" for name in NUMBERS))
+    rows = [
+        (f"`{row['name']}`", row["surface_kind"], *(_range(row["numbers"][name], name) for name in NUMBERS))
+        for row in finishes()
+    ]
+    return table(head, rows)
+
+
+def _range(number: dict, name: str) -> str:
+    return f"{range_in_words(*number['range'], name)} ({number['grade']})"
+
+
+def sources_of_finishes() -> str:
+    """Where the numbers of finishes come from, finishes with the same words taken together."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for row in finishes():
+        for name in NUMBERS:
+            found.setdefault((QUANTITIES[name].symbol, row["numbers"][name]["source"]), []).append(f"`{row['name']}`")
+    rows = [
+        (symbol, source, "all" if len(names) == len(finishes()) else ", ".join(names))
+        for (symbol, source), names in found.items()
+    ]
+    return table(("number", "source, in the words of the file", "finishes"), sorted(rows))
+
+
+TABLES = {
+    "states": states,
+    "grades of numbers": grades,
+    "sources of states": sources,
+    "limits of states": limits,
+    "weights of states": weights,
+    "finishes": of_finishes,
+    "sources of finishes": sources_of_finishes,
+}

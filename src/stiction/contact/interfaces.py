@@ -1,0 +1,170 @@
+"""States of an interface: distributions of its shear strength, from interface_data/ (one file for each family of states)."""
+
+from collections.abc import Iterable
+from functools import cache
+from typing import Any, Literal
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from stiction.contact.data_files import read_tables
+from stiction.contact.lognormal import lognormal_quantile
+from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of
+from stiction.contact.ranges import Ranges, check_ranges, range_in_words
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input, OptionalNumber, nearest
+from stiction.quantities.table import QUANTITIES
+
+__all__ = ["GRADES", "STRENGTHS", "Interface", "interface", "interface_names", "interface_weights", "interfaces"]
+
+# What the grade of a number says of where it comes from.
+GRADES = {
+    "A": "measured on such an interface or surface; the printed number was read",
+    "B": "derived from printed numbers that were read; the spread is a judgement",
+    "C": "from memory, not checked against a page",
+}
+
+# How the strength of a state may be given: as a stress, over the hardness, or over the shear modulus of the softer body.
+STRENGTHS = ("interfacial_shear_strength", "shear_strength", "strength_over_shear_modulus")
+
+
+class Interface(Input):
+    """A state of an interface: the distribution of its shear strength, tau_0 + alpha p at the pressure p.
+
+    One of the three strengths is given, its median; of a strength over hardness or shear modulus, these are those of the softer
+    body (of the film, where one meets the other body). pressure_coefficient: its median; left out, the strength does not depend
+    on the pressure. range: 5 and 95 % quantiles; a number without a range is certain. source, grade: of each number, see
+    GRADES. pairs: prior weight for each pair of material classes, "metal, ceramic" or "polymer, any"; 0: only if it is stated.
+    only_with: materials of which one must be there. not_for: where the state must not be used.
+
+    Nothing here is capped by the strength of the bodies. Raises InputError.
+    """
+
+    name: str = "unnamed"
+    interfacial_shear_strength: OptionalNumber = None
+    shear_strength: OptionalNumber = None
+    strength_over_shear_modulus: OptionalNumber = None
+    pressure_coefficient: OptionalNumber = None
+    range: Ranges = Field(default_factory=dict, description="5 and 95 % quantiles of its numbers")
+    source: dict[str, str] = Field(default_factory=dict, description="where each number comes from")
+    grade: dict[str, Literal["A", "B", "C"]] = Field(default_factory=dict, description="A, B or C for each number")
+    pairs: dict[str, float] = Field(default_factory=dict, description="prior weight for each pair of material classes")
+    only_with: tuple[str, ...] = ()
+    not_for: str = ""
+
+    @model_validator(mode="after")
+    def _one_strength_within_its_range(self):
+        given = [name for name in STRENGTHS if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise InputError("interface", ", ".join(given) or None, f"one of {', '.join(STRENGTHS)}")
+        check_ranges(self)
+        for name, (low, _) in self.range.items():
+            if low <= 0.0:
+                raise InputError(f"range.{name}", low, "ends above 0: the logarithm is normal")
+        return self
+
+    @property
+    def strength(self) -> str:
+        """The name of the strength that is given, one of STRENGTHS."""
+        return next(name for name in STRENGTHS if getattr(self, name) is not None)
+
+    def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None) -> Any:
+        """Return tau_0 [Pa] at quantile levels between 0 and 1; arrays broadcast.
+
+        hardness, shear_modulus: of the softer body [Pa]; only the one that the strength is given over is used. Raises
+        InputError for a level that is not between 0 and 1, and where that one is not given.
+        """
+        scale: Any = 1.0
+        if self.strength != "interfacial_shear_strength":
+            name = "hardness" if self.strength == "shear_strength" else "shear_modulus"
+            scale = hardness if name == "hardness" else shear_modulus
+            if scale is None:
+                raise InputError(name, None, f"that of the softer body: the state {self.name} is given over it")
+        return scale * self._quantile(self.strength, level)
+
+    def pressure_coefficient_at(self, level: Any) -> np.ndarray:
+        """Return alpha at quantile levels between 0 and 1; 0 where the state has none. Raises InputError."""
+        return self._quantile("pressure_coefficient", level)
+
+    def allows(self, first: Material, second: Material) -> bool:
+        """Whether the state may be stated for two bodies; a state without pairs, as users give it, for any."""
+        return not self.pairs or self.weight_of(first, second) is not None
+
+    def notes(self) -> list[str]:
+        """Where the numbers come from, and where the state must not be used."""
+        texts = [f"{name}: {text} (grade {self.grade.get(name, 'C')})" for name, text in self.source.items()]
+        return [*texts, *([f"not for: {self.not_for}"] if self.not_for else [])]
+
+    def _quantile(self, name: str, level: Any) -> np.ndarray:
+        median = getattr(self, name)
+        if not median:
+            return np.zeros(np.shape(level))
+        return lognormal_quantile(level, median, *self.range.get(name, (median, median)))
+
+    def weight_of(self, first: Material, second: Material) -> float | None:
+        """Return the prior weight for two bodies, None where the state is not allowed."""
+        if self.only_with and not {first.name, second.name} & set(self.only_with):
+            return None
+        ruling, other = sorted((class_of(first), class_of(second)), key=MATERIAL_CLASSES.index)
+        return self.pairs.get(f"{ruling}, {other}", self.pairs.get(f"{ruling}, any"))
+
+
+def interface_names() -> list[str]:
+    """Names of the states, in alphabetical order."""
+    return sorted(_states())
+
+
+def interface(name: str, /) -> Interface:
+    """Return the state of that name. Raises InputError for an unknown name, listing those near to it."""
+    if not isinstance(name, str) or name not in _states():
+        raise InputError("interface", name, "a state: " + nearest(name, interface_names()))
+    return _states()[name]
+
+
+def interface_weights(first: Material, second: Material) -> dict[str, float]:
+    """Return the states that two bodies allow where none is stated, each with its prior weight; the weights sum to 1.
+
+    Of a coated body the film counts. The class of the weaker body rules (the order of MATERIAL_CLASSES).
+    """
+    found = {name: state.weight_of(first, second) for name, state in _states().items()}
+    weights = {name: weight for name, weight in found.items() if weight}
+    total = sum(weights.values())
+    return {name: weight / total for name, weight in weights.items()}
+
+
+def interfaces(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
+    """Return a dict for each of these states, or of all: name, strength and pressure_coefficient (value, unit, 5 and 95 %
+    quantiles, source and grade of each), pairs, only_with and not_for. Raises InputError for an unknown name."""
+    return [_row(interface(name)) for name in (interface_names() if names is None else names)]
+
+
+def _row(state: Interface) -> dict[str, Any]:
+    return {
+        "name": state.name,
+        "strength": _number(state, state.strength),
+        "pressure_coefficient": _number(state, "pressure_coefficient"),
+        "pairs": dict(state.pairs),
+        "only_with": list(state.only_with),
+        "not_for": state.not_for,
+    }
+
+
+def _number(state: Interface, name: str) -> dict[str, Any] | None:
+    value = getattr(state, name)
+    if value is None:
+        return None
+    ends = state.range[name]
+    return {
+        "quantity": name,
+        "value": value,
+        "unit": QUANTITIES[name].unit or "1",
+        "range": list(ends),
+        "range_in_words": range_in_words(*ends, name),
+        "source": state.source[name],
+        "grade": state.grade[name],
+    }
+
+
+@cache
+def _states() -> dict[str, Interface]:
+    return {name: Interface(name=name, **table) for name, table in read_tables("interface_data", "interfaces").items()}
