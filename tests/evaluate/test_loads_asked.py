@@ -13,6 +13,7 @@ from scipy.special import gamma
 
 import stiction as st
 from stiction.contact.indices import Groups
+from stiction.engine import blocks
 from stiction.engine.heights import height_distribution
 from stiction.laws.rough_surface import (
     bush_gibson_thomas_1975,
@@ -155,7 +156,7 @@ def test_what_one_contact_carries_does_not_depend_on_others():
 def test_many_contacts_in_blocks(monkeypatch):
     thetas = st.axis("theta", np.geomspace(0.5, 50.0, 23))
     whole = st.solve(st.Indices(theta=thetas, lam=30.0), load=[1e-3, 0.1])
-    monkeypatch.setattr(inversion, "_AT_ONCE", 5)
+    monkeypatch.setattr(blocks, "_TOGETHER", 100)  # five contacts of the 23
     parts = st.solve(st.Indices(theta=thetas, lam=30.0), load=[1e-3, 0.1])
     for name in whole.data_vars:
         if name != "load_residual":

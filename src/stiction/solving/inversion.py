@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from stiction.engine.at_loads import NO_TENSION, NOTHING, starts
+from stiction.engine.blocks import blocks
 from stiction.engine.heights import gaussian_density
 from stiction.engine.regime import MENISCUS
 from stiction.engine.summation import FARTHEST
@@ -18,7 +19,7 @@ from stiction.solving.problem import LOAD, ClosedForm, Problem, Sum
 # factors: twelve steps double.
 _FIRST = np.linspace(10.0, -10.0, 161)
 _BEYOND = 2.0 ** (np.arange(1, 13) / 12.0)
-_AT_ONCE, _POINTS_AT_ONCE = 10_000, 200_000  # laws, and pairs of a law and a load, at once: bounds the memory
+_WAY_POINTS = 20  # what finding a load takes of each law besides, as a number of points: bounds the memory
 # A root needs no further step if what it leaves of the load is this share of that, or of the sizes of its parts; it is good if
 # it is so many times this. No more steps than that.
 _LEFT, _ROUNDING, _GOOD, _STEPS = 1e-14, 5e-16, 10.0, 3
@@ -85,14 +86,12 @@ def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tup
 def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[tuple[Inversion, np.ndarray | None, Any]]:
     """For some laws at a time, what is found, the sums (regimes, n, m, 5) that were taken there, not numbers where they were
     not, and the problem."""
-    step = max(1, min(_AT_ONCE, _POINTS_AT_ONCE // max(targets.shape[1], 1)))
-    for start in range(0, len(problem.groups), step):
-        rows = slice(start, start + step)
+    for rows in blocks(len(problem.groups), max(targets.shape[1], _WAY_POINTS)):
         some = problem.with_groups(rows)
         try:
             yield *_of_block(some, targets[rows], refuse), some
         except Unreachable as error:
-            raise Unreachable(start + error.law, error.at, error.low, error.high) from None
+            raise Unreachable(rows.start + error.law, error.at, error.low, error.high) from None
 
 
 def _whole(parts: list[Inversion]) -> Inversion:

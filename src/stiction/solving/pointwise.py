@@ -8,14 +8,13 @@ import numpy as np
 
 from stiction.contact.subject import Subject
 from stiction.laws.claims import Validity
-from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import rules_left, rules_of
-from stiction.solving.inversion import Inversion, pull_off, solved_at
-from stiction.solving.problem import Problem, as_asked, lost_in_rounding, make_problem
-from stiction.solving.results import as_variables, summary_of, with_shares
-from stiction.solving.solve import all_dims, convergence, points_asked, pull_off_variables, summed
+from stiction.solving.inversion import Inversion
+from stiction.solving.points import Points, Solved, points_of, solve_points
+from stiction.solving.problem import lost_in_rounding, make_problem
+from stiction.solving.results import summary_of, variables_of, with_shares
 
 __all__ = ["NOT_COMPUTED", "WHY_NOT", "Pointwise", "Region", "bisected", "solve_pointwise"]
 
@@ -59,70 +58,52 @@ def solve_pointwise(
     model refuses or does not converge for, unless it is all of them. Raises InputError for what is refused of the contacts as a
     whole, ArithmeticError where no contact converges.
     """
-    problem = make_problem(subject, choice)
-    given = "load" if separation is None else "mean_separation"
-    if problem.needs_load and load is None:
-        raise InputError("separation", separation, f"a load in its place: {problem.record.key} knows no separation")
-    point = points_asked(problem.subject, given, load if separation is None else separation)
-    factors = problem.subject.scales().factors()
-    dims = all_dims(problem, [point, *factors.values()])
-    unit = aligned(factors["N" if given == "load" else "m"], dims)
-    wanted = np.broadcast_to(aligned(point, dims) / unit, tuple(dims.values()))
-    tables, why_not, found = _tables(problem, given, wanted, aligned(point, dims) / unit)
-    tables = with_shares(problem, tables)
-    kept = {name: table for name, table in tables.items() if keep is None or name in keep}
-    variables = as_variables(problem.subject, kept, factors, dims)
-    if found is not None and (keep is None or "load_residual" in keep):
-        variables |= convergence(found, dims)
-    if "mean_separation" in tables and (keep is None or {"pull_off_force", "pull_off_separation"} & set(keep)):
-        variables |= _pull_off(problem, factors, found, np.all(why_not & (1 << _REFUSED), axis=1))
+    points = points_of(make_problem(subject, choice), load, separation)
+    problem = points.problem
+    solved, why_not = _solved(points)
+    tables = with_shares(problem, solved.tables)
+    refused = why_not == 1 << _REFUSED
+    variables = variables_of(points, solved, tables, keep, refused.all(axis=1))
     doubts = why_not.astype(np.uint32)
     for bit, left in enumerate(rules_left(problem, tables), start=len(WHY_NOT)):
         doubts |= left.astype(np.uint32) << np.uint32(bit)
-    doubts = np.where(why_not & (1 << _REFUSED), np.uint32(1 << _REFUSED), doubts).reshape(wanted.shape)
+    doubts = np.where(refused, why_not, doubts).reshape(points.wanted.shape)
     attributes = summary_of(problem.subject, problem, tables) if keep is None else {}
-    return Pointwise(variables, (tuple(dims), doubts), rules_of(problem), problem.subject, attributes)
+    return Pointwise(variables, (tuple(points.dims), doubts), rules_of(problem), problem.subject, attributes)
 
 
-def _tables(problem: Problem, given: str, wanted: np.ndarray, unbroadcast: np.ndarray) -> tuple[dict, np.ndarray, Any]:
-    """Normalised results of the full shape, bits of WHY_NOT (contacts, points), and the inversion, if there was one."""
+def _solved(points: Points) -> tuple[Solved, np.ndarray]:
+    """Results, and bits of WHY_NOT (contacts, points)."""
     try:
-        return _together(problem, given, wanted, unbroadcast)
+        return _taken(points)
     except (InputError, ArithmeticError):
-        if len(problem.groups) == 1:
+        if len(points.problem.groups) == 1:
             raise
-    return _in_parts(problem, given, wanted)
+    return _in_parts(points)
 
 
-def _in_parts(problem: Problem, given: str, wanted: np.ndarray) -> tuple[dict, np.ndarray, Any]:
+def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
     """The same of contacts of which some are refused: not a number there. Raises what the last one is refused for if it is all
     of them."""
-    contacts = len(problem.groups)
-    points = wanted.reshape(contacts, -1)
-    found: dict[str, np.ndarray] = {}
-    why_not, inverted = np.full(points.shape, 1 << _REFUSED, dtype=np.uint32), _no_inversion(points.shape)
-    for rows, (tables, why, inversion) in _parts(problem, given, points):
-        for name, table in tables.items():
-            found.setdefault(name, np.full(points.shape, np.nan))[rows] = table.reshape(len(rows), -1)
+    shape = points.table.shape
+    tables: dict[str, np.ndarray] = {}
+    found, why_not = None, np.full(shape, 1 << _REFUSED, dtype=np.uint32)
+    for rows, (part, why) in _parts(points):
+        for name, table in part.tables.items():
+            tables.setdefault(name, np.full(shape, np.nan))[rows] = table
         why_not[rows] = why
-        for name in ("h", "residual", "tension", "where") if inversion is not None else ():
-            getattr(inverted, name)[rows] = getattr(inversion, name)
-        inverted = inverted if inversion is None else replace(inverted, evaluations=inversion.evaluations)
-    return {name: table.reshape(wanted.shape) for name, table in found.items()}, why_not, (
-        inverted if given == "load" and not problem.needs_load else None
-    )  # fmt: skip
+        if part.found is not None:
+            found = _no_inversion(shape) if found is None else found
+            found = replace(found, evaluations=max(found.evaluations, part.found.evaluations))
+            for name in ("h", "residual", "tension", "where"):
+                getattr(found, name)[rows] = getattr(part.found, name)
+    return Solved({name: table.reshape(points.wanted.shape) for name, table in tables.items()}, found), why_not
 
 
-def _parts(problem: Problem, given: str, points: np.ndarray) -> Iterator[tuple[np.ndarray, tuple]]:
-    """Rows that the model takes, with what `_together` says of them. Raises the last refusal if it takes none."""
-    taken, refusal, every = False, None, np.arange(len(points))
-
-    def solved(region: Region) -> tuple:
-        rows = every[region["contact"]]
-        some = replace(problem.with_groups(rows), dims={"contact": len(rows)})
-        return _together(some, given, points[rows], points[rows])
-
-    for region, found in bisected({"contact": slice(0, len(points))}, solved):
+def _parts(points: Points) -> Iterator[tuple[np.ndarray, tuple[Solved, np.ndarray]]]:
+    """Rows that the model takes, with their results. Raises the last refusal if it takes none."""
+    taken, refusal, every = False, None, np.arange(len(points.problem.groups))
+    for region, found in bisected({"contact": slice(0, len(every))}, lambda part: _taken(points.rows(every[part["contact"]]))):
         if isinstance(found, Exception):
             refusal = found
             continue
@@ -163,40 +144,21 @@ def _no_inversion(shape: tuple[int, ...]) -> Inversion:
     return Inversion(h, h.copy(), 0, tension, tension.copy())
 
 
-def _pull_off(problem: Problem, factors: Mapping[str, Any], found: Inversion | None, refused: Any) -> dict[str, tuple]:
-    """The largest tension of each contact, and where it is; not a number of those that are refused (contacts,)."""
-    apart = problem.on_branch("unloading")
-    if not refused.any() or (found is not None and apart is problem):
-        return pull_off_variables(problem, factors, found)
-    of_each, taken = _no_inversion((len(refused), 0)), np.flatnonzero(~refused)
-    of_each.tension[taken], of_each.where[taken] = pull_off(apart.with_groups(taken))
-    return pull_off_variables(apart, factors, of_each)
-
-
-def _together(problem: Problem, given: str, wanted: np.ndarray, unbroadcast: np.ndarray) -> tuple[dict, np.ndarray, Any]:
-    """The same of contacts that are all taken."""
-    contacts = len(problem.groups)
-    if given == "mean_separation":
-        why_not = np.zeros((contacts, wanted.size // contacts), dtype=np.uint32)
-        return {"mean_separation": wanted} | summed(problem, unbroadcast, wanted.shape), why_not, None
-    targets = wanted.reshape(contacts, -1)
-    if problem.needs_load:
-        lost = targets < 0.0
-        tables = problem.at_load(np.where(lost, 0.0, targets))
-        return _without({n: t.reshape(wanted.shape) for n, t in tables.items()}, lost), lost << _NOT_CARRIED, None
-    found, at_loads = solved_at(problem, targets, refuse=False)
-    lost = np.isnan(found.h)
-    h = np.where(lost, 0.0, found.h).reshape(wanted.shape)
-    results = {name: table.reshape(wanted.shape) for name, table in at_loads.items()}
-    rounded = lost_in_rounding(results["load"], wanted).reshape(targets.shape) & ~lost
-    tables = {"mean_separation": h} | as_asked(results, wanted)
-    return _without(tables, lost), (lost << _NOT_CARRIED) | (rounded << _LOST), found
+def _taken(points: Points) -> tuple[Solved, np.ndarray]:
+    """The same of contacts that are all taken. A theory that knows no separation is not asked about tension."""
+    lost = rounded = np.zeros(points.wanted.shape, dtype=bool)
+    if points.problem.needs_load:
+        lost = points.wanted < 0.0
+        solved = solve_points(replace(points, wanted=np.where(lost, 0.0, points.wanted)))
+    else:
+        solved = solve_points(points, refuse=False)
+    if solved.found is not None and solved.carried is not None:
+        lost = np.isnan(solved.tables["mean_separation"])
+        rounded = lost_in_rounding(solved.carried, points.wanted) & ~lost
+    why_not = (lost.astype(np.uint32) << _NOT_CARRIED) | (rounded.astype(np.uint32) << _LOST)
+    return replace(solved, tables=_without(solved.tables, lost)), why_not.reshape(points.table.shape)
 
 
 def _without(tables: Mapping[str, np.ndarray], lost: np.ndarray) -> dict[str, np.ndarray]:
-    """The tables with not a number at the points (contacts, points) that are lost; the load asked for stays."""
-    if not lost.any():
-        return dict(tables)
-    return {
-        name: np.where(lost.reshape(table.shape), np.nan, table) if name != "load" else table for name, table in tables.items()
-    }
+    """The tables with not a number where results are lost; the load asked for stays."""
+    return {name: np.where(lost, np.nan, table) if name != "load" else table for name, table in tables.items()}

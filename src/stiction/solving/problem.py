@@ -8,6 +8,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
+from stiction.engine.blocks import blocks
 from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
@@ -24,7 +25,6 @@ from stiction.solving.on_map import OnMap
 from stiction.solving.parts import of_those, share_beyond, share_without, states_of
 from stiction.solving.problem_base import Problem, with_coefficient
 
-_AT_ONCE = 500_000  # pairs of a law and a separation; bounds the memory of the sums by regime
 _RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
 _COUNT, LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
@@ -75,9 +75,7 @@ class Sum(Problem):
             return self
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        pieces = range(0, h.size, _AT_ONCE)
-        parts = [self._scattered(h[at : at + _AT_ONCE], law[at : at + _AT_ONCE])[..., LOAD].sum(axis=0) for at in pieces]
-        return np.concatenate(parts) if parts else np.empty(0)
+        return np.concatenate([self._scattered(h[some], law[some])[..., LOAD].sum(axis=0) for some in blocks(h.size)])
 
     def loads_by_regime(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Net load per asperity (regimes, k) at pairs (k,) of separation and law."""

@@ -1,6 +1,6 @@
 """Normalised tables as a labelled dataset in the units of the contact, with what was used and what is doubtful."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -8,10 +8,12 @@ import numpy as np
 from stiction.contact.subject import Subject
 from stiction.laws.registry import JUNCTIONS
 from stiction.laws.validity import as_attributes
-from stiction.quantities.dimensions import aligned
+from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.table import QUANTITIES
 from stiction.solving import film_errors, measured_error, unused
 from stiction.solving.conditions import doubts_of_results
+from stiction.solving.inversion import Inversion, pull_off
+from stiction.solving.points import Points, Solved
 from stiction.solving.problem import Problem
 from stiction.solving.state import state_of
 
@@ -39,6 +41,46 @@ def as_variables(
         scale = aligned(factors.get(QUANTITIES[name].scale, 1.0), dims)
         variables[name] = (tuple(dims), np.broadcast_to(table * scale, shape).copy(), subject.attributes(name))
     return variables
+
+
+def variables_of(
+    points: Points,
+    solved: Solved,
+    tables: Mapping[str, np.ndarray],
+    keep: Collection[str] | None = None,
+    refused: np.ndarray | None = None,
+) -> dict[str, tuple]:
+    """Results at points, with how loads were found and the largest tension of each contact. keep: names, by default all;
+    refused: contacts (n,) of which there are no results."""
+    kept = {name: table for name, table in tables.items() if keep is None or name in keep}
+    variables = as_variables(points.problem.subject, kept, points.factors, points.dims)
+    if solved.found is not None and (keep is None or "load_residual" in keep):
+        variables["load_residual"] = (tuple(points.dims), solved.found.residual.reshape(points.wanted.shape), _RESIDUAL)
+    pulls = keep is None or not {"pull_off_force", "pull_off_separation"}.isdisjoint(keep)
+    if pulls and "mean_separation" in tables and not points.problem.needs_load:
+        variables |= _pull_off(points, solved.found, refused)
+    return variables
+
+
+_RESIDUAL = {
+    "long_name": "load residual",
+    "comment": "load found less load asked for, over the latter, or over the pull-off force if it is nothing beside that",
+}
+
+
+def _pull_off(points: Points, found: Inversion | None, refused: np.ndarray | None) -> dict[str, tuple]:
+    """The largest tension of each contact, and where it is; found: of the problem itself, if it is known already."""
+    problem, apart = points.problem, points.problem.on_branch("unloading")
+    if found is not None and apart is problem:
+        tension, where = found.tension, found.where
+    else:
+        tension, where = np.full((2, len(problem.groups)), np.nan)
+        taken = slice(None) if refused is None else np.flatnonzero(~refused)
+        tension[taken], where[taken] = pull_off(apart.with_groups(taken))
+    dims = dimensions(points.factors.values(), problem.dims)
+    each = problem.shape + (1,) * (len(dims) - len(problem.shape))
+    tables = {"pull_off_force": tension.reshape(each), "pull_off_separation": where.reshape(each)}
+    return as_variables(apart.subject, tables, points.factors, dims)
 
 
 def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xarray.Dataset":

@@ -12,22 +12,23 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.subject import Subject, as_subject
+from stiction.engine.blocks import blocks
 from stiction.engine.heights import Heights
 from stiction.laws.presliding.shared.partial_slip import slipping_law, sticking_law
-from stiction.quantities.dimensions import aligned
+from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import DEFAULT_MODEL
+from stiction.solving.points import coordinates_of, in_words, points_asked, points_of, solve_points
 from stiction.solving.problem import Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
-from stiction.solving.solve import all_dims, check_reach, inverted, point_coordinates, points_asked, summed
 
 if TYPE_CHECKING:
     import xarray
 
 _PRESLIDING = "mindlin_1949"
-_AT_ONCE = 50_000  # displacements at once, each of which is a law of its own: bounds the memory
+_LAW_OF_ITS_OWN = 4  # what a displacement takes, as a number of points: bounds the memory
 _POINTS = 61  # of a curve, where none are given
 _NEARLY = 0.99  # of a force that is only tended to
 # Where a largest force is looked for, over the displacement that the strength would need at the first stiffness; and how often
@@ -65,22 +66,18 @@ def slide(
     choice = choice_of(model, {**laws, "presliding": _PRESLIDING}, subject)
     problem = _checked(make_problem(contact, choice, heights))
     sliding = Sliding(problem, _share(kept))
-    subject = problem.subject
-    if (separation is None) == (load is None):
-        raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
-    name, given = ("load", load) if separation is None else ("mean_separation", separation)
-    point = points_asked(subject, name, given)
-    factors = subject.scales().factors()
-    dims = all_dims(problem, [point, *factors.values()])
-    static = _static(problem, name, point, factors, dims)
+    points = points_of(problem, load, separation)
+    subject, name, point, factors, dims = problem.subject, points.name, points.value, points.factors, points.dims
+    with in_words(points):
+        static = solve_points(points).tables
     static["tangential_stiffness"] = sliding.stiffness(static["mean_separation"])
     ends = sliding.ends(static)
     moved = _displacements(subject, displacement, ends["sliding_displacement"] * aligned(factors["m"], dims))
-    whole = all_dims(problem, [point, *factors.values(), moved])
+    whole = dimensions([moved], dims)
     curve = sliding.curve(static, np.broadcast_to(aligned(moved, whole) / aligned(factors["m"], whole), tuple(whole.values())))
-    coords = problem.coords | point_coordinates(point, moved)
+    coords = problem.coords | coordinates_of(point, moved)
     data = labelled(subject, static | ends, factors, dims, coords)
-    data = data.merge(labelled(subject, curve, factors, whole, problem.coords | point_coordinates(moved)))
+    data = data.merge(labelled(subject, curve, factors, whole, problem.coords | coordinates_of(moved)))
     for coordinate in ("displacement", name):
         if coordinate in data.coords:
             data[coordinate].attrs = subject.attributes(coordinate)
@@ -107,16 +104,6 @@ def _checked(problem: Problem) -> Sum:
         if problem.options[name] != values[0]:
             raise InputError(name, problem.options[name], f"{values[0]}: of other readings single asperities are not known")
     return problem
-
-
-def _static(problem: Sum, name: str, point: Any, factors: Any, dims: dict[str, int]) -> dict[str, np.ndarray]:
-    """What `solve` has at these points, normalised, of the shape of these dimensions; mean_separation first."""
-    shape = tuple(dims.values())
-    wanted = np.broadcast_to(aligned(point, dims) / aligned(factors["N" if name == "load" else "m"], dims), shape)
-    if name == "load":
-        return inverted(problem, wanted, aligned(factors["N"], dims))[1]
-    check_reach(wanted)
-    return {"mean_separation": wanted} | summed(problem, wanted, shape)
 
 
 def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
@@ -147,10 +134,7 @@ class Sliding:
         laws = len(self.problem.groups)
         row = np.repeat(np.arange(laws), math.prod(h.shape) // laws)
         flat, moved = h.reshape(-1), np.ascontiguousarray(displacement, dtype=float).reshape(-1)
-        parts = []
-        for start in range(0, flat.size, _AT_ONCE):
-            some = slice(start, start + _AT_ONCE)
-            parts.append(self._summed(row[some], flat[some], moved[some]))
+        parts = [self._summed(row[some], flat[some], moved[some]) for some in blocks(flat.size, _LAW_OF_ITS_OWN)]
         return np.concatenate(parts, axis=1).reshape(2, *h.shape)
 
     def stiffness(self, h: np.ndarray) -> np.ndarray:

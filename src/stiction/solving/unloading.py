@@ -14,6 +14,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
+from stiction.engine.blocks import in_blocks
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
 from stiction.laws.asperity.shared.letting_go import drawn_apart
@@ -21,20 +22,20 @@ from stiction.laws.joining import coordinates, within
 from stiction.laws.piece import NormalPiece
 from stiction.laws.registry import AsperityLaw, RoughSurface, TangentialLaw, find
 from stiction.laws.validity import with_doubts
-from stiction.quantities.dimensions import aligned
+from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubts_of_rounding
-from stiction.solving.inversion import largest_tension, separations_at
+from stiction.solving.inversion import largest_tension
+from stiction.solving.points import Points, check_reach, coordinates_of, in_words, points_asked, points_at, solve_points
 from stiction.solving.problem import Sum, as_asked, make_problem
 from stiction.solving.results import labelled, summary_of
-from stiction.solving.solve import all_dims, in_words, point_coordinates, points_asked
 
 if TYPE_CHECKING:
     import xarray
 
-_AT_ONCE = 100_000  # separations at once, each of which is a law of its own: bounds the memory
+_LAW_OF_ITS_OWN = 2  # what a separation takes, as a number of points: bounds the memory
 # The way apart is searched in this many steps, finer where it begins, to where this share of the contact area is left.
 _STEPS, _LEFT = 81, 1e-10
 _ROUNDING = 1e-12  # of a separation that was found, and given back
@@ -70,26 +71,26 @@ def unload(
     """
     way = _make_way(contact, Choice.of(model, {"tangential": "none"} | laws), heights)
     subject = way.pressed.subject
-    turn = _one_of(subject, pressed_to=pressed_to, pressed_with=pressed_with)
-    point = _one_of(subject, separation=separation, distance=distance)
-    factors = subject.scales().factors()
-    turn_dims = all_dims(way.pressed, [turn, *factors.values()])
-    dims = all_dims(way.pressed, [turn, *factors.values(), point])
+    is_load = pressed_with is not None
+    turn_value = _one_of(subject, pressed_to=pressed_to, pressed_with=pressed_with)
+    turn = points_at(way.pressed, "load" if is_load else "mean_separation", turn_value)
+    point, factors = _one_of(subject, separation=separation, distance=distance), turn.factors
+    dims = dimensions([point], turn.dims)
     shape = tuple(dims.values())
-    nearest = _nearest(way.pressed, turn, pressed_with is not None, turn_dims, factors)
+    nearest = _nearest(turn)
     turned = np.broadcast_to(nearest.reshape(nearest.shape + (1,) * (len(shape) - nearest.ndim)), shape)
     wanted = np.broadcast_to(aligned(point, dims) / aligned(factors["m"], dims), shape)
     apart = _apart(subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), distance is not None)
     results = way.at(way.rows(shape), turned, apart)
     doubts = []
-    if pressed_with is not None:
-        asked = np.broadcast_to(aligned(turn, dims) / aligned(factors["N"], dims), shape)
+    if is_load:
+        asked = np.broadcast_to(aligned(turn.value, dims) / aligned(factors["N"], dims), shape)
         asked = np.where(apart == 0.0, asked, results["load"])
         doubts = doubts_of_rounding(results["load"], asked)
         results = as_asked(results, asked)
     tables = {"mean_separation": turned + apart if separation is None else wanted} | results
-    data = labelled(subject, tables, factors, dims, way.pressed.coords | point_coordinates(turn, point))
-    data = data.merge(_ends(way, nearest, factors, turn_dims))
+    data = labelled(subject, tables, factors, dims, way.pressed.coords | coordinates_of(turn.value, point))
+    data = data.merge(_ends(way, nearest, factors, turn.dims))
     if "mean_separation" in getattr(point, "dims", ()):  # its values as they were given are the coordinate
         attributes = data["mean_separation"].attrs
         data = data.drop_vars("mean_separation").assign_coords(mean_separation=("mean_separation", point.values, attributes))
@@ -146,12 +147,12 @@ class _Way:
     def at(self, rows: np.ndarray, nearest: np.ndarray, distance: np.ndarray, only: str | None = None) -> dict[str, np.ndarray]:
         """Normalised results, or one of them, of the contacts of these numbers; arrays of one shape."""
         row, apart, h = (one.reshape(-1) for one in (rows, distance, nearest + distance))
-        parts = []
-        for start in range(0, h.size, _AT_ONCE):
-            some = slice(start, start + _AT_ONCE)
+
+        def summed(some: slice) -> dict[str, np.ndarray]:
             found = self.apart(row[some], apart[some]).at(h[some, None])
-            parts.append({name: table[:, 0] for name, table in found.items() if only in (None, name)})
-        return {name: np.concatenate([part[name] for part in parts]).reshape(rows.shape) for name in parts[0]}
+            return {name: table[:, 0] for name, table in found.items() if only in (None, name)}
+
+        return {name: table.reshape(rows.shape) for name, table in in_blocks(summed, h.size, _LAW_OF_ITS_OWN).items()}
 
     def summary(self, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
         way_back = replace(self.pressed, chosen=replace(self.pressed.chosen, options=self.options))
@@ -226,16 +227,13 @@ def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, options: di
     return [within(piece, coordinates(piece, -distance), np.inf) for piece in law.pieces(groups, **options)]
 
 
-def _nearest(problem: Sum, turn, is_load: bool, dims: dict[str, int], factors: Mapping[str, Any]) -> np.ndarray:
-    """The nearest separations, over sigma, of the shape of these dimensions."""
-    unit = aligned(factors["N" if is_load else "m"], dims)
-    wanted = np.broadcast_to(aligned(turn, dims) / unit, tuple(dims.values()))
-    if is_load:
-        with in_words(problem, wanted, unit):
-            return separations_at(problem, wanted.reshape(len(problem.groups), -1)).h.reshape(wanted.shape)
-    if not np.abs(wanted).max(initial=0.0) <= FARTHEST:
-        raise InputError("pressed_to", float(np.abs(wanted).max()), f"{FARTHEST:g} times sigma at most")
-    return wanted
+def _nearest(turn: Points) -> np.ndarray:
+    """The nearest separations, over sigma, of the shape of these points."""
+    if turn.name == "mean_separation":
+        check_reach(turn.wanted, "pressed_to")
+        return turn.wanted
+    with in_words(turn):
+        return solve_points(turn).tables["mean_separation"]
 
 
 def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, is_distance: bool) -> np.ndarray:

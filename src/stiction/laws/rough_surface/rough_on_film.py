@@ -36,6 +36,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.contact.layered.curves import TERMS
+from stiction.engine.blocks import blocks
 from stiction.laws.film.shared.layered_rows import coefficients
 from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
@@ -51,7 +52,7 @@ _SIZE, _BY_AREA, _BY_MODULUS = 2.06, 0.086, -0.047
 _HURST, _WAVES = 0.8, 24
 # Ratios of the shortest to the longest wave between which the bandwidth is looked up.
 _RATIOS = np.concatenate([[1.0], 1.0 + np.geomspace(1e-4, 1.0, 60), np.geomspace(2.0, 1e12, 600)[1:]])
-_STEPS, _AT_ONCE = 40, 20_000
+_STEPS, _PER_POINT = 40, 10  # fixed-point steps; what a load takes, as a number of points: bounds the memory
 STIFF = 5.0  # over the modulus of the bodies: under such films, where they are thin, it is weak
 
 
@@ -133,9 +134,8 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); none under tension."""
     whole = groups.resolved()
     require_gaussian(whole.roughness_parameter)
-    step = max(1, _AT_ONCE // max(load.shape[1], 1))
-    parts = [_area(load[at : at + step], whole[at : at + step]) for at in range(0, len(load), step)]
-    return np.concatenate(parts) if parts else np.empty_like(load)
+    parts = [_area(load[rows], whole[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]
+    return np.concatenate(parts)
 
 
 def _area(load: np.ndarray, groups: Groups) -> np.ndarray:

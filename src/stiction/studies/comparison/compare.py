@@ -20,10 +20,11 @@ from stiction.solving import film_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding
-from stiction.solving.inversion import Unreachable, separations_at
+from stiction.solving.inversion import Unreachable
 from stiction.solving.measured_error import measured_errors
 from stiction.solving.method_spread import as_measured, with_range_over_methods
-from stiction.solving.problem import Problem, as_asked, make_problem, problem_of
+from stiction.solving.points import points_of, solve_points
+from stiction.solving.problem import Problem, make_problem, problem_of
 from stiction.solving.results import labelled
 from stiction.solving.solve import solve
 from stiction.solving.state import state_of
@@ -192,18 +193,16 @@ def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
 
 def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[str, np.ndarray] | None:
     """Normalised results (1, 1) at the working load; where it is not carried, nothing, and the answer says why."""
-    unit = problem.subject.scales().factors()["N"]
-    wanted = np.array([[target / unit]])
+    points = points_of(problem, target)
     try:
-        if problem.needs_load:
-            return problem.at_load(wanted)
-        h = separations_at(problem, wanted).h
-        results = problem.at(h)
-        answer.outside = doubts_of_rounding(results["load"], wanted)
-        return {"mean_separation": h} | as_asked(results, wanted)
+        solved = solve_points(points)
+        if solved.carried is not None:
+            answer.outside = doubts_of_rounding(solved.carried, points.wanted)
+        return {name: table.reshape(1, 1) for name, table in solved.tables.items()}
     except Unreachable as error:
+        unit = points.factors["N"]
         high, low = (problem.subject.show(load * unit, "load", 4) for load in (error.high, error.low))
-        answer.why_not = f"{TOO_MUCH} {high}" if wanted.item() > error.high else f"carries loads above {low}"
+        answer.why_not = f"{TOO_MUCH} {high}" if points.wanted.item() > error.high else f"carries loads above {low}"
     except InputError as error:
         answer.why_not = reason_of(error)
     return None

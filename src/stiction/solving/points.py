@@ -1,0 +1,186 @@
+"""From the loads or separations that are asked for to normalised results there: the one way of `solve`, `slide`, `unload`,
+`compare` and of all studies."""
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from stiction.contact.contact import Contact
+from stiction.contact.subject import Subject
+from stiction.engine.blocks import in_blocks
+from stiction.engine.summation import FARTHEST
+from stiction.quantities.dimensions import aligned, coordinates, dimensions
+from stiction.quantities.errors import InputError
+from stiction.quantities.foreign import as_sequence, is_series
+from stiction.quantities.units import axis, from_series
+from stiction.solving.inversion import Inversion, Unreachable, solved_at
+from stiction.solving.problem import Problem, as_asked
+
+__all__ = [
+    "Points",
+    "Solved",
+    "check_reach",
+    "coordinates_of",
+    "in_words",
+    "points_asked",
+    "points_at",
+    "points_of",
+    "solve_points",
+]
+
+
+@dataclass(frozen=True)
+class Points:
+    """Loads or mean separations at which the contacts of a problem are solved.
+
+    name: "load" or "mean_separation". value: what was asked for, a number or an array with named dimensions, in the units of
+    the contact. factors: units of the contact, by scale. dims: dimensions of the results, those of the contacts first. wanted:
+    normalised, of the shape of dims; narrow: the same with length 1 along dimensions on which it does not depend.
+    """
+
+    problem: Problem
+    name: str
+    value: Any
+    factors: Mapping[str, Any]
+    dims: dict[str, int]
+    wanted: np.ndarray
+    narrow: np.ndarray
+
+    @property
+    def table(self) -> np.ndarray:
+        """The wanted values (contacts, points)."""
+        return self.wanted.reshape(len(self.problem.groups), -1)
+
+    @property
+    def coords(self) -> dict[str, Any]:
+        """Coordinates of the contacts and of these points."""
+        return self.problem.coords | coordinates_of(self.value)
+
+    def rows(self, rows: np.ndarray) -> "Points":
+        """The points of some of the contacts, along one dimension."""
+        some = self.table[rows]
+        problem = replace(self.problem.with_groups(rows), dims={"contact": len(rows)})
+        return replace(self, problem=problem, wanted=some, narrow=some)
+
+
+def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Points:
+    """Return the points of a request, of which exactly one is given. Raises InputError."""
+    if (separation is None) == (load is None):
+        raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
+    if problem.needs_load and load is None:
+        raise InputError("separation", separation, f"a load in its place: {problem.record.key} knows no separation")
+    name, given = ("load", load) if separation is None else ("mean_separation", separation)
+    return points_at(problem, name, points_asked(problem.subject, name, given))
+
+
+def points_at(problem: Problem, name: str, value: Any) -> Points:
+    """Return the points of a value that `points_asked` has read; name: "load" or "mean_separation"."""
+    factors = problem.subject.scales().factors()
+    dims = dimensions([value, *factors.values()], problem.dims)
+    narrow = aligned(value, dims) / aligned(factors["N" if name == "load" else "m"], dims)
+    return Points(problem, name, value, factors, dims, np.broadcast_to(narrow, tuple(dims.values())), narrow)
+
+
+def points_asked(subject: Subject, name: str, value: Any) -> Any:
+    """Return the separations or loads asked for: a number, or an array with named dimensions. A plain sequence is named after
+    its quantity."""
+    import xarray
+
+    if isinstance(subject, Contact):
+        if is_series(value):
+            return from_series(value, name)
+        value = as_sequence(value)
+        row = isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
+        if row and not hasattr(value, "dims"):
+            return axis(name, value)
+    read = subject.read(value, name)
+    return xarray.DataArray(read, dims=(name,), coords={name: read}) if isinstance(read, np.ndarray) else read
+
+
+def coordinates_of(*values: Any) -> dict[str, Any]:
+    """Return the coordinates of points asked for. Those that are results are left out: there they stand already."""
+    named = coordinates((str(value.name or ""), value) for value in values if hasattr(value, "dims"))
+    results = ("load", "mean_separation")
+    return {name: one for name, one in named.items() if name not in results or one.dims == (name,)}
+
+
+@dataclass(frozen=True)
+class Solved:
+    """Normalised results at points: tables by name, of the shape of the points. Where loads were asked for at which a model
+    finds separations, how these were found, and the loads that are carried there."""
+
+    tables: dict[str, np.ndarray]
+    found: Inversion | None = None
+    carried: np.ndarray | None = None
+
+
+def solve_points(points: Points, refuse: bool = True) -> Solved:
+    """Solve a problem at its points.
+
+    Raises Unreachable for a load that is nowhere carried; with refuse=False its separation is NaN, and its results are those
+    at separation 0. Raises InputError for points that the model does not know.
+    """
+    problem, wanted = points.problem, points.wanted
+    if points.name == "mean_separation":
+        check_reach(wanted)
+        return Solved({"mean_separation": wanted} | _summed(points))
+    if problem.needs_load:
+        return Solved({name: table.reshape(wanted.shape) for name, table in _at_loads(points).items()})
+    found, results = solved_at(problem, points.table, refuse)
+    results = {name: table.reshape(wanted.shape) for name, table in results.items()}
+    return Solved({"mean_separation": found.h.reshape(wanted.shape)} | as_asked(results, wanted), found, results["load"])
+
+
+def check_reach(separation: np.ndarray, name: str = "separation") -> None:
+    """Raise InputError for separations over sigma beyond what is summed."""
+    farthest = float(np.abs(separation).max(initial=0.0))
+    if not farthest <= FARTHEST:
+        raise InputError(name, farthest, f"{FARTHEST:g} times sigma at most")
+
+
+@contextmanager
+def in_words(points: Points) -> Iterator[None]:
+    """Turn Unreachable into the InputError that says which loads are carried."""
+    try:
+        yield
+    except Unreachable as error:
+        target = points.table[error.law, error.at]
+        unit = np.broadcast_to(aligned(points.factors["N"], points.dims), points.wanted.shape)
+        scale = unit.reshape(points.table.shape)[error.law, error.at]
+
+        def text(load: float) -> str:
+            return points.problem.subject.show(load * scale, "load")
+
+        if target <= error.high:
+            bound = f"at least {text(error.low)}" if error.low else "more than 0"
+        elif error.high >= 0.0:
+            bound = f"at most {text(error.high)}"
+        else:
+            bound = f"none that is above {text(error.high)}, found within {FARTHEST:g} sigma,"
+        raise InputError("load", text(target), f"{bound} under this model, for this contact") from None
+
+
+def _at_loads(points: Points) -> dict[str, np.ndarray]:
+    """Return results (contacts, points) of a theory that knows no separation."""
+    problem = points.problem
+    if (points.wanted < 0.0).any() and not problem.adheres:
+        least = float(np.min(points.value))
+        allowed = f"0 or more: {problem.record.key} knows no adhesion"
+        raise InputError("load", problem.subject.show(least, "load"), allowed)
+    return problem.at_load(points.table)
+
+
+def _summed(points: Points) -> dict[str, np.ndarray]:
+    """Return results at separations. Those that all contacts share are a grid, and are summed faster."""
+    problem, shape = points.problem, points.wanted.shape
+    contacts, own = len(problem.groups), len(problem.shape)
+    per_contact = points.table.shape[1]
+    if all(length == 1 for length in points.narrow.shape[:own]):
+        grid = np.broadcast_to(points.narrow, (1,) * own + shape[own:]).reshape(-1)
+        tables = in_blocks(lambda rows: problem.with_groups(rows).on_grid(grid), contacts, per_contact)
+    else:
+        tables = in_blocks(lambda rows: problem.with_groups(rows).at(points.table[rows]), contacts, per_contact)
+    return {name: table.reshape(shape) for name, table in tables.items()}
