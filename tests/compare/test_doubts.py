@@ -1,7 +1,9 @@
 """Doubts of a result: as text, as data, and of all that answers."""
 
 import json
+import math
 
+import numpy as np
 import pytest
 import xarray
 
@@ -89,3 +91,24 @@ def test_doubts_are_added_to_those_that_a_result_has():
     more = with_doubts(found, [Doubt("words only")])
     assert own and doubts_of(more) == [*own, Doubt("words only")]
     assert more.attrs["outside_validity"] == f"{found.attrs['outside_validity']}; words only"
+
+
+@pytest.mark.parametrize(
+    ("least", "most", "low", "high"),
+    [(0.4, math.inf, 0.0, 0.3), (-math.inf, -2.0, 0.0, 1.0), (math.inf, math.inf, 0.0, 0.3), (math.nan, math.nan, 0.0, 0.3),
+     (3.0, 5.0, 10.0, math.inf), (1.2, 2.0, -math.inf, 1.0)],
+)  # fmt: skip
+def test_infinite_and_missing_ends_survive_in_a_file(tmp_path, least, most, low, high):
+    """Write strict JSON, which has no infinity, and read the same warning back, also from a netCDF file."""
+    doubt = Doubt("too steep", "rms_slope", least, most, low, high, 1, 2)
+    data = with_doubts(xarray.Dataset(), [doubt])
+
+    def refuse(word):
+        raise AssertionError(word)
+
+    json.loads(data.attrs["doubts"], parse_constant=refuse)
+    data.to_netcdf(tmp_path / "doubts.nc", engine="h5netcdf")
+    with xarray.open_dataset(tmp_path / "doubts.nc", engine="h5netcdf") as again:
+        (read,) = doubts_of(again)
+    assert str(read) == str(doubt)
+    assert np.array_equal([read.least, read.most, read.low, read.high], [least, most, low, high], equal_nan=True)

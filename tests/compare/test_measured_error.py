@@ -267,3 +267,27 @@ def test_what_is_not_measured_does_not_win_beside_what_is():
     assert cost["persson_widened"] < 1.0 < cost["greenwood_williamson_1966"]
     assert data.attrs["recommended"] in ("persson_widened", "persson_2001_elastoplastic")
     assert math.isfinite(float(data["measured_area_error"].sel(model="kogut_etsion_2004")))
+
+
+@pytest.mark.parametrize(
+    "model", [("greenwood_williamson_1966", "sequential"), ("greenwood_williamson_1966", "layered"), "rough_on_film"]
+)
+def test_a_film_without_load_has_no_measured_error_there(model):
+    """State nothing where nothing presses, and elsewhere what is stated without that point."""
+    body, film = ({"youngs_modulus": f"{modulus} GPa", "poissons_ratio": 0.3, "hardness": "500 GPa"} for modulus in (10, 50))
+    coated = st.Contact(
+        first=body,
+        second=body | {"youngs_modulus": "1000 GPa"},
+        coating={"material": film, "thickness": "1 um", "bodies": "first"},
+        roughness={"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+        nominal_area="1 mm^2",
+        interfacial_shear_strength="10 MPa",
+    )
+    if model == "rough_on_film":
+        chosen, both, one = {"model": model}, {"load": [1.0, 0.0]}, {"load": [1.0]}
+    else:
+        chosen = {"model": model[0], "film": model[1]}
+        both, one = {"separation": ["50 nm", "5 um"]}, {"separation": ["50 nm"]}
+    pressed, alone = (json.loads(st.solve(coated, **points, **chosen).attrs["measured_error"]) for points in (both, one))
+    for name in ("area", "area_low", "area_high"):
+        assert pressed[name] == [alone[name][0], None] and alone[name][0] is not None

@@ -119,7 +119,7 @@ def with_doubts(data: "xarray.Dataset", more: Iterable[Doubt]) -> "xarray.Datase
 def as_attributes(doubts: Iterable[Doubt]) -> dict[str, str]:
     """Attributes of a result that say its doubts; a netCDF file keeps them."""
     doubts = tuple(doubts)
-    data = [{name: _plain(value) for name, value in doubt.as_data().items()} for doubt in doubts]
+    data = [{name: _plain(name, value) for name, value in doubt.as_data().items()} for doubt in doubts]
     return {"outside_validity": "; ".join(map(str, doubts)), "doubts": json.dumps(data, ensure_ascii=False)}
 
 
@@ -133,11 +133,14 @@ def read_doubts(text: str) -> list[Doubt]:
     return [_read(row) for row in json.loads(text)]
 
 
-def _plain(value: Any) -> Any:
-    """JSON knows no infinity: an open end is null."""
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+def _plain(name: str, value: Any) -> Any:
+    """Return what JSON can hold: null for an open end and for what is not a number, "inf" or "-inf" for an infinite value."""
+    if not isinstance(value, float) or math.isfinite(value):
+        return value
+    return str(value) if name in ("least", "most") and math.isinf(value) else None
 
 
 def _read(row: Mapping[str, Any]) -> Doubt:
-    ends: dict[str, Any] = {"low": -math.inf, "high": math.inf}
-    return Doubt(**{name: ends[name] if row[name] is None else row[name] for name in row if name != "beyond"})
+    missing: dict[str, Any] = {"low": -math.inf, "high": math.inf, "least": math.nan, "most": math.nan}
+    given = {name: missing[name] if row[name] is None else row[name] for name in row if name != "beyond"}
+    return Doubt(**given | {name: float(given[name]) for name in ("least", "most") if name in given})

@@ -88,6 +88,8 @@ def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywh
 
 
 def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):
+    if not place.pressure[at] > 0.0:
+        return _NONE
     apart, loads = film_differences(known, place, at), known["film_loads"]
     found = np.empty(loads.shape[:2])
     for one in np.ndindex(*found.shape):

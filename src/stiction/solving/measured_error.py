@@ -239,9 +239,11 @@ def _on_other_maps(problem: Problem, place: Place, points: int) -> ErrorsNear | 
     bare = bare_errors(solved_set(), f"{_BY_MOMENTS}|{_MOMENTS}", place, anywhere=False)
     if bare is None:
         return found
-    low = found.middle - np.hypot(found.middle - found.low, bare.middle - bare.low)
-    high = found.middle + np.hypot(found.high - found.middle, bare.high - bare.middle)
-    return found._replace(low=low, high=high, relative=np.hypot(found.relative, bare.relative), surfaces=bare.surfaces)
+    middle = np.where(np.asarray(place.pressure) > 0.0, found.middle, np.nan)  # without pressure there is no area to be off
+    low = middle - np.hypot(middle - found.low, bare.middle - bare.low)
+    high = middle + np.hypot(found.high - middle, bare.high - bare.middle)
+    relative = np.hypot(found.relative, bare.relative)
+    return found._replace(middle=middle, low=low, high=high, relative=relative, surfaces=bare.surfaces)
 
 
 def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
