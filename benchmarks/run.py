@@ -153,7 +153,7 @@ def groups_of_models(count: int, film: bool, choice: Choice) -> Groups:
 
 def speed_of_model(choice: Choice, film: bool) -> float:
     """Evaluations per second of any choice of laws on the grid, from its groups to load, area and resistance."""
-    model = find(choice.model, RoughSurface)
+    model = find(choice.model_key, RoughSurface)
     count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
     groups = groups_of_models(count, film, choice)
     if model.asperity and not choice.contamination:  # whose variance is a sum of its own

@@ -94,7 +94,7 @@ def test_points_of_indices_are_plain(read):
 def test_settings(read):
     case = read(INDICES + 'separation = [1]\nreading = "published"\nfilm = "graded"\nbranch = "unloading"')
     options = {"reading": "published", "branch": "unloading"}
-    assert case.choice == Choice("soft_coating_2015", film="graded", options=options)
+    assert case.choice == Choice(film="graded", options=options)
     laws = 'model = "greenwood_williamson_1966"\nasperity = "jkr"\ntangential = "none"\ntransition = "jump"\n'
     case = read(INDICES + "separation = [1]\n" + laws + 'options = { some_option = "one" }')
     options = {"transition": "jump", "some_option": "one"}

@@ -25,7 +25,9 @@ def case(tmp_path):
 
     def write(count: int):
         loads = [f"{0.1 * (1 + at)} N" for at in range(count)]
-        (tmp_path / "case.toml").write_text(f"title = 'with # in it'\n{STEEL_ON_STEEL}\n[solve]\nload = {loads}\n")
+        (tmp_path / "case.toml").write_text(
+            f"title = 'with # in it'\n{STEEL_ON_STEEL}\n[solve]\nmodel = 'soft_coating_2015'\nload = {loads}\n"
+        )
         return tmp_path / "case.toml"
 
     return write

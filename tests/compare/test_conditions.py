@@ -170,7 +170,7 @@ SWAPPED = {"48 nm": "50 um", "50 um": "48 nm"}
 
 def test_what_cannot_be_a_rough_surface_is_questioned_where_it_is_read(tmp_path):
     path = tmp_path / "case.toml"
-    text = f'{STEEL_ON_STEEL}[solve]\nload = "1 N"\n'
+    text = f'{STEEL_ON_STEEL}[solve]\nmodel = "soft_coating_2015"\nload = "1 N"\n'
     path.write_text(text)
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -91,7 +91,7 @@ def subjects():
 
 
 def name_of(choice, coated):
-    parts = choice.model, choice.asperity, choice.tangential, choice.film, *choice.options.values()
+    parts = choice.model_key, choice.asperity, choice.tangential, choice.film, *choice.options.values()
     return "-".join([*(part for part in parts if part), "coated" if coated else "bare"])
 
 

@@ -47,7 +47,7 @@ def choices(contact):
     interface = next(one.key for one in of_kind(TangentialLaw).values() if one.interfacial)
     for choice in known:
         yield choice
-        if of_kind(RoughSurface)[choice.model].tangential == "none":
+        if of_kind(RoughSurface)[choice.model_key].tangential == "none":
             yield replace(choice, tangential=interface)
     plain = known[[one.model for one in known].index("greenwood_williamson_1966")]
     for asperity in of_kind(AsperityLaw):

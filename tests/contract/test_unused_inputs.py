@@ -1,6 +1,8 @@
 """Inputs that do not count are named, for every model: what is named changes nothing, and what is not named does."""
 
 import json
+import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,7 +11,12 @@ from typer.testing import CliRunner
 import stiction as st
 from stiction.cli import app
 from stiction.laws.registry import FilmLaw, RoughSurface, of_kind
+from stiction.solving.problem import make_problem
+from stiction.studies.case.read import parse_case
+from stiction.studies.comparison.compare import working_load
+from stiction.web.asked import Question, solved
 
+PAPER = "soft_coating_2015"
 ROUGHNESS = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="5 um", asperity_density="1.7e11 1/m^2")
 STEEL = st.Material(
     name="steel",
@@ -95,8 +102,8 @@ def test_of_a_coated_contact(film):
 
 
 def test_of_the_reading_to_the_letter():
-    check(BARE.replace(coating=FILM), reading="published")
-    check(BARE, reading="published")
+    check(BARE.replace(coating=FILM), model=PAPER, reading="published")
+    check(BARE, model=PAPER, reading="published")
 
 
 def test_what_a_preset_brings_was_not_given():
@@ -107,7 +114,7 @@ def test_what_a_preset_brings_was_not_given():
 
 
 def test_the_laws_that_would_use_it_are_named_and_do():
-    said = json.loads(st.solve(BARE, load="1 N").attrs["unused_inputs"])
+    said = json.loads(st.solve(BARE, load="1 N", model=PAPER).attrs["unused_inputs"])
     laws = {row["input"]: row["laws"] for row in said}["interfacial_shear_strength"]
     assert laws == {"tangential": ["bowden_tabor_1943", "briscoe_tabor_1978", "tabor_1959"]}
     for key in laws["tangential"]:
@@ -120,7 +127,7 @@ def test_the_laws_that_would_use_it_are_named_and_do():
 
 
 def test_groups_that_do_not_count():
-    result = st.solve(st.Indices(theta=40, lam=10, shear_strength=0.1, hardening=0.01), load=1e-3)
+    result = st.solve(st.Indices(theta=40, lam=10, shear_strength=0.1, hardening=0.01), load=1e-3, model=PAPER)
     assert [row["input"] for row in json.loads(result.attrs["unused_inputs"])] == ["shear_strength", "hardening"]
     assert st.solve(st.Indices(theta=40, lam=10), load=1e-3).attrs["inputs_not_used"] == ""
 
@@ -137,6 +144,7 @@ asperity_height_deviation = "48 nm"
 asperity_radius = "50 um"
 asperity_density = "1.7e10 1/m^2"
 [solve]
+model = "soft_coating_2015"
 load = ["1 N", "2 N"]
 """
 
@@ -165,12 +173,82 @@ def test_the_command_says_it(tmp_path):
     assert result.exit_code == 2
 
 
+def unnamed(**tables):
+    """The tables of the case without a model, and with these."""
+    found = tomllib.loads(CASE)
+    del found["solve"]["model"]
+    return found | tables
+
+
+RADIUS = {"roughness": {"asperity_radius": {"low": "20 um", "high": "80 um"}}}
+WISH = {"minimise": "friction_coefficient"}
+REFUSED = {
+    "solve": lambda: st.solve(parse_case(unnamed()).subject, load="1 N"),
+    "slide": lambda: st.slide(parse_case(unnamed()).subject, load="1 N", asperity="jkr"),
+    "solve_case": lambda: st.solve_case(parse_case(unnamed())),
+    "sweep": lambda: st.sweep(
+        unnamed(contact=unnamed()["contact"] | {"nominal_area": ["1 mm^2", "2 mm^2"]}), "never_made.zarr"
+    ),
+    "fit": lambda: st.fit(unnamed(fit={"free": {"work_of_adhesion": {"low": "1 mJ/m^2", "high": "1 J/m^2"}}}), SERIES),
+    "design": lambda: st.design(unnamed(design={"wish": WISH, "choose": RADIUS, "validity": "any"})),
+    "sensitivity": lambda: st.sensitivity(unnamed()),
+    "report": lambda: st.write_report(unnamed(), "never_made.html"),
+}
+SERIES = Path(__file__).parents[2] / "validation" / "synthetic_boundary_film.csv"
+
+
+@pytest.mark.parametrize("study", REFUSED)
+def test_a_strength_that_the_default_model_ignores_is_refused(study, tmp_path, monkeypatch):
+    """Adhesive junctions of the 2015 paper carry no stated strength: unless its model is named, that is an error."""
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(st.InputError) as caught:
+        REFUSED[study]()
+    said = str(caught.value)
+    assert said.startswith("interfacial_shear_strength: 200 MPa; allowed: none with the default model, soft_coating_2015")
+    assert "--model recommended" in said and len(said.split()) <= 27 and not list(tmp_path.iterdir())
+
+
+def test_the_page_refuses_it_too():
+    answer = solved(Question(unnamed()))
+    assert answer.data is None and answer.error is not None and answer.error.field == "interfacial_shear_strength"
+    named = unnamed(solve={"load": "1 N", "model": PAPER})
+    assert solved(Question(named)).error is None
+
+
+@pytest.mark.parametrize("words", [(), ("--load", "3 N"), ("--asperity", "jkr")])
+def test_the_command_ends_in_one_line(words, tmp_path):
+    (tmp_path / "case.toml").write_text(CASE.replace('model = "soft_coating_2015"\n', ""))
+    result = CliRunner().invoke(app, ["run", str(tmp_path / "case.toml"), *words])
+    assert result.exit_code == 2 and "which ignores it" in result.output and "\n" not in result.output.strip()
+
+
+@pytest.mark.parametrize(
+    "words", [("--model", PAPER), ("--model", "recommended"), ("--tangential", "bowden_tabor_1943"), ("--tangential", "none")]
+)
+def test_what_was_named_answers(words, tmp_path):
+    (tmp_path / "case.toml").write_text(CASE.replace('model = "soft_coating_2015"\n', ""))
+    assert run(tmp_path / "case.toml", *words)
+
+
+def test_a_comparison_at_separations_asks_no_model_by_default(tmp_path):
+    """All models are asked by name; the loads at the separations of the case do not depend on friction."""
+    case = parse_case(unnamed(solve={"separation": [2.0, 1.0, 0.0]}))
+    loads = st.solve(case.subject, separation=case.separation, model=PAPER)["load"].values
+    assert working_load(case, None) == pytest.approx(loads[1])
+
+
+def test_shipped_cases_state_nothing_that_is_ignored():
+    for path in sorted((Path(__file__).parents[2] / "examples").glob("*.toml")):
+        case = st.read_case(path)
+        make_problem(case.subject.as_numbers(), case.choice)
+
+
 @pytest.mark.parametrize(("hardness", "n_H"), [("9 GPa", 1.0), ("3 GPa", 1.5), ("1 GPa", 0.5)])
 def test_a_counterbody_that_yields_first_is_said(hardness, n_H):
     """A film of these hardnesses on a body of 2 GPa, against one of 4 GPa or 2 GPa."""
     film = st.Coating(material=FILM.material.replace(hardness=hardness), thickness="100 nm", bodies="first")
     contact = BARE.replace(coating=film)  # against 2 GPa
-    remarks = st.solve(contact, load="1 N").attrs["remarks"]
+    remarks = st.solve(contact, load="1 N", model=PAPER).attrs["remarks"]
     if n_H == 0.5:
         assert remarks == "" and contact.indices().n_H == pytest.approx(0.5)
         return
@@ -178,4 +256,4 @@ def test_a_counterbody_that_yields_first_is_said(hardness, n_H):
     harder = contact.replace(coating=film.replace(material=film.material.replace(hardness="20 GPa")))
     assert harder.indices().n_H == contact.indices().n_H == 1.0  # the hardness of the film changes nothing
     both = contact.replace(coating=film.replace(bodies="both"))
-    assert st.solve(both, load="1 N").attrs["remarks"] == "" and both.indices().n_H != 1.0
+    assert st.solve(both, load="1 N", model=PAPER).attrs["remarks"] == "" and both.indices().n_H != 1.0

@@ -40,7 +40,7 @@ INDICES = st.Indices(theta=3.0, lam=100.0)
 
 @pytest.mark.parametrize("load", (["-1 mN", "0 N", "1 N"], xarray.DataArray([-1e-3, 0.0, 1.0], dims="pressed")))
 def test_friction_is_not_a_number_unless_the_load_presses(load):
-    data = st.solve(ADHESIVE, load=load)
+    data = st.solve(ADHESIVE, load=load, model="soft_coating_2015")
     assert_array_equal(np.isfinite(data["friction_coefficient"]), [False, False, True])
     assert_array_equal(data["load"], [-1e-3, 0.0, 1.0])
     assert (data["friction_force"] > 0.0).all()
@@ -49,7 +49,7 @@ def test_friction_is_not_a_number_unless_the_load_presses(load):
 
 @pytest.mark.parametrize("contact", (ADHESIVE, INDICES))
 def test_one_load_of_nothing(contact):
-    data = st.solve(contact, load=0.0)
+    data = st.solve(contact, load=0.0, model="soft_coating_2015")
     assert float(data["load"]) == 0.0 and np.isnan(float(data["friction_coefficient"]))
 
 
@@ -61,8 +61,8 @@ def test_of_many_contacts_too():
 
 
 def test_a_tiny_load_is_what_friction_is_compared_to():
-    data = st.solve(ADHESIVE, load="1e-8 N")
-    nothing = st.solve(ADHESIVE, load="0 N")
+    data = st.solve(ADHESIVE, load="1e-8 N", model="soft_coating_2015")
+    nothing = st.solve(ADHESIVE, load="0 N", model="soft_coating_2015")
     assert_allclose(float(data["friction_coefficient"]), float(nothing["friction_force"]) / 1e-8, rtol=1e-6)
 
 

@@ -69,7 +69,7 @@ def test_a_type_checker_sees_signatures(tmp_path):
     command = [sys.executable, "-m", "mypy", *options, str(script)]
     said = subprocess.run(command, text=True, capture_output=True, env=environment, cwd=tmp_path, check=False).stdout
     lines = [line for line in said.splitlines() if line.startswith("script.py")]
-    assert re.search(r"contact: [\w.]+\.Subject, .*model: str =", lines[0]), said
+    assert re.search(r"contact: [\w.]+\.Subject, .*model: str \| None =", lines[0]), said
     assert 'Revealed type is "xarray.core.dataset.Dataset"' in lines[1], said
     assert 'Revealed type is "str"' in lines[2], said
     assert 'Unexpected keyword argument "readding"' in lines[3], said

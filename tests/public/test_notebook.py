@@ -57,7 +57,7 @@ def test_a_material_shows_its_sources():
 
 
 def test_a_result_shows_its_doubts_and_what_was_not_used():
-    result = st.solve(contact(), load=["1 N", "100 N"])
+    result = st.solve(contact(), load=["1 N", "100 N"], model="soft_coating_2015")
     shown = st.summary(result)
     texts = Cells(shown._repr_html_()).texts
     doubts = [f"doubt: {one}" for one in doubts_of(result)]
@@ -77,6 +77,6 @@ def test_every_result_has_a_summary(made):
     elif made == "groups":
         result = st.solve(st.Indices(theta=40, lam=10), separation=[1.0, 0.0])
     else:
-        result = st.solve(contact(), load="1 N")
+        result = st.solve(contact(), load="1 N", model="greenwood_williamson_1966")
         assert ("load", "1 N") in st.summary(result).rows
     assert Cells(st.summary(result)._repr_html_()).texts

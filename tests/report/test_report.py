@@ -24,7 +24,10 @@ from stiction.studies.comparison.findings import find_out
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 # Without a working load nothing is compared: the quickest report there is.
-SEVERAL = STEEL_ON_STEEL.replace('"1 mm^2"', '["1 mm^2", "2 mm^2"]') + '[solve]\nload = ["0.1 N", "1 N"]\n'
+SEVERAL = (
+    STEEL_ON_STEEL.replace('"1 mm^2"', '["1 mm^2", "2 mm^2"]')
+    + '[solve]\nmodel = "soft_coating_2015"\nload = ["0.1 N", "1 N"]\n'
+)
 SCRIPT = "<script>alert(1)</script>"
 
 
@@ -187,7 +190,10 @@ def replace_without_comparison(findings):
 
 
 def test_a_case_that_does_not_press_says_so(tmp_path):
-    text = STEEL_ON_STEEL.replace('"0.1 J/m^2"', '"1 J/m^2"').replace('"48 nm"', '"3 nm"') + "[solve]\nseparation = [4]\n"
+    text = (
+        STEEL_ON_STEEL.replace('"0.1 J/m^2"', '"1 J/m^2"').replace('"48 nm"', '"3 nm"')
+        + '[solve]\nmodel = "soft_coating_2015"\nseparation = [4]\n'
+    )
     record = write_report(small(tmp_path, text), tmp_path / "report.html")
     page = Page((tmp_path / "report.html").read_text(encoding="utf-8"))
     assert record["friction_coefficient"] is None and "nothing presses" in record["answer"]

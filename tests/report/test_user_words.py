@@ -120,7 +120,7 @@ def test_sensitivity_names_every_law_that_answers():
 def test_uncertain_inputs_that_a_model_does_not_take_do_not_change_its_answer():
     """A law that shears no interface has no use for its strength, which the case states with an error."""
     strength = {"interfacial_shear_strength": "200 +/- 40 MPa"}
-    case = _case()
+    case = _case(model="soft_coating_2015")
     case["contact"] = case["contact"] | strength
     case["uncertainty"] = {"count": 64}
     said = answer_in_words(find_out(parse_case(case)))

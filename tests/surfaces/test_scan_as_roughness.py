@@ -20,6 +20,7 @@ BODIES = {
     "nominal_area": "1 mm^2",
 }
 WAVY = np.cos(np.arange(32) * 0.8)[:, None] * np.cos(np.arange(32) * 0.7) * 1e-9
+PAPER = "soft_coating_2015"
 CASE = """
 [contact]
 first = "silver"
@@ -29,6 +30,7 @@ interfacial_shear_strength = "20 MPa"
 nominal_area = "1 mm^2"
 roughness = {roughness}
 [solve]
+model = "soft_coating_2015"
 load = ["1 mN", "1 N"]
 """
 
@@ -69,7 +71,7 @@ def test_a_scan_is_solved_as_from_a_case(scan, case):
     contact = st.Contact(**BODIES, roughness=scan)
     assert contact.roughness.model_dump() == case().subject.roughness.model_dump()
     assert set(contact.roughness.measured.by_method) == {"three_point", "eight_neighbour", "persistence", "n_point", "mccool"}
-    result = st.solve(contact, load=["1 mN", "1 N"])
+    result = st.solve(contact, load=["1 mN", "1 N"], model=PAPER)
     alike(result, st.solve_case(case()))
     assert result["friction_coefficient_by_method"].sizes == {"asperity_method": 5, "load": 2}
     assert (result["friction_coefficient_low"] < result["friction_coefficient_high"]).all()
@@ -84,7 +86,7 @@ def test_theories_of_the_surface_take_its_moments(scan, case):
     assert found.attrs["roughness_method"] == "mccool" and found["asperity_method"].values.tolist() == ["mccool"]
     of_moments = st.Contact(**BODIES, roughness={"first": scan, "method": "mccool"})
     alike(st.solve(of_moments, load=["1 mN", "1 N"], **words), found)
-    assert st.solve(of_moments, load="1 N").sizes["asperity_method"] == 5
+    assert st.solve(of_moments, load="1 N", model=PAPER).sizes["asperity_method"] == 5
 
 
 def test_a_scan_is_compared_as_from_a_case(scan, case):
@@ -118,7 +120,7 @@ def test_whatever_holds_it(scan):
 def test_how_asperities_are_found_may_be_given_with_it(scan, case):
     contact = st.Contact(**BODIES, roughness={"first": scan, "method": "persistence", "shortest": "1 um"})
     assert contact.roughness.measured.method == "persistence"
-    alike(st.solve(contact, load=["1 mN", "1 N"]), st.solve_case(case(method="persistence", shortest="1 um")))
+    alike(st.solve(contact, load=["1 mN", "1 N"], model=PAPER), st.solve_case(case(method="persistence", shortest="1 um")))
     other = st.gaussian_surface((128, 128), (SIZE, SIZE), SPECTRUM, 2)
     both = st.Contact(**BODIES, roughness={"first": scan, "second": other}).roughness
     one = st.Contact(**BODIES, roughness=scan).roughness
@@ -128,11 +130,11 @@ def test_how_asperities_are_found_may_be_given_with_it(scan, case):
 def test_the_measurement_goes_with_the_roughness(scan):
     contact = st.Contact(**BODIES, roughness=scan)
     moved = contact.replace(nominal_area="2 mm^2", work_of_adhesion="0.1 J/m^2")
-    assert moved.measured is contact.measured and "friction_coefficient_low" in st.solve(moved, load="1 N")
+    assert moved.measured is contact.measured and "friction_coefficient_low" in st.solve(moved, load="1 N", model=PAPER)
     for plain in (contact.as_numbers(), contact.replace(roughness=contact.roughness.replace(asperity_radius="1 um"))):
-        assert plain.measured is None and "friction_coefficient_low" not in st.solve(plain, load="1 N")
-    assert float(st.solve(contact.as_numbers(), load="1 N")["friction_coefficient"]) == pytest.approx(
-        float(st.solve(contact, load="1 N")["friction_coefficient"]), rel=1e-14
+        assert plain.measured is None and "friction_coefficient_low" not in st.solve(plain, load="1 N", model=PAPER)
+    assert float(st.solve(contact.as_numbers(), load="1 N", model=PAPER)["friction_coefficient"]) == pytest.approx(
+        float(st.solve(contact, load="1 N", model=PAPER)["friction_coefficient"]), rel=1e-14
     )
 
 
@@ -141,9 +143,9 @@ def test_sweeps_have_their_spread(scan):
     gamma = st.axis("work_of_adhesion", [0.05, 0.2])
     contact = st.Contact(**BODIES | {"work_of_adhesion": gamma}, roughness=scan)
     for points in ({"load": ["1 mN", "1 N"]}, {"separation": ["150 nm", "0 nm"]}, {"load": "1 N"}):
-        swept = st.solve(contact, **points)
+        swept = st.solve(contact, **points, model=PAPER)
         for at, value in enumerate(gamma.values):
-            alone = st.solve(contact.replace(work_of_adhesion=float(value)), **points)
+            alone = st.solve(contact.replace(work_of_adhesion=float(value)), **points, model=PAPER)
             for name in ("friction_coefficient_by_method", "friction_coefficient_low", "friction_coefficient_high"):
                 found = swept[name].isel(work_of_adhesion=at)
                 np.testing.assert_allclose(found.values, alone[name].values, rtol=1e-7)
@@ -152,12 +154,12 @@ def test_sweeps_have_their_spread(scan):
 
 
 def test_each_method_at_the_loads_of_the_first(scan):
-    result = st.solve(st.Contact(**BODIES, roughness=scan), separation=["60 nm", "0 nm"])
+    result = st.solve(st.Contact(**BODIES, roughness=scan), separation=["60 nm", "0 nm"], model=PAPER)
     contacts = st.Contact(**BODIES, roughness=scan)
     by_method = contacts.measured.contacts(contacts)
     for method in result["asperity_method"].values:
         for at, load in enumerate(result["load"].values):
-            alone = st.solve(by_method[method], load=float(load))["friction_coefficient"]
+            alone = st.solve(by_method[method], load=float(load), model=PAPER)["friction_coefficient"]
             assert float(result["friction_coefficient_by_method"].sel(asperity_method=method)[at]) == pytest.approx(
                 float(alone), rel=1e-7
             )

@@ -53,13 +53,13 @@ def candidates(subject: Subject) -> list[Candidate]:
         return found
     films = of_kind(FilmLaw)
     as_one = [
-        _as_one(candidate, models[candidate.choice.model], film)
+        _as_one(candidate, models[candidate.choice.model_key], film)
         for film in films.values()
         if film.solved_as_one
         for candidate in found
-        if models[candidate.choice.model].asperity and candidate.choice != Choice(_SUM)  # which is the film by itself
+        if models[candidate.choice.model_key].asperity and candidate.choice != Choice(_SUM)  # which is the film by itself
     ]
-    found = [_with_film(candidate, models[candidate.choice.model]) for candidate in found] + as_one
+    found = [_with_film(candidate, models[candidate.choice.model_key]) for candidate in found] + as_one
     return found + [_alone(film) for film in films.values() if film.interchangeable and film.key != _SUITS_ALL]
 
 
@@ -94,9 +94,11 @@ def _alone(film: FilmLaw) -> Candidate:
     return Candidate(film.key, Choice(model, asperity=film.asperity or None, film=film.key))
 
 
-def choice_of(name: str, given: Mapping[str, str | None], subject: Subject) -> Choice:
-    """What a name stands for: the key of a rough-surface model, or any name that a comparison shows for this contact; with laws
-    and options in place of its own. Raises InputError for a name that neither knows."""
+def choice_of(name: str | None, given: Mapping[str, str | None], subject: Subject) -> Choice:
+    """What a name stands for: the key of a rough-surface model, or any name that a comparison shows for this contact, None for
+    the default model; with laws and options in place of its own. Raises InputError for a name that neither knows."""
+    if name is None:
+        return Choice.of(None, given)
     if not isinstance(name, str):
         raise InputError(RoughSurface.keyword, name, ", ".join(of_kind(RoughSurface)))
     try:
@@ -118,7 +120,7 @@ def choice_of(name: str, given: Mapping[str, str | None], subject: Subject) -> C
 def with_interface(choice: Choice, groups: Groups) -> Choice:
     """The choice with a law of the interface, where its model has no tangential law of its own, none was named, and the
     contact states what such a law needs."""
-    if choice.tangential is not None or find(choice.model, RoughSurface).tangential != "none":
+    if choice.tangential is not None or find(choice.model_key, RoughSurface).tangential != "none":
         return choice
     return replace(choice, tangential=law_of_the_interface(groups))
 
@@ -126,7 +128,7 @@ def with_interface(choice: Choice, groups: Groups) -> Choice:
 def with_menisci(choice: Choice, groups: Groups) -> Choice:
     """The choice with the law of menisci that suits every asperity law, where the contact states a liquid, none was named, and
     the model is a sum over asperities."""
-    if choice.meniscus is not None or groups.meniscus_index is None or not find(choice.model, RoughSurface).asperity:
+    if choice.meniscus is not None or groups.meniscus_index is None or not find(choice.model_key, RoughSurface).asperity:
         return choice
     return replace(choice, meniscus=_MENISCI)
 
@@ -134,7 +136,7 @@ def with_menisci(choice: Choice, groups: Groups) -> Choice:
 def with_ageing(choice: Choice, groups: Groups) -> Choice:
     """The choice with the law of strengthening at rest, where the contact states how long that was, none was named, and the
     strength of the interface is what is sheared."""
-    of_map = find(choice.model, RoughSurface).of_map is not None
+    of_map = find(choice.model_key, RoughSurface).of_map is not None
     if choice.ageing is not None or groups.waiting is None or of_map or not _shears_an_area(choice):
         return choice
     return replace(choice, ageing=_AGEING)
@@ -143,7 +145,7 @@ def with_ageing(choice: Choice, groups: Groups) -> Choice:
 def with_contamination(choice: Choice, groups: Groups) -> Choice:
     """The choice with the spread by single junctions, where the contact states how they vary, none was named, the strength of
     the interface is what is sheared, and a sum without a film knows them."""
-    asperity = find(choice.model, RoughSurface).asperity
+    asperity = find(choice.model_key, RoughSurface).asperity
     known = all(groups.knows(name) for name in find(_JUNCTIONS, Contamination).needs) and not groups.has_film
     if choice.contamination is not None or not known or not asperity or not _shears_an_area(choice):
         return choice
@@ -152,7 +154,7 @@ def with_contamination(choice: Choice, groups: Groups) -> Choice:
 
 def _shears_an_area(choice: Choice) -> bool:
     """Whether the tangential law, of the choice or of its model, has a strength of the interface on the contact area."""
-    key = choice.tangential or find(choice.model, RoughSurface).tangential
+    key = choice.tangential or find(choice.model_key, RoughSurface).tangential
     return key != "none" and find(key, TangentialLaw).of_area
 
 

@@ -15,12 +15,12 @@ DEFAULT_MODEL = "soft_coating_2015"
 
 @dataclass(frozen=True)
 class Choice:
-    """What is to answer: a model, and in place of what it takes by itself another asperity law, tangential law ("none" for
-    contact only) or film law; how the contact yields before it slides, if that is wanted; how menisci pull ("none": as if
-    there were no liquid), how the interface strengthens at rest ("none": it does not), and how it varies; keys of the
-    registry. options: options of any of these, by name; None for a default."""
+    """What is to answer: a model (None: the default one), and in place of what it takes by itself another asperity law,
+    tangential law ("none" for contact only) or film law; how the contact yields before it slides, if that is wanted; how
+    menisci pull ("none": as if there were no liquid), how the interface strengthens at rest ("none": it does not), and how
+    it varies; keys of the registry. options: options of any of these, by name; None for a default."""
 
-    model: str = DEFAULT_MODEL
+    model: str | None = None
     asperity: str | None = None
     tangential: str | None = None
     film: str | None = None
@@ -31,16 +31,21 @@ class Choice:
     contamination: str | None = None
 
     def __post_init__(self):
-        for name, value in (self.arguments() | {"model": None}).items():  # a model that is no text is refused with all that are
+        for name, value in (self.arguments() | {"model": None}).items():  # an unknown model is refused with the known ones
             if not (value is None or isinstance(value, str)):
                 raise InputError(name, value, "text: the key of a law, or a value of an option")
 
     @classmethod
-    def of(cls, model: str, given: Mapping[str, str | None]) -> "Choice":
+    def of(cls, model: str | None, given: Mapping[str, str | None]) -> "Choice":
         """The choice of a model and of what is given by name: laws, and options, which are all that is no name of a law."""
         words = dict(given)
         laws = {name: words.pop(name) for name in LAWS if name in words}
         return cls(model, options=words, **laws)
+
+    @property
+    def model_key(self) -> str:
+        """Return the key of the model that answers, the default one where none is named."""
+        return DEFAULT_MODEL if self.model is None else self.model
 
     def with_changes(self, laws: Mapping[str, str | None], options: Mapping[str, str | None]) -> "Choice":
         """The same with those laws and options that are not None."""

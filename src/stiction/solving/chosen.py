@@ -78,7 +78,7 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
 
     Raises InputError for keys that are not known, for options that none of the laws has, and where laws do not suit each other.
     """
-    model = find(choice.model, RoughSurface)
+    model = find(choice.model_key, RoughSurface)
     presliding = find(choice.presliding, Presliding) if choice.presliding else None
     tangential = _tangential(choice.tangential or model.tangential)
     if not model.asperity:

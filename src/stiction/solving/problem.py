@@ -24,6 +24,7 @@ from stiction.solving.laplace import bounded, most_pull
 from stiction.solving.on_map import OnMap
 from stiction.solving.parts import of_those, share_beyond, share_without, states_of
 from stiction.solving.problem_base import Problem, with_coefficient
+from stiction.solving.unused import refuse_ignored_strength
 
 _RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
 _COUNT, LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
@@ -342,7 +343,7 @@ def takes_surface_moments(model: str) -> bool:
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
     """The problem of this contact under this model. Raises InputError for what the model does not know or refuses."""
     check_threads(threads)
-    subject = with_surface_moments(as_subject(subject), choice.model)
+    subject = with_surface_moments(as_subject(subject), choice.model_key)
     own_heights = heights is None
     if heights is None:
         name, parameters = subject.heights
@@ -358,6 +359,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
         raise InputError("heights", heights.key, f"nothing: {problem.record.key} takes those of the map")
     if isinstance(problem, ClosedForm) and heights.key != "gaussian":
         raise InputError("heights", heights.key, f"gaussian: {problem.record.key} knows no other heights")
+    refuse_ignored_strength(problem, choice)
     return problem
 
 
@@ -384,7 +386,7 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
                 given = subject.given_as(name) if subject is not None else name
                 whose = "" if record is chosen.model else f", which {chosen.model.key} takes here,"
                 allowed = f"{_wanted(given)}: {record.key}{whose} needs it"
-                raise InputError(given, getattr(subject, given, None), allowed, _others(choice.model))
+                raise InputError(given, getattr(subject, given, None), allowed, _others(choice.model_key))
     kind: type[Problem] = Sum if chosen.asperity is not None else OnMap if chosen.model.of_map is not None else ClosedForm
     groups = groups if chosen.ageing is None else chosen.ageing.aged(groups)
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

@@ -19,7 +19,6 @@ from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import DEFAULT_MODEL
 from stiction.solving.points import coordinates_of, in_words, points_asked, points_of, solve_points
 from stiction.solving.problem import Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
@@ -44,7 +43,7 @@ def slide(
     load: Any = None,
     displacement: Any = None,
     kept: float = 1.0,
-    model: str = DEFAULT_MODEL,
+    model: str | None = None,
     heights: Heights | str | None = None,
     **laws: str | None,
 ) -> "xarray.Dataset":

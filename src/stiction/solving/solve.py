@@ -11,7 +11,7 @@ from stiction.laws.registry import RoughSurface, find
 from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import DEFAULT_MODEL, Choice
+from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.method_spread import with_measured
 from stiction.solving.points import Points, in_words, points_of, solve_points
@@ -27,7 +27,7 @@ def solve(
     *,
     separation: Any = None,
     load: Any = None,
-    model: str = DEFAULT_MODEL,
+    model: str | None = None,
     heights: Heights | str | None = None,
     threads: int = 1,
     **laws: str | None,
@@ -38,7 +38,8 @@ def solve(
     separation: mean separation, m for a Contact (text with a unit is fine), over sigma for Indices; or load: net normal
     load, N or normalised. A number, a 1-D sequence, or an xarray.DataArray with named dimensions. Any number of the
     contact may be an array with a named dimension (stiction.axis): the result carries all dimensions.
-    model: key of a rough-surface model (stiction.models()), or any name that `compare` shows for this contact; where it has
+    model: key of a rough-surface model (stiction.models()), or any name that `compare` shows for this contact, by default
+    soft_coating_2015, unless the contact states a strength of its interface, which that ignores; where it has
     no tangential law and the contact states the strength of its interface, that is sheared. laws: keys of other laws in place
     of those that the model takes by itself, as asperity, tangential ("none" for contact only) or film;
     presliding="mindlin_1949" adds tangential_stiffness, that of the contact before anything slides; meniscus and ageing are
@@ -57,7 +58,7 @@ def solve(
     Raises InputError for bad input, for laws that do not go together, and for a load that is nowhere carried.
     """
     choice = choice_of(model, laws, as_subject(contact))
-    measured = with_surface_moments(as_subject(contact), choice.model).measured
+    measured = with_surface_moments(as_subject(contact), choice.model_key).measured
     try:
         data = _at_points(contact, separation, load, choice, heights, threads)
     except InputError as error:
@@ -65,13 +66,13 @@ def solve(
         raise InputError(error.field, error.value, error.allowed + doubts, error.hint) from None
     if measured is None:
         return data
-    if find(choice.model, RoughSurface).of_map is not None:
+    if find(choice.model_key, RoughSurface).of_map is not None:
         return with_doubts(data, map(Doubt, measured.doubts)).assign_attrs(measured.solvable.attributes())
 
     def solved(other: Contact, loads: Any) -> "xarray.Dataset":
         return _at_points(other, None, loads, choice, heights, threads)
 
-    whole = with_surface_moments(contact, choice.model)
+    whole = with_surface_moments(contact, choice.model_key)
     assert isinstance(whole, Contact)  # groups were not measured
     return with_measured(data, whole, solved)
 

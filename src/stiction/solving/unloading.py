@@ -192,12 +192,12 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
         raise InputError("contact", "with a liquid", "a dry contact: how menisci that were made let go is not known")
     if as_subject(contact).has_film:
         raise InputError("contact", "with a film", "a bare contact: no film law says how it unloads")
-    model = find(choice.model, RoughSurface)
+    model = find(choice.model_key, RoughSurface)
     if not model.asperity:
-        raise InputError("model", choice.model, "a sum over an asperity law: a theory in closed form has no history")
+        raise InputError("model", choice.model_key, "a sum over an asperity law: a theory in closed form has no history")
     if model.regimes is not None:
-        reason = f"of what {choice.model} adds to that, its source does not say how it unloads"
-        raise InputError("model", choice.model, f"a plain sum over an asperity law: {reason}")
+        reason = f"of what {choice.model_key} adds to that, its source does not say how it unloads"
+        raise InputError("model", choice.model_key, f"a plain sum over an asperity law: {reason}")
     problem = make_problem(contact, choice, heights)
     assert isinstance(problem, Sum)  # of a model with an asperity law
     released, how = _released(problem.law.asperity, problem)

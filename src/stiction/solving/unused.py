@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from stiction.contact.indices import Groups
 from stiction.laws.registry import AsperityLaw, Record, TangentialLaw, friction_incompatibility, incompatibility, of_kind
-from stiction.solving.problem import Problem, Sum
+from stiction.quantities.errors import InputError, InWords
+from stiction.solving.choice import Choice
+from stiction.solving.problem_base import Problem
 
 if TYPE_CHECKING:
     import xarray
@@ -15,6 +17,8 @@ if TYPE_CHECKING:
 # What no group stands for by itself: the works of adhesion count where asperities attract, and that of the film also where a
 # law without attraction asks for n_g; it is that of the bodies where none is given.
 _ADHESION, _OF_FILM = "adhesion", "adhesion of the film"
+# The groups of the strength of the interface.
+_STRENGTH = ("shear_strength", "pressure_coefficient")
 
 
 @dataclass(frozen=True)
@@ -62,10 +66,27 @@ def unused_inputs(problem: Problem) -> list[Unused]:
     return found
 
 
+def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
+    """Raise InputError for a stated strength of the interface that the default model ignores.
+
+    A model or tangential law that was named may ignore it: then the result says so.
+    """
+    given = problem.subject.optional_inputs()
+    names = [name for name, group in given.items() if group in _STRENGTH]
+    if choice.model is not None or choice.tangential is not None or not names:
+        return
+    ignored = [one.input for one in unused_inputs(problem) if one.input in names]
+    if ignored:
+        value = InWords(dict(problem.subject.inputs()).get(ignored[0], "given"))
+        allowed = f"none with the default model, {choice.model_key}, which ignores it"
+        hint = f"name a model: --model recommended, one that `stiction compare` shows, or {choice.model_key}"
+        raise InputError(ignored[0], value, allowed, hint)
+
+
 def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
     """Laws that would use a group and go together with the others: keyword -> keys."""
     chosen = problem.chosen
-    asperity = chosen.asperity if isinstance(problem, Sum) else None
+    asperity = chosen.asperity  # None of a theory in closed form
     known = problem.groups
     others = [one for one in (chosen.tangential, chosen.film) if one is not None]
     asperities: Iterable[AsperityLaw] = of_kind(AsperityLaw).values() if asperity is not None else ()

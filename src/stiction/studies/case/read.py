@@ -122,7 +122,7 @@ class _Solve(Input):
 
     separation: Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
     load: Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
-    model: str = Field(DEFAULT_MODEL, description="key of a model, see `stiction models`")
+    model: str | None = Field(None, description=f"key of a model, see `stiction models`; by default {DEFAULT_MODEL}")
     asperity: str | None = Field(None, description="key of an asperity law in place of the model's own, see `stiction models`")
     tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
     film: str | None = Field(None, description="key of a film law, see `stiction models`")

@@ -51,7 +51,7 @@ def solve_case(
     choice = choice_of_case(case, choice or case.choice)
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
     data = with_bands(data, case, choice, progress("Drawing what is uncertain"))
-    return with_groups(_said(data, case), case.with_surface_moments(choice.model).subject)
+    return with_groups(_said(data, case), case.with_surface_moments(choice.model_key).subject)
 
 
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
@@ -64,16 +64,16 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
         raise InputError(
             name, several_in_words(array, name), "one, as a film is looked at one contact at a time: a case for each"
         )
-    recommended = choice.model == RECOMMENDED
+    recommended = choice.model_key == RECOMMENDED
     if recommended:
         choice = replace(choice_of_case(case, replace(choice, film=None)), film=_LAYERED)
-    subject = case.with_surface_moments(choice.model).subject
+    subject = case.with_surface_moments(choice.model_key).subject
     try:
         data = film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments())
     except InputError:
         if not recommended:
             raise
-        name = " + ".join(filter(None, (choice.model, choice.asperity)))
+        name = " + ".join(filter(None, (choice.model_key, choice.asperity)))
         allowed = f"a sum over asperities that goes with the film law {_LAYERED}, such as --model soft_coating_2015"
         raise InputError("model", f"{RECOMMENDED}, which is {name} here", allowed) from None
     return _said(data, case)

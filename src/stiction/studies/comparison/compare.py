@@ -315,7 +315,8 @@ def working_load(case: "Case", given: str | None) -> float | None:
         return _pressing(case.subject, given, "--load")
     loads = case.load
     if loads is None:
-        loads = solve(case.subject.as_numbers(), separation=case.separation, **case.choice.arguments())["load"].values
+        own = case.choice.arguments() | {"model": case.choice.model_key}  # named: loads do not depend on what friction ignores
+        loads = solve(case.subject.as_numbers(), separation=case.separation, **own)["load"].values
     pressing = np.flatnonzero(loads > 0.0)
     if not pressing.size:
         return None

@@ -79,7 +79,7 @@ class Space:
         solved = solve_pointwise(subject, choice, load=float(points["load"].values.flat[0]))
         for name in [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
-                raise InputError("design", name, f"a result that {choice.model} gives here, or a group of the contact")
+                raise InputError("design", name, f"a result that {choice.model_key} gives here, or a group of the contact")
         return choice
 
     def words(self, shares: np.ndarray) -> list[str]:

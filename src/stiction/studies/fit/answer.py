@@ -79,7 +79,7 @@ def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
     refused = np.flatnonzero(~np.isfinite(forward.values(best.shares)[0]))
     if refused.size:
         line, load = forward.data.line[refused[0]], float(forward.data.load[refused[0]])
-        allowed = f"what {forward.choice.model} carries with numbers between the ends of [fit.free]"
+        allowed = f"what {forward.choice.model_key} carries with numbers between the ends of [fit.free]"
         raise InputError(f"line {line}, load", show(load, "load"), allowed)
     return _scaled(name, forward, best, (errors, stated), with_profiles)
 

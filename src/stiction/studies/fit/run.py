@@ -80,7 +80,7 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
 def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -> Fitting:
     """As `fit`; where it is interrupted, with what is done by then if the model of the case is fitted."""
     plan = with_recommended(plan, case_between_the_ends(plan, plan.data))
-    name = forward_of(plan).choice.model
+    name = forward_of(plan).choice.model_key
     for _ in progress("Fitting")([name]):
         found = Fitting(plan, fitted("", forward_of(plan)))
     try:
@@ -204,7 +204,7 @@ def _attributes(found: Fitting) -> dict[str, Any]:
     return {
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",
-        "model": one.forward.choice.model,
+        "model": one.forward.choice.model_key,
         "values": len(plan.data),
         "free": len(one.parameters),
         "degrees_of_freedom": one.freedom,

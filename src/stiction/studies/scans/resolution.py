@@ -89,9 +89,9 @@ class _Friction:
         if not isinstance(self.contact, Contact):
             raise InputError("contact", type(self.contact).__name__, "a stiction.Contact")
         groups, _ = Groups.of(self.contact.indices())
-        tangential = with_interface(self.chosen, groups).tangential or find(self.chosen.model, RoughSurface).tangential
+        tangential = with_interface(self.chosen, groups).tangential or find(self.chosen.model_key, RoughSurface).tangential
         if tangential == "none":
-            raise InputError("model", self.chosen.model, "a model of friction, or a tangential law beside it")
+            raise InputError("model", self.chosen.model_key, "a model of friction, or a tangential law beside it")
         for name, array in self.contact.arrays():
             raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
         asked = to_si(self.load, "load")
@@ -106,7 +106,7 @@ class _Friction:
     @property
     def of_map(self) -> bool:
         """Whether the map is solved, and no asperities are asked."""
-        return find(self.chosen.model, RoughSurface).of_map is not None
+        return find(self.chosen.model_key, RoughSurface).of_map is not None
 
     def coefficient(
         self, seen: HeightMap, to_solve: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]
@@ -114,7 +114,7 @@ class _Friction:
         """Static friction coefficient of the contact with these asperities for its rough surface. Theories of the whole surface
         take its moments, whatever was found, and what solves a map takes that; options: of the methods."""
         assert self.contact is not None
-        if takes_surface_moments(self.chosen.model):
+        if takes_surface_moments(self.chosen.model_key):
             key = method_of_moments()
             found = asperities(seen, key, **options.get(key, {}))
             heights = height_model(found)

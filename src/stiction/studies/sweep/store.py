@@ -260,7 +260,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     points = {dim: size for dim, size in zip(dims, bits.shape, strict=True) if dim not in plan.dims}
     layout = {name: tuple(dim for dim in (*plan.dims, *points) if dim in solved.variables[name][0]) for name in names}
     if len(solved.rules) > _MOST_RULES:
-        raise InputError("model", case.choice.model, f"laws with {_MOST_RULES} ranges of validity at most, for a sweep")
+        raise InputError("model", case.choice.model_key, f"laws with {_MOST_RULES} ranges of validity at most, for a sweep")
     group = zarr.create_group(str(path), zarr_format=3)
     said = {name: solved.attributes[name] for name in (*_LAWS, *solved.attributes["options"].split())}
     more = {"results": json.dumps(layout), "points": json.dumps(points), "identity": plan.identity()}

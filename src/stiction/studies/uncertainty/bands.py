@@ -60,7 +60,7 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Pro
     if not case.uncertain:
         return data
     if solves_maps(choice):
-        why = f"what is uncertain has no band: {choice.model} would have to solve the map for every point that is drawn"
+        why = f"what is uncertain has no band: {choice.model_key} would have to solve the map for every point that is drawn"
         return with_doubts(data, [Doubt(why)])
     wanted = case.uncertainty
     names = [name for name in OUTPUTS if name in data.data_vars]

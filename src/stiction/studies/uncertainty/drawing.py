@@ -85,7 +85,7 @@ def draw(
     for one in variants:
         if solves_maps(one.choice):
             raise InputError(
-                "model", one.choice.model, "a model that solves many contacts at once, where numbers are uncertain"
+                "model", one.choice.model_key, "a model that solves many contacts at once, where numbers are uncertain"
             )
     found = _layout(case, variants, names)
     count = len(shares)
@@ -108,7 +108,7 @@ def _points(case: Case) -> dict[str, Any] | None:
 
 def solves_maps(choice: Choice) -> bool:
     """Whether this model solves the map of one contact, point by point: not for thousands that are drawn."""
-    return find(choice.model, RoughSurface).of_map is not None
+    return find(choice.model_key, RoughSurface).of_map is not None
 
 
 def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Draws:

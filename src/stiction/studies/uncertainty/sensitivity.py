@@ -145,7 +145,7 @@ def _name_of(choice: Choice) -> str:
     """A choice by its model, and the laws and options that stand in it in place of the model's own."""
     laws = [getattr(choice, law) for law in LAWS if law != "model" and getattr(choice, law) is not None]
     options = [f"{name} {value}" for name, value in choice.options.items() if value is not None]
-    return " + ".join([choice.model, *laws, *options])
+    return " + ".join([choice.model_key, *laws, *options])
 
 
 def _told(case: Case, variation: _Variation) -> dict[str, Any]:
