@@ -59,8 +59,9 @@ PRINTED = [
     ("oxidised metal", "shear_strength", (0.835 / 6, 0.835 / (2.8 * 3**0.5))),  # Wheeler 1976
     ("gold contact", "shear_strength", (264 / 3680, 134 / 1300, 139 / 1300)),  # Li and Kim 2008; Zhu et al. 2009
     ("soft-metal film", "shear_strength", (0.1, 0.2)),  # Kato and Adachi 2000: friction of Au, Ag, Pb and In films
-    ("boundary lubricant", "pressure_coefficient", (0.08, 0.09, 0.115, 0.14, 0.2)),  # Cu, ZDDP on steel, iron
+    ("boundary lubricant", "pressure_coefficient", (0.05, 0.08, 0.09, 0.115, 0.14, 0.2)),  # Cd, Cu, ZDDP, iron
     ("monolayer", "pressure_coefficient", (0.10, 0.13)),  # FDTS and OTS on polysilicon
+    ("elastomer", "interfacial_shear_strength", (0.223e6, 0.305e6)),  # silicones on PLA: mu p at 3 N and 7 N on 16 mm^2
     ("DLC dry", "pressure_coefficient", (0.001, 0.003)),  # Erdemir 2001
 ]
 
@@ -101,7 +102,8 @@ def test_strength_follows_the_softer_body_and_arrays_broadcast():
     assert drawn.shape == (3, 2)
     np.testing.assert_allclose(drawn[1:] / drawn[:-1], 2.0, rtol=1e-13)
     assert interface("ceramic").pressure_coefficient_at(level).tolist() == [0.0, 0.0]
-    assert interface("elastomer").strength_at(0.5, shear_modulus=1e6) == pytest.approx(0.4e6, rel=1e-13)
+    over_modulus = Interface(strength_over_shear_modulus=0.4, range={"strength_over_shear_modulus": (0.2, 0.8)})
+    assert over_modulus.strength_at(0.95, shear_modulus=1e6) == pytest.approx(0.8e6, rel=1e-13)
 
 
 @pytest.mark.parametrize("level", (0.0, 1.0, -0.1, [0.5, 1.5], float("nan")))
@@ -199,7 +201,7 @@ def test_the_command_prints_every_state_within_80_columns():
     rows = {line.strip().partition("  ")[0]: line for line in text.splitlines()}
     assert rows.keys() >= STATES and all(letter in text for letter in GRADES)
     assert " ".join(rows["layered solid"].split()) == "layered solid 25 MPa 10 to 70 MPa A 0.01 0.001 to 0.1 B"
-    assert " ".join(rows["elastomer"].split()) == "elastomer 0.4 G 0.15 to 1.1 G C none"
+    assert " ".join(rows["elastomer"].split()) == "elastomer 400 kPa 150 kPa to 1 MPa B none"
 
 
 def test_the_command_says_of_a_state_where_it_must_not_be_used():
