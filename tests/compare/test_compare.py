@@ -330,12 +330,21 @@ def test_the_table_at_the_working_load(case, tmp_path, data):
         rows = list(csv.DictReader(file))
     results = ["friction_coefficient", "mean_separation [m]", "load [N]", "contact_area [m^2]", "friction_force [N]"]
     measured = ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
-    assert list(rows[0]) == ["model", "grade", *results, *measured, "plastic_junctions_resist", "outside_validity", "why_not"]
+    assert list(rows[0]) == [
+        "model",
+        "grade",
+        *results,
+        *measured,
+        "plastic_junctions_resist",
+        "liquid",
+        "outside_validity",
+        "why_not",
+    ]
     assert [row["model"] for row in rows] == list(data["model"].values)
     for head in results:
         values = data[f"{head.partition(' ')[0]}_at_load"].values
         assert_allclose([float(row[head]) for row in rows], values, rtol=1e-12)
-    for name in ("grade", "plastic_junctions_resist", "outside_validity", "why_not"):
+    for name in ("grade", "plastic_junctions_resist", "liquid", "outside_validity", "why_not"):
         assert [row[name] for row in rows] == list(data[name].values)
 
 

@@ -2,13 +2,16 @@
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from stiction.laws.validity import read_doubts
 from stiction.quantities.table import QUANTITIES
+from stiction.studies.comparison.recommendation import LIQUID
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["doubts", "doubts_of_model", "doubts_with_meanings"]
+__all__ = ["doubts", "doubts_of_model", "doubts_with_meanings", "said_of_liquid"]
 
 
 def doubts_of_model(one: "xarray.Dataset") -> list[str]:
@@ -29,3 +32,15 @@ def doubts_with_meanings(data: "xarray.Dataset") -> list[str]:
         one.rule: f"{QUANTITIES[one.quantity].meaning} ({QUANTITIES[one.quantity].symbol})" for one in every if one.quantity
     }
     return [f"{meant[rule]} {rule[rule.index('is not') :]}" if rule in meant else rule for rule in doubts(data)]
+
+
+def said_of_liquid(data: "xarray.Dataset") -> str:
+    """Name the models that leave out the liquid of the contact, and what it would pull; "" where none does."""
+    left_out = data["liquid"].values == LIQUID[True]
+    if not left_out.any():
+        return ""
+    pull = data["liquid_pull_left_out"].values[left_out]
+    known = pull[np.isfinite(pull)]
+    share = f", which would pull with up to {known.max():.2g} of the load" if known.size else ""
+    names = ", ".join(map(str, data["model"].values[left_out]))
+    return f"the liquid is left out{share}, and mu is too low, by {left_out.sum()} of {left_out.size} models: {names}"

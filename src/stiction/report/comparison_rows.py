@@ -49,6 +49,8 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "why_not": one["why_not"].item() or None,
             "family": one["family_of_curve"].item() or None,
             "plastic_junctions_resist": one["plastic_junctions_resist"].item() or None,
+            "liquid": one["liquid"].item() or None,
+            "liquid_pull_left_out": one["liquid_pull_left_out"].item(),
             "cost": one["cost"].item(),
             "solved": one["solved"].item(),
             "command": run_command(data, str(name), exact=True),
@@ -128,7 +130,7 @@ def at_load_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]
     heads += names[-3:]
     shares: list[float] = data["quantile"].values.tolist() if "quantile" in data.dims else []
     heads += [f"friction_coefficient_q{round(100.0 * share):02d}" for share in shares]
-    texts = ("plastic_junctions_resist", "outside_validity", "why_not")
+    texts = ("plastic_junctions_resist", "liquid", "outside_validity", "why_not")
     rows = (
         [str(one[name].item()) for name in ("model", "grade")]
         + [one[name].item() for name in names]

@@ -14,7 +14,7 @@ from stiction.laws.claims import KINDS_OF_DOUBT
 from stiction.laws.sources import bibliography
 from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
-from stiction.report.comparison_doubts import doubts_with_meanings
+from stiction.report.comparison_doubts import doubts_with_meanings, said_of_liquid
 from stiction.report.families import said_of_plastic_junctions
 from stiction.report.html_tables import Table, of_printed
 from stiction.report.html_words import letters
@@ -104,7 +104,7 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
         lines += [f"Its measured error: {words}."] if words and "measured error" not in used["reason"] else []
     elif used.get("reason"):
         lines.append(f"No model is recommended: {used['reason']}.")
-    lines += [f"{said[0].upper()}{said[1:]}."] if (said := said_of_plastic_junctions(told)) else []
+    lines += [f"{said[0].upper()}{said[1:]}." for said in (said_of_plastic_junctions(told), said_of_liquid(told)) if said]
     lines += [f"What would have to change: {used['advice']}."] if used.get("advice") else []
     lines += [f"Set aside: {line}." for line in used.get("set_aside", "").splitlines()]
     lines += [f"{line}." for line in used["criteria"].splitlines()]

@@ -16,7 +16,7 @@ from stiction.laws.validity import doubts_of
 from stiction.quantities.short_names import SHORT
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_with_meanings
+from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_with_meanings, said_of_liquid
 from stiction.report.comparison_rows import run_command
 from stiction.report.families import said_of_plastic_junctions
 from stiction.report.model_line import grade_line, model_line
@@ -245,8 +245,11 @@ def comparison_table(data: "xarray.Dataset") -> Table:
     table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("model", no_wrap=True)
     with_range_over_methods = "friction_coefficient_at_load_low" in data
-    for head in ("grade", "mu", "over methods" if with_range_over_methods else "contact\narea", "error", "plastic", "doubts"):
-        table.add_column(head, justify="left" if head in ("grade", "plastic", "doubts") else "right", no_wrap=head != "doubts")
+    wet = ["liquid"] * bool((data["liquid"].values != "").any())
+    fourth = "over methods" if with_range_over_methods else "contact\narea"
+    for head in ("grade", "mu", fourth, "error", "plastic", *wet, "doubts"):
+        words = head in ("grade", "plastic", "liquid", "doubts")
+        table.add_column(head, justify="left" if words else "right", no_wrap=head != "doubts")
     judged = "friction_coefficient_at_load" in data
     known = doubts(data)
     order = np.argsort(data["friction_coefficient_at_load"].values) if judged else range(data.sizes["model"])
@@ -262,7 +265,9 @@ def comparison_table(data: "xarray.Dataset") -> Table:
         error = float(one["measured_area_error"]) if judged else np.nan
         wrong = f"{error:+.0%}" if np.isfinite(error) else "-"
         resist = str(one["plastic_junctions_resist"].item()) or "-"
-        table.add_row(*map(Text, (name, one["grade"].item(), _short(mu), fourth, wrong, resist, numbers or "-")), style=look)
+        liquid = [one[column].item() for column in wet]
+        row = (name, one["grade"].item(), _short(mu), fourth, wrong, resist, *liquid, numbers or "-")
+        table.add_row(*map(Text, row), style=look)
     return table
 
 
@@ -283,7 +288,7 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
         plain = data["load"].attrs.get("units", "1") == "1"
         load = f"{used['working_load']:.4g}" if plain else shown(used["working_load"], "load")
         lines.append(Text(f"working load {load}: mu {_range(used['spread'])} over all models, {_within(data)}"))
-        lines += [Text(said)] if (said := said_of_plastic_junctions(data)) else []
+        lines += [Text(said) for said in (said_of_plastic_junctions(data), said_of_liquid(data)) if said]
         lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
         if used["recommended"] in data["model"]:
             low, high = used["recommended_range"]

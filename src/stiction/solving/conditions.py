@@ -42,7 +42,8 @@ def _does_not_adhere(problem: Problem) -> bool:
     return not problem.adheres
 
 
-def _knows_no_menisci(problem: Problem) -> bool:
+def leaves_out_liquid(problem: Problem) -> bool:
+    """Return whether the contact has a liquid that its model does not know."""
     return problem.groups.meniscus_index is not None and problem.chosen.meniscus is None and not _solves_menisci(problem)
 
 
@@ -71,7 +72,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),
     (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
     (Validity("meniscus_share", 0.0, 0.1, "the liquid is left out, and its menisci pull with much of the load", "effect"),
-     _knows_no_menisci),
+     leaves_out_liquid),
     (KELVIN, _solves_menisci),
     (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),
     (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _by_numbers),

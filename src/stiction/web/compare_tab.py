@@ -7,6 +7,7 @@ from nicegui import ui
 
 from stiction.laws.overview import models
 from stiction.laws.validity import read_doubts
+from stiction.report.comparison_doubts import said_of_liquid
 from stiction.web.asked import Comparison, compared
 from stiction.web.charts import comparison_chart
 from stiction.web.drawn import Picture, attributes
@@ -83,6 +84,7 @@ class CompareTab:
         self._advice.set_text(f"{told} {_sentence(said.get('reason', ''))}")
         ends = [f"{end:.3g}" for end in said.get("spread", [])]
         parts = [f"All models: mu {' to '.join(ends)}." if ends else "", _sentence(said.get("advice", ""))]
+        parts.append(_sentence(said_of_liquid(data)))
         parts += [f"Set aside: {line}." for line in said.get("set_aside", "").splitlines()]
         self._more.set_text("\n".join(filter(None, parts)))
         self._draw()

@@ -19,7 +19,7 @@ from stiction.quantities.units import reason_of, several_in_words
 from stiction.solving import film_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding
+from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding, leaves_out_liquid
 from stiction.solving.inversion import Unreachable
 from stiction.solving.measured_error import measured_errors
 from stiction.solving.method_spread import as_measured, with_range_over_methods
@@ -28,7 +28,7 @@ from stiction.solving.problem import Problem, make_problem, problem_of
 from stiction.solving.results import labelled
 from stiction.solving.solve import solve
 from stiction.solving.state import state_of
-from stiction.studies.comparison.recommendation import FAMILIES, TOO_MUCH, Answer, recommend
+from stiction.studies.comparison.recommendation import FAMILIES, LIQUID, TOO_MUCH, Answer, recommend
 
 if TYPE_CHECKING:
     import xarray
@@ -59,7 +59,8 @@ def compare(
     working load, with grade, `outside_validity` in words, `doubts` as JSON, `family_of_curve`, what its friction rests on, and
     `plastic_junctions_resist`, a word of stiction.laws.registry.YIELDED; `measured_area_error` (and `_rms`) and
     `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number
-    where none was solved near; `measured_error` as JSON, `measured_error_in_words`. A theory that knows no separation has
+    where none was solved near; `measured_error` as JSON, `measured_error_in_words`; `liquid`, "taken" or "left out" where the
+    contact has one, and `liquid_pull_left_out`, its pull over the load. A theory that knows no separation has
     none (not a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at
     the working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
     `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
@@ -82,7 +83,7 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
-    plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966"))
+    plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", meniscus="none"))  # which never pull
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
     known = max((one.trust for one in answers), default=0.0)
@@ -158,9 +159,13 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         answer.outside = answer.outside + doubts_of_results(problem, judged)
         answer.film_off = film_errors.off_by(problem, judged)
         answer.film_errors = film_errors.as_attributes(problem, judged)["measured_film_error"]
-        answer.adhesion = _largest(state_of(problem, at_load).get("adhesion_share")) if at_load else np.inf
         if at_load:
+            state = state_of(problem, at_load)
+            answer.adhesion = _largest(state.get("adhesion_share"))
+            answer.pull_left_out = _largest(state.get("meniscus_share")) if leaves_out_liquid(problem) else np.nan
             answer.measured = measured_errors(problem, at_load)
+    if problem.groups.meniscus_index is not None:
+        answer.liquid = LIQUID[leaves_out_liquid(problem)]
     answer.effects = problem.effects
     answer.of_map = problem.record.of_map is not None
     answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
@@ -224,6 +229,7 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
         "measured_film_error": [one.film_errors for one in shown],
+        "liquid": [one.liquid for one in shown],
         "why_not": [one.why_not for one in shown],
         "plastic_junctions_resist": [one.yielded if "friction_coefficient" in one.curve else "" for one in shown],
         "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
@@ -236,6 +242,10 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
     data = data.assign(doubtful=(("model", "point"), doubtful))
     data = data.assign(solved=("model", np.array([one.solved for one in shown], dtype=bool)))
     data = data.assign({name: ("model", values) for name, values in _measured(shown).items()})
+    pull = np.array([one.pull_left_out for one in shown])
+    data = data.assign(
+        liquid_pull_left_out=("model", pull, {"long_name": "pull of the liquid that is left out, over the load"})
+    )
     data = data.assign(cost=("model", np.array([one.cost for one in shown]), {"long_name": "how ill founded a model is here"}))
     return data.assign_attrs(_attributes(contact, answers, target))
 

@@ -39,6 +39,10 @@ _A_GAP, _NO_FRICTION = 2.0, 1e-300
 _ADHESION_MATTERS = 0.1
 
 
+# What a model does with the liquid of a contact.
+LIQUID = {True: "left out", False: "taken"}
+
+
 @dataclass
 class Answer:
     """What one candidate says, in the units of the contact.
@@ -49,7 +53,9 @@ class Answer:
     junctions resist, of registry.YIELDED, "" for contact only. adhesion: its pull-off forces over the load. measured: its
     error on solved surfaces near this contact and load; beside_measured: how near the error of any model is known, 0 to 1.
     film_off: by how many factors of two its film law was found off on a sphere near this contact; film_errors: what was
-    measured of it, as JSON. why_not: why it says nothing, or nothing of friction. of_map: it solves the contact's map.
+    measured of it, as JSON. liquid: of LIQUID, "" of a dry contact; pull_left_out: of menisci that it leaves out, over the
+    load, infinite where that is not known. why_not: why it says nothing, or nothing of friction. of_map: it solves the
+    contact's map.
     """
 
     candidate: Candidate
@@ -67,6 +73,8 @@ class Answer:
     beside_measured: float = 0.0
     film_off: float = 0.0
     film_errors: str = "[]"
+    liquid: str = ""
+    pull_left_out: float = math.nan
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
     of_map: bool = False
@@ -236,9 +244,18 @@ def _reason(best: Answer, family: list[Answer], weights: np.ndarray, others: lis
         FAMILIES[best.of_interface],
         f"grade {best.grade} ({GRADES[best.grade]})",
         f"takes account of {' and '.join(best.effects)}" if best.effects else "",
+        _of_liquid(best),
         _other_family(best, others),
     ]
     return "; ".join(filter(None, lines))
+
+
+def _of_liquid(best: Answer) -> str:
+    """Say that the model leaves out the liquid, and how much that pulls."""
+    if best.liquid != LIQUID[True]:
+        return ""
+    pull = f"{best.pull_left_out:.2g} of the load" if math.isfinite(best.pull_left_out) else "an unknown share of the load"
+    return f"leaves out the liquid, whose menisci would pull with {pull}: mu is too low by about that share"
 
 
 def _standing(models: int, own: float) -> str:
