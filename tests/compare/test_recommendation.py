@@ -208,7 +208,7 @@ def test_without_a_stated_strength_the_best_grade():
 def test_what_knows_more_but_not_the_stated_strength_comes_after():
     """The graded film takes account of adhesion too, but of its own friction its asperities that flow have none:
     without a stated strength what gives them some is the one to take."""
-    told, data = said(contact("200 nm", **STATED), "1 N")
+    told, data = said(contact("200 nm", interfacial_shear_strength="50 MPa"), "1 N")
     assert told["halling_1979"][:2] == (0, "C") and told["graded"][:2] == (2, "C")
     assert "bear more than their hardness" in told["graded"][3][0]
     assert told["chang_1997"][0] and told["liu_neville_reuben_2002"][0]  # all of the film is not plastic

@@ -1,9 +1,10 @@
 """Six contacts and what an expert would say of each: the judgement that the recommendation is held to.
 
 The verdicts rest on what is known without any of the models: a metal pressed plastically under a stated interface strength has
-mu = tau_0/H where its contacts are fully plastic, and a little more where they are not; a soft film that yields has
-tau_0/H_f; clean metals without a stated strength cannot have a mu of a hundredth while their asperities flow; a soft polymer
-sticks.
+mu = tau_0/H where its contacts are fully plastic, and a little more where they are not, as long as tau_0 is well below the
+shear strength of the bulk, H/(2.8 sqrt(3)); from there on bulk shears, and junctions grow or stick fully; a soft film that
+yields has tau_0/H_f; clean metals without a stated strength cannot have a mu of a hundredth while their asperities flow; a
+soft polymer sticks.
 """
 
 import numpy as np
@@ -52,7 +53,14 @@ DLC, SILVER = body("150 GPa", "15 GPa", 0.2), body("83 GPa", "0.5 GPa", 0.37)
 # Contact -> (it, load, lowest and highest mu that the expert grants, what its model must take account of).
 VERDICTS = {
     "clean copper": (copper(), "1 N", 0.2, 2.0, "plasticity"),
-    "copper with a stated strength": (copper(interfacial_shear_strength="300 MPa"), "1 N", 0.29, 0.36, "plasticity"),
+    "oxidised copper": (copper(interfacial_shear_strength="100 MPa"), "1 N", 0.1, 0.14, "plasticity"),
+    "copper stronger at the interface than in bulk": (
+        copper(interfacial_shear_strength="300 MPa"),
+        "1 N",
+        0.206,
+        0.6,
+        "plasticity",
+    ),
     "PDMS on glass": (pdms(), "10 mN", 0.5, 20.0, "adhesion"),
     "polysilicon": (polysilicon(), "100 uN", 0.1, 1.5, ""),
     "2 um of DLC": (coated(DLC, "2 um", "500 MPa"), "1 N", 0.25, 0.4, "the film"),

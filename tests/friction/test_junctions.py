@@ -277,14 +277,14 @@ def test_on_a_film():
 def test_on_a_film_solved_as_one_yielded_junctions_are_those_of_the_interface(key):
     """Of a film that is all the asperity feels the others would say what they say of the body under it."""
     given = st.Indices(theta=1e3, lam=100.0, nu=0.3, hardness_to_yield=2.8, n_E=0.2, n_H=0.2, tau=1e10, film_aspect=1e10)
-    given = given.with_changes(shear_strength=0.1)
+    given = given.with_changes(shear_strength=0.03)
     with pytest.raises(st.InputError, match=rf"plastic_junctions: '{key}'; allowed: none, .*(one homogeneous|of one material)"):
         st.solve(given, separation=1.0, film="layered", plastic_junctions=key)
     sheared, held = (
         st.solve(given, separation=1.0, film="layered", plastic_junctions=law) for law in ("bowden_tabor_1943", "none")
     )
     more = float(sheared["friction_force"] - held["friction_force"])
-    assert more == pytest.approx(0.1 * given.eta * float(sheared["contact_area_plastic"]), rel=1e-6)
+    assert more == pytest.approx(0.03 * given.eta * float(sheared["contact_area_plastic"]), rel=1e-6)
 
 
 def test_what_is_needed_is_asked_for():

@@ -292,6 +292,13 @@ class Contact(Subject):
         return 0.75 * self._bare.K
 
     @property
+    def interface_strength(self):
+        """Return interfacial_shear_strength [Pa], capped at the shear strength of the weaker surface; None if not stated."""
+        if self.interfacial_shear_strength is None:
+            return None
+        return self.indices().interface_strength * self._bare.hardness
+
+    @property
     def kelvin_radius(self):
         """Radius of the menisci [m], see Liquid; None where there is no liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius

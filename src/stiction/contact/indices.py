@@ -189,6 +189,21 @@ class Indices(Subject):
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)
         return whole.n_E / np.maximum(1.0 - rest, 1e-15)
 
+    @property
+    def body_shear_strength(self) -> Any:
+        """Return the shear strength Y/sqrt(3) of the weaker of the surfaces that meet, over H of the bodies (von Mises)."""
+        return (1.0 if self.n_H is None else self.n_H) / (math.sqrt(3.0) * self.hardness_to_yield)
+
+    @property
+    def strength_over_bodies(self) -> Any:
+        """Return the strength of the interface over that of the weaker surface; None where it is not known."""
+        return None if self.shear_strength is None else self.shear_strength / self.body_shear_strength
+
+    @property
+    def interface_strength(self) -> Any:
+        """Return shear_strength, capped at that of the weaker surface: what laws take for it; None where it is not known."""
+        return None if self.shear_strength is None else np.minimum(self.shear_strength, self.body_shear_strength)
+
     def knows(self, group: str) -> bool:
         """Whether a group that a law needs is known; theta and lambda, of what does not adhere, are not."""
         return group in _FOLLOWS or getattr(self, group) is not None
@@ -295,7 +310,7 @@ class Groups(Indices):
     def of(cls, indices: Indices) -> tuple["Groups", dict[str, int]]:
         """Flat groups of all combinations of the named dimensions of some indices, and those dimensions."""
         whole = indices.resolved()
-        values = {name: getattr(whole, name) for name in cls.model_fields}
+        values = {name: getattr(whole, name) for name in cls.model_fields} | {"shear_strength": whole.interface_strength}
         if not whole.has_film:
             values["n_g"] = None
         elif whole.film_aspect is None:

@@ -24,6 +24,8 @@ _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
 _MENISCI = "equilibrium_meniscus"
 _AGEING = "berthoud_1999"
 _JUNCTIONS = "independent_junctions"
+# The asperity law under laws of junctions that grow: one that flows, and of which solved surfaces measured a small error.
+_FLOWS = "zhao_maietta_chang_2000"
 # Of a map that is solved at some loads in a few seconds.
 _POINTS = 300_000
 
@@ -37,10 +39,12 @@ class Candidate:
 
 
 def candidates(subject: Subject) -> list[Candidate]:
-    """Every rough-surface model, and every asperity law that none of them takes, under Greenwood & Williamson's sum. On
-    a coated contact those with their own film law, or the one that suits all, and with film laws that solve film and body as
-    one; and every other film law by itself. What solves the map of a contact does so at every point, or at some where there are
-    many."""
+    """Return every rough-surface model, and other asperity laws under Greenwood & Williamson's sum.
+
+    Laws of junctions that grow are asked of a bare contact without a pressure coefficient, under one that flows. On a coated
+    contact models have their own film law, or the one that suits all, and film laws that solve film and body as one; and every
+    other film law stands by itself. What solves the map of a contact does so at every point, or at some where there are many.
+    """
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
     found = [
@@ -50,7 +54,13 @@ def candidates(subject: Subject) -> list[Candidate]:
     ]
     found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
     if not subject.has_film:
-        return found
+        if subject.known("pressure_coefficient") is not None:  # which laws of growth would leave out
+            return found
+        return found + [
+            Candidate(key, Choice(_SUM, asperity=_FLOWS, tangential=key))
+            for key, law in of_kind(TangentialLaw).items()
+            if law.yielded == "junction growth"
+        ]
     films = of_kind(FilmLaw)
     as_one = [
         _as_one(candidate, models[candidate.choice.model_key], film)

@@ -51,6 +51,16 @@ def _solves_menisci(problem: Problem) -> bool:
     return isinstance(problem, OnMap) and problem.menisci
 
 
+def _shears_the_interface(problem: Problem) -> bool:
+    return any("shear_strength" in record.needs for record in problem.records())
+
+
+def _does_not_grow(problem: Problem) -> bool:
+    """Whether the area stays as the load leaves it; how a film grows under shear no law knows."""
+    grows = problem.chosen.yielded != "interface" or problem.options.get("shear") == "junction_growth"
+    return not grows and not problem.groups.has_film
+
+
 def _elastic_on_a_film(problem: Problem) -> bool:
     """Film and body are solved as one, and yield as the asperity law says, which never does: it claims a range of
     the plasticity index, and that is of the bodies without their film."""
@@ -67,6 +77,10 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area is above the nominal one", "impossible"), _any),
     (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
     (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
+    (Validity("strength_over_bodies", 0.0, 1.0 + _ROUNDING,
+              "no interface is stronger than the bodies: mu is that of the weaker body's strength"), _shears_the_interface),
+    (Validity("grown_area_ratio", 1.0, 2.0, "junctions grow under shear, which is left out: mu is too low", "effect"),
+     _does_not_grow),
     (Validity("film_plasticity_index", 0.0, 0.6, "asperities are taken as elastic, and the film, or what it meets, yields",
               "effect"), _elastic_on_a_film),
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),

@@ -322,11 +322,9 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
 
 
 def _can_be(groups: Groups) -> np.ndarray:
-    """Where (n,) the interface is weaker than the bodies and the film: above their shear strength, Y/3^(1/2), mu is another."""
-    if groups.shear_strength is None:
-        return np.ones(len(groups), dtype=bool)
-    weakest = 1.0 if groups.n_H is None else np.minimum(groups.n_H, 1.0)
-    return np.broadcast_to(groups.shear_strength * groups.hardness_to_yield * math.sqrt(3.0) <= weakest, len(groups))
+    """Return where (n,) the interface is weaker than the surfaces that meet: else the area grows and mu has another error."""
+    ratio = groups.strength_over_bodies
+    return np.broadcast_to(True if ratio is None else ratio < 1.0 - 1e-12, len(groups))
 
 
 def as_attributes(found: MeasuredErrors) -> dict[str, str]:

@@ -83,9 +83,10 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> float:
 
 
 def _strength(contact: Contact) -> float:
+    """Return the strength of the interface [Pa], that of the weaker body at most."""
     if contact.interfacial_shear_strength is None:
         raise InputError("interfacial_shear_strength", None, "the strength of the interface")
-    return float(contact.interfacial_shear_strength)
+    return float(contact.interface_strength)
 
 
 # Value of the option `shear` -> tangential force [N] of a map under a contact and the key of its tangential law.

@@ -25,6 +25,7 @@ from stiction.solving.problem import Problem, number_of_asperities
 
 # Pull-off force of a sphere over gamma R at the most (Derjaguin, Muller & Toporov 1975); JKR's is 3/4 of it.
 _DMT = 2.0 * math.pi
+_MOST_GROWN = 100.0  # how far growth is followed
 # Where expected numbers of asperities are tabulated, over sigma: from all that touch to none that ever would.
 _SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
 
@@ -101,7 +102,8 @@ def _by_asperity(
     """What needs no density of asperities, but for menisci. hardness: of what bears the load, over that of the bodies."""
     groups = problem.groups
     compressed = np.where(load > 0.0, load, np.nan)
-    found = {"mean_pressure_over_hardness": load / (groups.eta[:, None] * hardness * np.where(area > 0.0, area, np.nan))}
+    pressure = load / (groups.eta[:, None] * hardness * np.where(area > 0.0, area, np.nan))
+    found = {"mean_pressure_over_hardness": pressure} | _grown(groups, pressure)
     if share is not None:
         found["touching_share"] = share
         if not groups.has_film:
@@ -116,6 +118,16 @@ def _by_asperity(
         held = _held_by_menisci(touching, groups.meniscus_height[:, None])
         found["meniscus_share"] = (2.0 * math.pi / groups.meniscus_index)[:, None] * held / compressed
     return found
+
+
+def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
+    """How far contacts (n, m) of a mean pressure over hardness grow until the interface gives way, A_s/A = (p/H)/sqrt(1 - c^2)
+    and 1 at least, with c the strength of the interface over that of the bodies (Tabor 1959)."""
+    ratio = groups.strength_over_bodies
+    if ratio is None:
+        return {}
+    left = np.sqrt(np.maximum((1.0 - ratio) * (1.0 + ratio), _MOST_GROWN**-2))
+    return {"grown_area_ratio": np.maximum(np.clip(pressure, 0.0, 1.0) / np.reshape(left, (-1, 1)), 1.0)}
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:

@@ -67,7 +67,7 @@ def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
     edges = np.stack([tau, far], axis=1)
     around = NormalPiece(rim, rim_coordinate, (pressed, tau), edges, "plastic", float(np.min(tau, initial=np.inf)))
     bare = Law(law.asperity, None if law.tangential is None else CONSTANT_STRENGTH)
-    metal = groups.with_changes(shear_strength=1.0 / (math.sqrt(3.0) * groups.hardness_to_yield))
+    metal = groups.with_changes(shear_strength=groups.substrate().body_shear_strength)
     return [
         law.join(at_pressure(pressed, none, tau), groups, body="film"),
         law.join(around, groups, body="film"),

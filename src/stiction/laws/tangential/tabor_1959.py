@@ -38,10 +38,12 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import Limit, TangentialLaw
+from stiction.laws.registry import Limit, TangentialLaw, Validity
 from stiction.laws.sources import Source
 from stiction.laws.tangential.shared.junctions import ALPHA, share_of_bulk, where_pressure_is
 from stiction.quantities.errors import InputError
+
+_ROUNDING = 1e-12
 
 
 @formula
@@ -60,9 +62,10 @@ def resistance(u, w, load, area, eta, shear_strength, share):
 def tangential_resistance(piece: NormalPiece, groups: Groups, alpha: str) -> TangentialResistance:
     """On every piece: with kinks where growth begins, and where the pressure is the hardness."""
     share = share_of_bulk(groups, alpha)
-    if np.any(share >= 1.0):
-        found = float(groups.shear_strength[share >= 1.0][0])
-        bound = float((groups.shear_strength / share)[share >= 1.0][0])
+    endless = share >= 1.0 - _ROUNDING
+    if np.any(endless):
+        found = float(groups.shear_strength[endless][0])
+        bound = float((groups.shear_strength / share)[endless][0])
         why = f"below {bound:.4g}, the shear strength of the bulk over H: what is as strong as that grows without end"
         raise InputError("shear_strength", found, f"{why} under tabor_1959; junction_growth ends it")
     pressures = [groups.eta * np.sqrt((1.0 - share) * (1.0 + share)), groups.eta]
@@ -84,6 +87,7 @@ RECORD = TangentialLaw(
     like="bowden_tabor_1943",
     verified="the criterion solved by bisection at 30 digits; closed form of plastic junctions; constant strength for c -> 0",
     needs=("hardness_group", "shear_strength", "hardness_to_yield"),
+    validity=(Validity("grown_area_ratio", 1.0, 3.0, "hardening, left out, ends the growth: mu is too high", "effect"),),
     limits=(Limit("bowden_tabor_1943", {"shear_strength": 1e-7}, ("friction_force",), 1e-11),),
     own_options={"alpha": tuple(ALPHA)},
     notes="alpha: von_mises for 3 (H/Y)^2, or 9 as quoted from experiments. Refused where the interface is as strong as the "

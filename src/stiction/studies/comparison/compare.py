@@ -168,7 +168,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         answer.liquid = LIQUID[leaves_out_liquid(problem)]
     answer.effects = problem.effects
     answer.of_map = problem.record.of_map is not None
-    answer.of_interface = problem.chosen.tangential is not None and problem.chosen.tangential.interfacial
+    answer.of_interface = problem.chosen.tangential is not None and "shear_strength" in problem.chosen.tangential.needs
     answer.yielded = problem.chosen.yielded
     answer.curve = _in_units(problem, curve)
     answer.doubtful = doubtful_points(problem, {name: table[None, :] for name, table in curve.items()})
