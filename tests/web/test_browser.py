@@ -142,6 +142,8 @@ def test_every_model_beside_the_others_and_its_page(page):
     page.wait_for_function("() => document.querySelector('header').innerText.includes('mu ≈ 0.05')")  # models are far apart
     page.get_by_role("button", name="soft_coating_2015 + sequential").press("Enter")  # by keyboard
     page.get_by_role("dialog").get_by_text(re.compile("Source: ")).first.wait_for()
+    said = page.get_by_role("dialog").inner_text()
+    assert "$" not in said and "\\" not in said and "μ(h) = (∫T(w) φ(h + w) dw)/(∫P(w) φ(h + w) dw)" in said
     page.get_by_role("button", name="Close").click()
     page.get_by_role("dialog").wait_for(state="detached")
 

@@ -20,6 +20,7 @@ from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_wi
 from stiction.report.comparison_rows import run_command
 from stiction.report.families import said_of_plastic_junctions
 from stiction.report.model_line import grade_line, model_line
+from stiction.report.plain_formulas import as_text
 from stiction.solving.film_errors import in_words, read_film_errors
 from stiction.solving.unused import unused_of
 
@@ -348,7 +349,7 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
 
 
 # The ends of lines inside a paragraph of Markdown: the terminal breaks lines itself.
-_LINE_ENDS = re.compile(r"(?<=\S)(?<!\$\$)\n(?!\$\$)(?=[^\s|-])")
+_LINE_ENDS = re.compile(r"^([^\s|].*)\n(?=[^\s|-])", re.MULTILINE)
 # What a record says in full, besides its options: the name of the entry and how it is called.
 _IN_FULL = {
     "source": "source", "verified": "checked against", "jumps": "jumps", "departures": "in the limit",
@@ -367,7 +368,7 @@ def model_in_full(row: Mapping[str, Any]) -> Group:
     means = row.get("options_mean", {})
     for name, values in row["options"].items():
         pairs.append(("option", f"{name}: {', '.join(values)}" + (f" ({means[name]})" if name in means else "")))
-    return Group(facts(pairs), Text("\n" + _LINE_ENDS.sub(" ", row["text"])))
+    return Group(facts(pairs), Text("\n" + _LINE_ENDS.sub(r"\1 ", as_text(row["text"]))))
 
 
 def grades() -> Table:

@@ -8,6 +8,7 @@ from nicegui import ui
 from stiction.laws.overview import models
 from stiction.laws.validity import read_doubts
 from stiction.report.comparison_doubts import said_of_liquid
+from stiction.report.plain_formulas import as_code
 from stiction.web.asked import Comparison, compared
 from stiction.web.charts import comparison_chart
 from stiction.web.drawn import Picture, attributes
@@ -124,7 +125,7 @@ class CompareTab:
             ui.label(f"{row['key']}, {row['kind']}, grade {row['grade']}: {row['verified']}")
             for source in row["source"]:
                 ui.label(f"Source: {source}").classes("text-sm")
-            ui.markdown(row["text"])
+            ui.markdown(as_code(row["text"]))
             for text in (row["notes"], *row["validity"], *row["limits"]):
                 if text:
                     ui.label(str(text)).classes("text-sm")

@@ -1,0 +1,234 @@
+"""Formulas of LaTeX as plain text for the terminal and for pages that do not typeset: \\frac{\\tau_0}H becomes τ_0/H."""
+
+import re
+import unicodedata
+from dataclasses import dataclass, field
+
+__all__ = ["as_code", "as_text", "formula"]
+
+_GREEK = re.compile(
+    "(alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau|upsilon|phi|chi|psi|omega)",
+    re.IGNORECASE,
+)
+_SIGNS = {
+    "varphi": "φ", "varepsilon": "ε", "varrho": "ϱ", "varsigma": "ς", "ell": "ℓ", "partial": "∂", "infty": "∞", "int": "∫",
+    "sum": "∑", "prod": "∏", "cdot": "·", "times": "×", "ldots": "...", "dots": "...", "langle": "⟨", "rangle": "⟩",
+    "{": "{", "}": "}", "|": "|", "quad": "  ", "qquad": "   ", ",": " ", ";": " ", " ": " ", "!": "", ":": "", "%": "%",
+}  # fmt: skip
+_RELATIONS = {
+    "to": "→", "ge": "≥", "geq": "≥", "le": "≤", "leq": "≤", "ll": "≪", "gg": "≫", "approx": "≈", "propto": "∝", "sim": "~",
+    "ne": "≠", "in": "∈",
+}  # fmt: skip
+_FUNCTIONS = (
+    "arctan",
+    "arcsin",
+    "arccos",
+    "sin",
+    "cos",
+    "tan",
+    "coth",
+    "tanh",
+    "cosh",
+    "sinh",
+    "ln",
+    "log",
+    "exp",
+    "min",
+    "max",
+)
+_ACCENTS = {"bar": "\u0304", "overline": "\u0304", "hat": "\u0302", "dot": "\u0307", "tilde": "\u0303"}
+_AS_WRITTEN = ("mathrm", "text", "operatorname", "mathcal", "mathbf")
+_RAISED = str.maketrans("0123456789+-n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ")
+_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d*\.?\d+|\s+|.", re.DOTALL)
+_NAME = re.compile(r"[\d.]+|[^\W\d_][^\W_]*'*")
+_OPEN = "([{⟨"
+
+
+@dataclass
+class _Piece:
+    """A part of a formula; word: needs a space beside another value; relation: a sign between two spaces."""
+
+    text: str
+    word: bool = False
+    relation: bool = False
+    fraction: bool = False  # or a power: a bracket after it needs a space
+    function: bool = False
+
+
+@dataclass
+class _Reader:
+    """The tokens of a formula, read from left to right."""
+
+    tokens: list[str]
+    place: int = 0
+    pieces: list[_Piece] = field(default_factory=list)
+
+    def pieces_until(self, end: str) -> list[_Piece]:
+        """Read pieces up to a closing token, which is read too; "" for the end of the formula."""
+        before, self.pieces = self.pieces, []
+        while self.place < len(self.tokens) and self.tokens[self.place] != end:
+            self._add(self._next())
+        self.place += 1
+        found, self.pieces = self.pieces, before
+        return found
+
+    def _next(self) -> str:
+        self.place += 1
+        return self.tokens[self.place - 1]
+
+    def _add(self, token: str) -> None:
+        if token in ("^", "_"):
+            self._script(token)
+        elif token == "\n":
+            self.pieces.append(_Piece("\n"))
+        elif not token.isspace():
+            self.pieces.append(self._piece(token))
+
+    def _piece(self, token: str) -> _Piece:
+        name = token[1:] if token[0] == "\\" and len(token) > 1 else ""
+        if token == "{":
+            return _Piece(_joined(self.pieces_until("}")), word=True)
+        if not name:
+            relation = token in "=<>" or (token in "+-" and self._after_a_value())
+            return _Piece(token, relation=relation)
+        if name in ("frac", "tfrac", "dfrac"):
+            above, below = self._argument(), self._argument()
+            return _Piece(f"{_grouped(above, product=True)}/{_grouped(below)}", word=True, fraction=True)
+        if name == "sqrt":
+            return _Piece(f"√{_grouped(self._argument())}", word=self._after_a_function())
+        if name in ("left", "right", "bigl", "bigr"):
+            sign = self._next()
+            return _Piece("" if sign == "." else _SIGNS.get(sign[1:], sign[1:]) if sign[0] == "\\" else sign)
+        if name == "begin":
+            return _Piece(self._rows(self._raw()))
+        if name in _AS_WRITTEN:
+            return _Piece(self._raw(), word=True, function=name == "operatorname")
+        if name in _ACCENTS:
+            inner = _joined(self._argument())
+            return _Piece(unicodedata.normalize("NFC", inner[:1] + _ACCENTS[name]) + inner[1:])
+        return self._sign(name)
+
+    def _sign(self, name: str) -> _Piece:
+        if name in _RELATIONS:
+            return _Piece(_RELATIONS[name], relation=True)
+        if name == "pm":
+            return _Piece("±", relation=self._after_a_value())
+        if _GREEK.fullmatch(name):
+            case = "CAPITAL" if name[0].isupper() else "SMALL"
+            return _Piece(unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}"))
+        return _Piece(_SIGNS.get(name, name), word=name not in _SIGNS or name in ("sum", "int"), function=name in _FUNCTIONS)
+
+    def _after_a_value(self) -> bool:
+        last = next((one for one in reversed(self.pieces) if one.text.strip()), None)
+        return last is not None and not last.relation and last.text[-1] not in _OPEN + ",;"
+
+    def _after_a_function(self) -> bool:
+        return bool(self.pieces) and self.pieces[-1].function
+
+    def _script(self, sign: str) -> None:
+        inner = _joined(self._argument())
+        base = self.pieces[-1] if self.pieces else _Piece("")
+        if sign == "^" and inner[:1] == "*":
+            raised = "*" + inner[1:].translate(_RAISED)
+        elif sign == "^" and not inner.translate({ord(one): "" for one in "0123456789+-n"}):
+            raised = inner.translate(_RAISED)
+        else:
+            raised = f"{sign}{inner}" if len(inner) == 1 or _NAME.fullmatch(inner) else f"{sign}({inner})"
+        text = base.text + raised
+        self.pieces[-1:] = [_Piece(text, word=base.word or sign == "_" or raised[0] == "^", fraction=raised[0] == "^")]
+
+    def _argument(self) -> list[_Piece]:
+        while self.tokens[self.place].isspace():
+            self.place += 1
+        token = self._next()
+        if token == "{":
+            return self.pieces_until("}")
+        if token.isdigit() and len(token) > 1:  # \frac12 has two arguments
+            self.place -= 1
+            self.tokens[self.place : self.place + 1] = list(token)
+            token = self._next()
+        before, self.pieces = self.pieces, []
+        found = [self._piece(token)]
+        self.pieces = before
+        return found
+
+    def _raw(self) -> str:
+        while self.tokens[self.place].isspace():
+            self.place += 1
+        if self.tokens[self.place] != "{":
+            return self._next()
+        end = self.tokens.index("}", self.place)
+        text = "".join(self.tokens[self.place + 1 : end])
+        self.place = end + 1
+        return text
+
+    def _rows(self, kind: str) -> str:
+        """The rows of an environment on lines of their own, their cells parted by spaces."""
+        inner = []
+        while self.place < len(self.tokens) and self.tokens[self.place] != "\\end":
+            inner.append(self._next())
+        self.place += 1
+        self._raw()
+        rows = [row.strip() for row in "".join(inner).split("\\\\") if row.strip()]
+        text = [" if ".join(formula(cell) for cell in row.split("&")).strip(" ,;") for row in rows]
+        return "{ " + "; ".join(text) + " }" if kind == "cases" else "\n" + "\n".join(text) + "\n"
+
+
+def _joined(pieces: list[_Piece]) -> str:
+    text, before = "", _Piece("")
+    for piece in pieces:
+        if piece.relation:
+            text += f" {piece.text} "
+        elif before.function and piece.fraction:
+            text += f"({piece.text})"
+        else:
+            text += f" {piece.text}" if _apart(before, piece) else piece.text
+        before = piece
+    return re.sub(r"(?<=\S) {2}(?=\S)", " ", text).strip(" ")
+
+
+def _apart(before: _Piece, piece: _Piece) -> bool:
+    """Whether two values would be read as one, or a bracket as part of the fraction before it."""
+    if before.fraction:
+        return piece.text[:1].isalnum() or piece.text[:1] in (*_OPEN, "√")
+    if not before.text or not (before.text[-1].isalnum() or before.text[-1] in ")]*'∞\u0304"):
+        return False
+    return (before.word or piece.word) and (piece.text[:1].isalnum() or (piece.word and piece.text[:1] in ("(", "√", "∑")))
+
+
+def _grouped(pieces: list[_Piece], product: bool = False) -> str:
+    """An argument in brackets, unless it is one value, or, where that is enough, a product."""
+    text = _joined(pieces)
+    single = " " not in text and "/" not in text and sum(bool(one.text.strip()) for one in pieces) == 1
+    several = any(one.relation or "/" in one.text or one.text[:1] in ("∑", "∫") for one in pieces)
+    return text if single or (product and not several) else f"({text})"
+
+
+def formula(tex: str) -> str:
+    """Return one formula as plain text; line breaks of a display stay."""
+    tokens = _TOKEN.findall(re.sub(r"\s*\n\s*", "\n", tex.strip()))
+    lines = _joined(_Reader(tokens).pieces_until("")).split("\n")
+    return "\n".join(re.sub(r" {4,}", "   ", line).strip() for line in lines if line.strip())
+
+
+def _replaced(text: str, inline: str, display: str, indent: str = "") -> str:
+    def displayed(found: re.Match[str]) -> str:
+        return display.format("\n".join(indent + line for line in formula(found[1]).split("\n")))
+
+    text = re.sub(r"\$\$(.+?)\$\$", displayed, text, flags=re.DOTALL)
+    return re.sub(r"\$(.+?)\$", lambda found: inline.format(formula(found[1])), text, flags=re.DOTALL)
+
+
+def as_code(text: str) -> str:
+    """Return Markdown with its formulas as code, and without links into other pages."""
+    return _replaced(_without_links(text), "`{}`", "```text\n{}\n```")
+
+
+def as_text(text: str) -> str:
+    """Return Markdown as plain text: formulas, emphasis and links without their marks."""
+    plain = _replaced(_without_links(text), "{}", "{}", "    ").replace("`", "")
+    return re.sub(r"(?<!\w)\*([A-Z][^*\n]*)\*(?!\w)", r"\1", plain)
+
+
+def _without_links(text: str) -> str:
+    return re.sub(r"\[([^\]]+)\]\(#[\w-]+\)", r"\1", text)
