@@ -229,6 +229,18 @@ def test_in_newtons_metres_and_joules():
     assert float(text["tangential_force"]) == pytest.approx(carried[1, -1], rel=1e-12)
 
 
+@pytest.mark.parametrize("deviation", ["10 nm", "48 nm", "300 nm"])
+def test_default_displacements_end_beyond_the_farthest_sliding(deviation):
+    """Half as far again as where the last of the contacts slides, in metres, so that the whole curve is seen."""
+    rough = SURFACE.replace(asperity_height_deviation=deviation)
+    found = st.slide(st.Contact(**STEEL | {"roughness": rough}), load=["0.1 N", "1 N"], **INTERFACE)
+    moved, slides_at = found["displacement"].values, found["sliding_displacement"].values
+    assert_allclose(moved, np.linspace(0.0, 1.5 * slides_at.max(), 61), rtol=1e-14)
+    # metres: Coulomb's asperity slides at a share of how far it is pressed in, which is less than a few deviations
+    assert 0.0 < slides_at.max() < 5.0 * float(deviation.split()[0]) * 1e-9
+    assert_allclose(found["tangential_force"].max("displacement"), found["largest_tangential_force"], rtol=0.02)
+
+
 def test_several_contacts_at_several_loads():
     strengths = st.axis("interfacial_shear_strength", ["50 MPa", "100 MPa", "200 MPa"])
     contact = st.Contact(**STEEL | {"interfacial_shear_strength": strengths})

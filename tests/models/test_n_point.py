@@ -115,6 +115,11 @@ def test_rows_of_one_point():
 
         expected = quad(alone, level, min(level + height, 12.0), epsabs=0, epsrel=1e-12, limit=500)[0]
         assert row_probabilities(level, correlation, 1, height)[0] == pytest.approx(expected, rel=1e-10)
+    # neighbours so alike that the kernel is 0.014 wide: panels must be as narrow
+    level, correlation = 1.0, 0.9999
+    width = math.sqrt(1 - correlation**2)
+    expected = quad(lambda z: alone(z, level, correlation, width), level, level + 0.2, epsabs=0, epsrel=1e-12, limit=500)[0]
+    assert row_probabilities(level, correlation, 1)[0] == pytest.approx(expected, rel=1e-9)
     below, inside = norm.cdf(0.4), norm.cdf(1.1) - norm.cdf(0.4)
     assert_allclose(row_probabilities(0.4, 0.0, 6, 0.7), below**2 * inside ** np.arange(1, 7), rtol=1e-12)
 
