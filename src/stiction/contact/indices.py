@@ -152,6 +152,13 @@ class Indices(Subject):
         return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
 
     @property
+    def yield_strain(self) -> Any:
+        """Return Y/E* = 4 eta sqrt(sigma/R)/(3 pi k); None where sqrt(sigma/R) is not known."""
+        if self.sharpness is None:
+            return None
+        return 4.0 / 3.0 * self.eta * self.sharpness / (math.pi * self.hardness_to_yield)
+
+    @property
     def film_plasticity_index(self) -> Any:
         """(E*/H) sqrt(sigma/R) of the film as a half-space, that is (3/4) pi/eta; None without a film."""
         return 0.75 * math.pi / (self.eta * self.n_H / self.n_E) if self.has_film else None

@@ -166,6 +166,7 @@ def _of_groups(problem: Problem) -> dict[str, Any]:
     names = [
         *type(groups).model_fields,
         "film_plasticity_index",
+        "yield_strain",
         "film_stiffness",
         "meniscus_tabor_parameter",
         "meniscus_over_radius",

@@ -157,9 +157,8 @@ def _edges(w_c, sharpness, front, rate, wide):
 def pieces(groups: Groups, other_body: str = "alike") -> list[NormalPiece]:
     C, k, sharpness = unhardened.yield_coefficient(groups.nu), groups.hardness_to_yield, groups.sharpness
     w_c = unhardened.critical_interference(groups.eta, C, k)
-    yield_strain = 4.0 / 3.0 * groups.eta * sharpness / (math.pi * k)  # S_y/E*
-    B = unhardened.area_power(yield_strain)
-    front, rate = stiffening(groups.hardening, _BODIES[other_body] * (1.0 - groups.nu * groups.nu) / yield_strain)
+    B = unhardened.area_power(groups.yield_strain)
+    front, rate = stiffening(groups.hardening, _BODIES[other_body] * (1.0 - groups.nu * groups.nu) / groups.yield_strain)
     wide = np.empty_like(w_c)
     _wide_as_high(w_c, B, sharpness, front, rate, _STEPS, _HALVINGS, wide)
     parameters = w_c, C, B, sharpness, front, rate, elastic_share(groups.hardening), wide

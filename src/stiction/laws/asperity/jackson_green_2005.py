@@ -19,8 +19,8 @@ $$
 
 The yield stress is $Y=H/k$. In SI $\omega_c=(\pi CY/(2E^*))^2R$ and $P_c=\tfrac43(R/E^*)^2(\tfrac12C\pi Y)^3$; the source's
 argument of $H_G$, $\tfrac\pi2C(Y/E^*)\sqrt{r(r/1.9)^B}$, is this $a/R$. *Jump* of the load at 1.9: 1.0047 at $\nu=0.3$ for
-blunt asperities, 1.075 at $\nu=0$, 0.966 at $\nu=\tfrac12$; none of the area. The exponent $B$ is for metals: it has no
-meaning where $Y/E^*$ is not small. *Coordinate*: $u=\sqrt w$.
+blunt asperities, 1.075 at $\nu=0$, 0.966 at $\nu=\tfrac12$; none of the area. The exponent $B$ is for metals: it explodes
+where $Y/E^*$ is not small, and stays here what it is at 0.1. *Coordinate*: $u=\sqrt w$.
 
 *Check*: $H_G/Y=2.6137$ at $a/R=0.2$ and 2.0905 at 0.5. An independent code of the later law for hardening materials
 ([ghaednia_2019]), run without hardening on two like spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective
@@ -46,9 +46,11 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Jump, Limit
+from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
 from stiction.laws.sources import Source
 
+_MOST_STRAIN = 0.1  # S_y/E*; B is 1.4 there, and 240 at 0.33
+FITTED_TO_METALS = Validity("yield_strain", 0.0, _MOST_STRAIN, "the area of asperities that yield is a fit to metals", "effect")
 ELASTIC_TO = 1.9  # omega over omega_c
 # Where the sum is split, omega over omega_c: beyond, the elastic part of the load has died out.
 _SPLITS = (1e3, 1e5)
@@ -65,8 +67,8 @@ def critical_interference(eta, C, k):
 
 
 def area_power(yield_strain):
-    """B = 0.14 exp(23 S_y/E*). Arrays. Kept finite beyond all materials."""
-    return 0.14 * np.exp(np.minimum(23.0 * yield_strain, 500.0))
+    """Return B = 0.14 exp(23 S_y/E*), of at most the strain to which it makes sense. Arrays."""
+    return 0.14 * np.exp(23.0 * np.minimum(yield_strain, _MOST_STRAIN))
 
 
 @formula
@@ -106,7 +108,7 @@ def coordinate(w, w_c, C, B, sharpness):
 def pieces(groups: Groups) -> list[NormalPiece]:
     C, k = yield_coefficient(groups.nu), groups.hardness_to_yield
     w_c = critical_interference(groups.eta, C, k)
-    B = area_power(4.0 / 3.0 * groups.eta * groups.sharpness / (math.pi * k))
+    B = area_power(groups.yield_strain)
     edges = np.stack([at * w_c for at in (ELASTIC_TO, *_SPLITS)] + [np.full_like(w_c, np.inf)], axis=1)
     return [
         hertz.elastic(ELASTIC_TO * w_c),
@@ -137,8 +139,9 @@ RECORD = AsperityLaw(
     "1e-11; within 6 % (load) and 10 % (area) of Kogut and Etsion and of Brizmer et al. for 1.5 to 110 omega_c",
     needs=("hardness_group", "nu", "hardness_to_yield", "sharpness"),
     limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    validity=(FITTED_TO_METALS,),
     load_falls=False,
     notes="The yield stress is H/k. There is no fully plastic piece with the hardness H: "
     "H_G, which the mean pressure tends to, is 2.84 S_y at most and falls with the contact radius over R. "
-    "Made for metals: exp(23 S_y/E*) in the exponent of the area is without meaning where S_y/E* is not small.",
+    "Made for metals: exp(23 S_y/E*) in the exponent of the area explodes, and stays from S_y/E* = 0.1 on what it is there.",
 )

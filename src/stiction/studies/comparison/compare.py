@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 
 # Mean separations over sigma at which the curves are computed: out of touch to pressed together.
 SEPARATIONS = np.linspace(5.0, -2.0, 80)
+# Contact area over the nominal one beyond which a model has failed, and has no numbers.
+_MOST_AREA = 100.0
 RESULTS = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient")
 
 
@@ -203,13 +205,22 @@ def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[st
         solved = solve_points(points)
         if solved.carried is not None:
             answer.outside = doubts_of_rounding(solved.carried, points.wanted)
-        return {name: table.reshape(1, 1) for name, table in solved.tables.items()}
+        return _sensible(problem, {name: table.reshape(1, 1) for name, table in solved.tables.items()}, answer)
     except Unreachable as error:
         unit = points.factors["N"]
         high, low = (problem.subject.show(load * unit, "load", 4) for load in (error.high, error.low))
         answer.why_not = f"{TOO_MUCH} {high}" if points.wanted.item() > error.high else f"carries loads above {low}"
     except InputError as error:
         answer.why_not = reason_of(error)
+    return None
+
+
+def _sensible(problem: Problem, results: dict[str, np.ndarray], answer: Answer) -> dict[str, np.ndarray] | None:
+    """Return the results, or None where their area is outside all sense; the answer then says why."""
+    fraction = state_of(problem, results).get("area_fraction")
+    if fraction is None or not fraction.item() > _MOST_AREA:
+        return results
+    answer.why_not = f"outside all sense: its contact area is {fraction.item():.2g} times the nominal one"
     return None
 
 
