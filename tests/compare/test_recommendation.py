@@ -280,5 +280,7 @@ def test_the_working_load_of_an_even_number(points, tmp_path):
 
 
 def test_the_word_recommended_is_no_model_of_solve_but_it_says_where_to_look():
-    with pytest.raises(st.InputError, match=r"model: 'recommended'; allowed: the key of a model; `stiction compare` prints which"):
+    with pytest.raises(
+        st.InputError, match=r"model: 'recommended'; allowed: the key of a model; `stiction compare` prints which"
+    ):
         st.solve(contact(), load="1 N", model="recommended")
