@@ -1,15 +1,24 @@
 """Pictures: axes with units, and lines that are the numbers of the dataset."""
 
+from pathlib import Path
+
 import matplotlib
 import numpy as np
 import pytest
 
+from collisions import collisions
 from stiction.contact.contact import Contact, Indices, Roughness
 from stiction.report import pictures as plot
+from stiction.report.film_pictures import film_figure
 from stiction.solving.solve import solve
 from stiction.studies.case.read import read_case
+from stiction.studies.case.results import film_of_case
 from stiction.studies.paper import figures as figures
 from stiction.studies.paper.claims import claim_map
+from stiction.studies.stresses.film_section import film_section
+from stiction.studies.stresses.film_stress import middle_point
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture(autouse=True)
@@ -21,10 +30,16 @@ def matplotlib_does_its_own_arithmetic(no_silent_nan):
 
 @pytest.fixture(scope="module")
 def silver():
-    from pathlib import Path
-
-    case = read_case(Path(__file__).parents[2] / "examples" / "silver_on_steel.toml")
+    case = read_case(EXAMPLES / "silver_on_steel.toml")
     return solve(case.subject, separation=case.separation)
+
+
+@pytest.mark.parametrize("example", ["hard_film_on_steel", "silver_on_steel"])
+def test_titles_of_a_film_do_not_collide(example):
+    case = read_case(EXAMPLES / f"{example}.toml")
+    point = middle_point(film_of_case(case, case.choice.with_changes({"film": "layered"}, {})))
+    figure = film_figure(point, film_section(case.subject, point), case.title)
+    assert collisions(figure) == []
 
 
 def lines(axes):

@@ -13,6 +13,7 @@ from test_bands import ADHESIVE, POWER_LAW, SOLVE, TEXT, case
 from typer.testing import CliRunner
 
 import stiction as st
+from collisions import collisions
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.sensitivity_pictures import sensitivity_figure
@@ -164,6 +165,16 @@ def test_pictures_and_tables_rank_what_matters(of_power_law):
     widths = sorted(patch.get_width() for patch in indices.patches[:2])
     assert widths == pytest.approx(sorted(of_power_law["friction_coefficient_total_order"].values[:, 0]))
     assert len(over_load.lines) == 2 and len(screening.texts) == 2 and slopes.patches[0].get_width() == pytest.approx(1.0)
+
+
+def test_a_picture_of_one_load_has_no_empty_quarter_and_no_text_on_another(of_power_law):
+    for data, panels in ((of_power_law, 4), (of_power_law.isel(load=[0]), 3)):
+        with np.errstate(all="ignore"):
+            figure = sensitivity_figure(data)
+            assert collisions(figure) == []
+        assert len(figure.axes) == panels and all(axes.has_data() for axes in figure.axes)
+    indices, screening, slopes = figure.axes
+    assert indices.get_position().width > 1.5 * screening.get_position().width and slopes.get_position().x0 > 0.4
 
 
 def test_at_most_nine_loads_are_asked_with_the_working_load():

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from stiction.quantities.units import show
 from stiction.report.pictures import BLUE, GREY, ORANGE, RED, doubts_below, finish, heading
@@ -17,18 +17,22 @@ if TYPE_CHECKING:
 __all__ = ["film_figure"]
 
 _LEVELS = 12
+_LINE = 0.17  # inches, of a line below the panels
 
 
 def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = "") -> Figure:
     """The von Mises stress over the yield stress of what is there, in section, with the largest marked; and the stresses along
     the interface. data: one point of `film_stresses`; section: of `film_section`."""
-    figure = Figure(figsize=(11.0, 5.4), layout="constrained")
+    notes = doubts_below(data, 150)
+    figure = Figure(figsize=(11.0, 4.6 + _LINE * len(notes)), layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(1.45, 1.0))
     _section_panel(figure, left, section)
     _interface_panel(right, section)
-    lines = [heading(data, title), _sizes(data, section)]
+    yields = "; inside the red line it yields" if float(section["stress_over_yield"].max()) > 1.0 else ""
+    # Above both panels: a panel of equal axes is moved after its own title has found its place.
+    lines = [heading(data, title), _sizes(data, section), f"left: elastic stresses{yields}"]
     figure.suptitle("\n".join(lines), fontsize=10)
-    if notes := doubts_below(data, 150):
+    if notes:
         figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
     return figure
 
@@ -62,7 +66,7 @@ def _section_panel(figure: Figure, axes: Axes, section: "xarray.Dataset") -> Non
               linestyle="none", label=said, clip_on=False)  # fmt: skip
     axes.set(xlim=(x[0], x[-1]), ylim=(z[-1], 0.0), aspect="equal", xlabel="$x/a$, along the tangential force",
              ylabel="depth $z/a$")  # fmt: skip
-    axes.set_title("stresses are elastic" + ("; inside the red line it yields" if field.max() > 1.0 else ""), fontsize=9)
+    axes.yaxis.set_major_locator(MultipleLocator(0.5))  # as wide before the panel has its size as after
     axes.legend(fontsize=8, loc="lower right", framealpha=0.9)
 
 

@@ -6,8 +6,10 @@ import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.picture_style import along
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, finish, heading, label, say
 from stiction.report.sensitivity_tables import at_working_load, head_of, ranked, results_of, working_place
 from stiction.report.several_tables import of_point, points_dimension
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["sensitivity_figure"]
 
 _SHOWN = 12  # bars of a panel at most
+_TICKS = 6  # of effects, whose numbers may be long
 _NAMED = 0.05  # of the largest effect, above which an input has its name
 _COLOURS = (BLUE, ORANGE, GREEN, RED)
 
@@ -29,13 +32,15 @@ def sensitivity_figure(data: "xarray.Dataset") -> Figure:
         figure = Figure(figsize=(7.5, 5.6), layout="constrained")
         _elasticities(figure.subplots(), data)
     else:
-        figure = Figure(figsize=(13.5, 9.4), layout="constrained")
-        (indices, over_load), (screening, slopes) = figure.subplots(2, 2)
+        figure, dim = Figure(figsize=(13.5, 9.4), layout="constrained"), points_dimension(data)
+        several = dim is not None and data.sizes[dim] > 1
+        panels = figure.subplot_mosaic([["indices", "over load" if several else "indices"], ["screening", "slopes"]])
         name = results_of(data, "total_order")[0]
-        _indices(indices, data, name)
-        _over_load(over_load, data, name)
-        _screening(screening, data, name)
-        _elasticities(slopes, data)
+        _indices(panels["indices"], data, name)
+        if several:
+            _over_load(panels["over load"], data, name, str(dim))
+        _screening(panels["screening"], data, name)
+        _elasticities(panels["slopes"], data)
     figure.suptitle(heading(data, data.attrs.get("case", "")), fontsize=11)
     return figure
 
@@ -65,24 +70,27 @@ def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     _finished(axes)
 
 
-def _over_load(axes: Axes, data: "xarray.Dataset", name: str) -> None:
-    dim = points_dimension(data)
-    if dim is None or data.sizes[dim] < 2:
-        say(axes, "one load only")
-        axes.set_axis_off()
-        return
+def _over_load(axes: Axes, data: "xarray.Dataset", name: str, dim: str) -> None:
     order = ranked(at_working_load(data), name, "total_order", "input")[:8]
     colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.9, len(order)))
     for at, colour in zip(order, colours, strict=True):
         one = data.isel(input=int(at))
         axes.plot(data[dim].values, one[f"{name}_total_order"].values, color=colour, marker="o", markersize=4,
                   label=str(one["input"].item()))  # fmt: skip
+    _along_load(axes, data, dim)
+    axes.set(ylabel=f"total Sobol index of ln {_symbol(name)}")
+    axes.set_ylim(bottom=0.0)
+    axes.legend(fontsize=8, framealpha=0.9)
+
+
+def _along_load(axes: Axes, data: "xarray.Dataset", dim: str) -> None:
+    if data[dim].attrs.get("units", "1") != "1":
+        along(axes, "x", dim, data[dim].values)
+        return
     if data[dim].values.min() > 0.0:
         axes.set_xscale("log")
-    axes.set(xlabel=label(data[dim]), ylabel=f"total Sobol index of ln {_symbol(name)}")
-    axes.set_ylim(bottom=0.0)
+    axes.set_xlabel(label(data[dim]))
     finish(axes)
-    axes.legend(fontsize=8, framealpha=0.9)
 
 
 def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
@@ -94,11 +102,13 @@ def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     axes.errorbar(size, deviation, xerr=error, linestyle="", marker="o", color=BLUE, elinewidth=0.8)
     for at in ranked(one, name, "effect", "input")[:_SHOWN]:
         if size[at] > _NAMED * np.nanmax(size):  # the names of what hardly matters would lie on one another
-            axes.annotate(str(one["input"].values[at]), (size[at], deviation[at]), fontsize=8, xytext=(4, 4),
-                          textcoords="offset points")  # fmt: skip
-    axes.set_xlim(0.0, 1.6 * max(float(np.nanmax(size)), 1e-9))
+            left = size[at] > 0.6 * np.nanmax(size)
+            axes.annotate(str(one["input"].values[at]), (size[at], deviation[at]), fontsize=8, xytext=(-4 if left else 4, 4),
+                          textcoords="offset points", ha="right" if left else "left")  # fmt: skip
+    axes.set_xlim(0.0, 1.1 * max(float(np.nanmax(size)), 1e-9))
+    axes.xaxis.set_major_locator(MaxNLocator(_TICKS))
     axes.set(xlabel=f"mean size of its effect on ln {_symbol(name)}, from end to end", ylabel="deviation: it depends on others")
-    axes.set_ylim(bottom=0.0)
+    axes.set_ylim(0.0, 1.15 * max(float(np.nanmax(deviation)), 1e-9))
     axes.set_title("effects of Morris", fontsize=10)
     finish(axes)
 
