@@ -88,10 +88,11 @@ def _over_inputs(one: "xarray.Dataset") -> dict[str, Any]:
         return {}
     shares = one["quantile"].values.tolist()
     return {
+        "impossible_draws": one["impossible_draws"].item(),
         "friction_coefficient_quantile": [
             {"share": share, "value": value, "error": error}
             for share, value, error in zip(shares, one[name].values, one[f"{name}_error"].values, strict=True)
-        ]
+        ],
     }
 
 

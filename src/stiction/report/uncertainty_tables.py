@@ -58,6 +58,8 @@ def uncertain_notes(data: "xarray.Dataset") -> Iterator[Text]:
         yield Text(f"uncertain: {line}", style="dim")
     if "uncertainty" in used:
         yield Text(draws_in_words(used), style="dim")
+    if used.get("impossible_draws"):
+        yield Text(f"impossible, and excluded from the band: {used['impossible_draws']:.2g} of the draws", style="dim")
     for text, share in json.loads(used.get("doubts_of_points", "{}")).items():
         yield Text(in_draws(share, with_meaning(text)), style="dim")
 

@@ -132,8 +132,12 @@ def doubtful_points(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.nda
 
 def rules_of(problem: Problem) -> list[Validity]:
     """Every range that the results of a problem may leave, each once; of the same kind whatever its contacts are."""
-    rules = [*(rule for rule, applies in RULES if applies(problem))]
-    return list(dict.fromkeys([*rules, *(rule for record in problem.records() for rule in record.validity)]))
+    return list(dict.fromkeys(_rules_for(problem)))
+
+
+def excludes(rule: Validity) -> bool:
+    """Return whether a draw that leaves this range cannot be: more than the nominal area, or more pressure than hardness."""
+    return rule.kind == "impossible" or rule.quantity == "mean_pressure_over_hardness"
 
 
 def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:

@@ -13,7 +13,16 @@ from stiction.solving.candidates import candidates
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT
 from stiction.studies.case.read import Case
-from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw, scrambled, shares_of_points, solves_maps
+from stiction.studies.uncertainty.drawing import (
+    OUTPUTS,
+    Draws,
+    Variant,
+    draw,
+    impossible_share,
+    scrambled,
+    shares_of_points,
+    solves_maps,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -24,7 +33,9 @@ __all__ = ["as_columns", "levels", "quantiles", "with_bands", "with_bands_of_mod
 _PARTS = 8
 _QUANTILE, _ERROR = "_quantile", "_quantile_error"
 _LEAST_KNOWN = 0.5  # the share of the points that must be known for a quantile of them
+_MANY = 0.05  # the share of impossible draws from which on a warning says so
 _MU = "friction_coefficient"
+_IMPOSSIBLE = {"units": "1", "long_name": "share of the draws that are impossible, and not in the quantiles"}
 Progress = Callable[[Iterable], Iterable]
 
 
@@ -88,7 +99,9 @@ def _said(data: "xarray.Dataset", case: Case, found: Draws) -> "xarray.Dataset":
     """With what is uncertain, how it was drawn, and where nothing is known."""
     shares = shares_of_points(found)
     lost = sum(shares.get(why, 0.0) for why in WHY_NOT[:2])
+    impossible = impossible_share(found)
     attributes = {
+        "impossible_draws": impossible,
         "uncertain_inputs": "\n".join(f"{name}: {words(case, name)}" for name in case.unknowns),
         "uncertainty": f"{case.uncertainty.count} points, seed {case.uncertainty.seed}",
         "coverage": case.uncertainty.coverage,
@@ -97,7 +110,15 @@ def _said(data: "xarray.Dataset", case: Case, found: Draws) -> "xarray.Dataset":
     if lost:
         why = f"in {lost:.2g} of the points that are drawn from what is uncertain nothing is known: bands are of the others"
         data = with_doubts(data, [Doubt(why)])
+    if impossible > _MANY:
+        data = with_doubts(data, [Doubt(_of_impossible(impossible))])
     return data.assign_attrs(attributes)
+
+
+def _of_impossible(share: float) -> str:
+    """Say that draws are impossible, and what that does to bands."""
+    said = f"{share:.0%} of the draws are impossible, above the nominal area or the hardness, and are excluded"
+    return f"{said}: there is no band" if share > 1.0 - _LEAST_KNOWN else f"{said}: the band of mu is of the others"
 
 
 def words(case: Case, name: str) -> str:
@@ -115,7 +136,7 @@ def with_bands_of_models(data: "xarray.Dataset", case: Case, load: float, progre
     at_load = replace(case, separation=None, load=np.array([load]))
     choices = {one.name: one.choice for one in candidates(case.subject)}
     rows = [_band_of(at_load, choices[one], points, shares) for one in progress(data["model"].values.tolist())]
-    values, errors = np.moveaxis(np.array(rows), 0, -1)
+    values, errors = np.moveaxis(np.array([band for band, _ in rows]), 0, -1)
     name, dims = f"{_MU}_at_load", ("quantile", "model")
     meaning = {"units": "1", "symbol": "mu", "long_name": "friction, quantiles over what is uncertain"}
     data = data.assign_coords(quantile=("quantile", shares, {"long_name": "share of the points below"}))
@@ -123,6 +144,7 @@ def with_bands_of_models(data: "xarray.Dataset", case: Case, load: float, progre
         {
             f"{name}{_QUANTILE}": (dims, values, meaning),
             f"{name}{_ERROR}": (dims, errors, meaning | {"long_name": "standard error of the quantiles"}),
+            "impossible_draws": ("model", np.array([share for _, share in rows]), _IMPOSSIBLE),
         }
     )
     return data.assign_attrs(
@@ -130,15 +152,16 @@ def with_bands_of_models(data: "xarray.Dataset", case: Case, load: float, progre
     )
 
 
-def _band_of(case: Case, choice: Choice, points: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Quantiles and their errors (2, shares) of mu at the one load of a case; not a number where the model says nothing."""
+def _band_of(case: Case, choice: Choice, points: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, float]:
+    """Quantiles and their errors (2, shares) of mu at the one load of a case, and the share of impossible draws; NaN where the
+    model says nothing."""
     try:
-        table = draw(case, points, [Variant(choice)], names=(_MU,)).tables.get(_MU)
+        found = draw(case, points, [Variant(choice)], names=(_MU,))
     except (InputError, ArithmeticError):
-        table = None
-    if table is None:
-        return np.full((2, shares.size), np.nan)
-    return np.array(quantiles(table.reshape(_PARTS, -1), shares))
+        found = Draws()
+    if _MU not in found.tables:
+        return np.full((2, shares.size), np.nan), np.nan
+    return np.array(quantiles(found.tables[_MU].reshape(_PARTS, -1), shares)), impossible_share(found)
 
 
 def as_columns(data: "xarray.Dataset") -> "xarray.Dataset":

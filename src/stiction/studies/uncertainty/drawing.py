@@ -10,12 +10,15 @@ from stiction.laws.registry import RoughSurface, find
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
+from stiction.solving.conditions import excludes
 from stiction.solving.pointwise import WHY_NOT, Pointwise
 from stiction.studies.case.read import Case
 from stiction.studies.case.uncertain import SAMPLE, expanded
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
-__all__ = ["OUTPUTS", "Draws", "Variant", "draw", "scrambled", "shares_of_points", "solves_maps"]
+__all__ = [
+    "OUTPUTS", "Draws", "Variant", "draw", "impossible_share", "scrambled", "shares_of_points", "solves_maps",
+]  # fmt: skip
 
 # What is asked of contacts that are drawn.
 OUTPUTS = ("friction_coefficient", "contact_area", "load", "pull_off_force")
@@ -40,8 +43,9 @@ class Variant:
 class Draws:
     """Results of contacts that are drawn.
 
-    tables: name -> array (n, *shape), not a number where nothing is known; dims: name -> the dimensions of that shape;
-    attributes: name -> meaning and unit. doubtful: range of validity, or why nothing is known -> in how many points.
+    tables: name -> array (n, *shape), NaN where nothing is known and where the result is impossible; dims: name -> the
+    dimensions of that shape; attributes: name -> meaning and unit. doubtful: range of validity, or why nothing is known -> in
+    how many points. impossible: in how many points the result is impossible.
     """
 
     points: int = 0
@@ -49,6 +53,7 @@ class Draws:
     dims: dict[str, tuple[str, ...]] = field(default_factory=dict)
     attributes: dict[str, dict[str, str]] = field(default_factory=dict)
     doubtful: dict[str, int] = field(default_factory=dict)
+    impossible: int = 0
 
 
 def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray:
@@ -134,13 +139,17 @@ def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
     if solved is None:
         _count(found, WHY_NOT[0], len(rows) * found.points)
         return
+    points, bits = solved.doubts
+    rules = [bit for bit, rule in enumerate(solved.rules, start=len(WHY_NOT)) if excludes(rule)]
+    impossible = bits & np.uint32(sum(1 << bit for bit in rules)) != 0
     for name, (dims, values, _) in solved.variables.items():
         if name in found.tables:
+            values = np.where(impossible, np.nan, values) if tuple(dims) == points else values
             wanted = found.dims[name]  # separations over a sigma that is drawn have a name of their own
             have = ["mean_separation" if dim == "separation" and dim not in wanted else dim for dim in dims]
             found.tables[name][rows] = arranged(values, have, (SAMPLE, *wanted))
-    bits = solved.doubts[1]
     times = len(rows) * found.points // bits.size
+    found.impossible += times * int(impossible.sum())
     meanings = [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in solved.rules)]
     for bit, text in enumerate(meanings):
         _count(found, text, times * int(((bits >> np.uint32(bit)) & 1).sum()))
@@ -153,5 +162,13 @@ def _count(found: Draws, text: str, points: int) -> None:
 
 def shares_of_points(draws: Draws) -> dict[str, float]:
     """Range of validity, or why nothing is known -> in which share of all points."""
-    whole = draws.points * max((len(table) for table in draws.tables.values()), default=1)
-    return {text: count / whole for text, count in sorted(draws.doubtful.items(), key=lambda pair: -pair[1])}
+    return {text: count / _all_points(draws) for text, count in sorted(draws.doubtful.items(), key=lambda pair: -pair[1])}
+
+
+def impossible_share(draws: Draws) -> float:
+    """Return the share of all points whose result is impossible."""
+    return draws.impossible / _all_points(draws)
+
+
+def _all_points(draws: Draws) -> int:
+    return draws.points * max((len(table) for table in draws.tables.values()), default=1)

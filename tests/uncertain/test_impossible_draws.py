@@ -1,0 +1,98 @@
+"""Draws whose result is impossible, above the nominal area or the hardness, are in no band; how many there are is said."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stiction as st
+from stiction.laws.validity import doubts_of
+from stiction.report.comparison_rows import comparison
+from stiction.report.uncertainty_tables import uncertain_notes
+from stiction.studies.case.read import parse_case
+
+# Surfaces of an elastomer under a tenth of a millinewton, from rough to smooth: the smoothest would touch all over.
+HEIGHTS = [0.5e-6, 0.4e-6, 0.3e-6, 0.12e-6]
+STRENGTH, LOAD, AREA = 1e5, 1e-4, 1e-6
+
+
+def case(heights, model="fuller_tabor_1975", **contact):
+    rough = {"asperity_radius": "20 um", "asperity_density": "2e10 1/m^2", "asperity_height_deviation": heights}
+    body = {"youngs_modulus": "2 MPa", "poissons_ratio": 0.49, "hardness": "15 MPa"}
+    given = {"first": body, "second": "silicon", "nominal_area": "1 mm^2", "work_of_adhesion": "40 mJ/m^2", "roughness": rough}
+    solve = {"load": "0.1 mN", "model": model}
+    tables = {"contact": given | {"interfacial_shear_strength": "0.1 MPa"} | contact, "solve": solve}
+    return tables | {"uncertainty": {"count": 64}}
+
+
+@pytest.fixture(autouse=True)
+def beside_the_case(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+
+def samples(*values, unit="m"):
+    Path("measured.csv").write_text("\n".join(map(str, values)))
+    return {"samples": "measured.csv", "unit": unit}
+
+
+def alone(height):
+    """Friction of one surface, and its contact area over the nominal one."""
+    found = st.solve_case(parse_case(case(f"{height} m"))).squeeze()
+    return float(found["friction_coefficient"]), float(found["contact_area"]) / AREA
+
+
+def test_the_smoothest_surface_is_impossible():
+    assert [alone(height)[1] > 1.0 for height in HEIGHTS] == [False, False, False, True]
+
+
+def test_a_band_ends_at_the_nominal_area():
+    """The strength on all of the nominal area is the most that the interface resists."""
+    data = st.solve_case(parse_case(case(samples(*HEIGHTS)))).squeeze()
+    band = data["friction_coefficient_quantile"].values
+    assert band[-1] <= STRENGTH * AREA / LOAD < alone(HEIGHTS[-1])[0]
+    assert band[[0, -1]] == pytest.approx([alone(HEIGHTS[0])[0], alone(HEIGHTS[2])[0]], rel=1e-9)
+    assert data["contact_area_quantile"].values.max() <= AREA
+    assert data.attrs["impossible_draws"] == pytest.approx(0.25, abs=0.02)
+    said = [one.why for one in doubts_of(data) if "impossible" in one.why]
+    assert said == ["25% of the draws are impossible, above the nominal area or the hardness, and are excluded: "
+                    "the band of mu is of the others"]  # fmt: skip
+    assert any("excluded from the band: 0.25 of the draws" in note.plain for note in uncertain_notes(data))
+
+
+def test_few_are_counted_and_no_warning_is_made_of_them():
+    data = st.solve_case(parse_case(case(samples(*HEIGHTS[:3] * 12, HEIGHTS[3])))).squeeze()
+    assert 0.0 < data.attrs["impossible_draws"] < 0.05
+    assert not [one for one in doubts_of(data) if "impossible" in one.why]
+
+
+def test_where_most_are_impossible_there_is_no_band():
+    data = st.solve_case(parse_case(case(samples(HEIGHTS[0], *HEIGHTS[3:] * 3)))).squeeze()
+    assert np.isnan(data["friction_coefficient_quantile"].values).all()
+    assert any("there is no band" in one.why for one in doubts_of(data))
+
+
+def test_where_all_are_possible_nothing_is_said():
+    data = st.solve_case(parse_case(case(samples(*HEIGHTS[:3])))).squeeze()
+    assert data.attrs["impossible_draws"] == 0.0 and not [one for one in doubts_of(data) if "impossible" in one.why]
+
+
+def test_every_model_of_a_comparison_has_its_own():
+    data = st.compare_case(parse_case(case(samples(*HEIGHTS))), load=LOAD)
+    excluded = data["impossible_draws"].sel(model="fuller_tabor_1975").item()
+    assert excluded == pytest.approx(0.25, abs=0.02)
+    assert data["impossible_draws"].sel(model="persson_2001").item() == 0.0  # its area ends at the nominal one
+    band = data["friction_coefficient_at_load_quantile"]
+    assert np.nanmax(band.sel(model=["fuller_tabor_1975", "persson_2001"]).values) <= STRENGTH * AREA / LOAD
+    rows = {row["model"]: row for row in comparison(data)["models"]}
+    assert rows["fuller_tabor_1975"]["impossible_draws"] == excluded
+
+
+def test_draws_above_the_hardness():
+    """Elastic spheres under the mean pressure of E* (sigma/R)^(1/2)/3 and more pass the hardness of the softest of these."""
+    body = {"youngs_modulus": "210 GPa", "poissons_ratio": 0.3}
+    hard = samples(8, 6, 5, 0.3, unit="GPa")
+    tables = case("0.05 um", "greenwood_williamson_1966", first=body | {"hardness": hard})
+    tables["solve"]["load"] = "1 N"
+    tables["contact"]["second"] = body | {"hardness": "9 GPa"}
+    data = st.solve_case(parse_case(tables)).squeeze()
+    assert data.attrs["impossible_draws"] == pytest.approx(0.25, abs=0.02)
