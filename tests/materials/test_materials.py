@@ -1,5 +1,6 @@
 """Materials and their presets."""
 
+import math
 import re
 
 import pytest
@@ -60,16 +61,27 @@ def test_ranges_are_those_printed(name, quantity, low, high):
 
 
 def test_hardness_numbers_are_converted():
-    """From kgf/mm^2, 9.80665 MPa; as far as the digits of the file go."""
-    numbers = {
-        "silicon": 1130,
-        "soda_lime_glass": 570,
-        "borosilicate_glass": 480,
-        "titanium_6al_4v": 349,
-        "stainless_steel_304": 129,
-    }
+    """From Knoop's number, whose area is the projected one: kgf/mm^2, 9.80665 MPa; as far as the digits of the file go."""
+    numbers = {"silicon": 1130, "soda_lime_glass": 570, "borosilicate_glass": 480}
     for name, kgf in numbers.items():
         assert material(name).hardness == pytest.approx(kgf * 9.80665e6, rel=0.01), name
+
+
+@pytest.mark.parametrize(
+    ("name", "number", "vickers"),
+    [
+        ("hardened_steel_52100", "62 HRC", 746),  # by the printed table of ASTM E140
+        ("titanium_6al_4v", "349 HV", 349),
+        ("stainless_steel_304", "129 HV", 129),
+        ("hard_chromium_plate", "1000 HV", 1000),
+    ],
+)
+def test_a_preset_is_as_hard_as_the_number_of_its_test(name, number, vickers):
+    """The number that the source prints, typed by a user, is the same hardness: kgf over facets that are 1/sin(68 deg) larger
+    than their projection."""
+    assert number in material(name).source["hardness"]
+    assert material(name).hardness == material(name, hardness=number).hardness
+    assert material(name).hardness == pytest.approx(vickers * 9.80665e6 / math.sin(math.radians(68)), rel=3e-3)
 
 
 # Symbol or formula, and the printed Young's modulus in GPa: tin, the metal, has 50, its namesake TiN 525.
