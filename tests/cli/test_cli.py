@@ -282,7 +282,7 @@ def test_half_written_results_are_not_left_behind(tmp_path, monkeypatch):
     def fail(figure, path):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("stiction.report.files.write_picture", fail)
+    monkeypatch.setattr("stiction.report.view.write_picture", fail)
     refused("run", PAPER, "--out", tmp_path / "out", field="No space left")
     assert list(tmp_path.iterdir()) == []
 

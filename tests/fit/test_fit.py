@@ -600,14 +600,14 @@ def test_an_interruption_keeps_the_fit(series, tmp_path, monkeypatch):
 
 def test_an_interruption_while_results_are_written_waits_for_them(series, tmp_path, monkeypatch):
     """All that took long is done by then."""
-    from stiction.report import files
+    from stiction.report import view
 
     def interrupted(*given):
         signal.raise_signal(signal.SIGINT)
         write(*given)
 
-    write = files.write_folder
-    monkeypatch.setattr(files, "write_folder", interrupted)
+    write = view.write_folder
+    monkeypatch.setattr(view, "write_folder", interrupted)
     (tmp_path / "case.toml").write_text(CASE_FILE, encoding="utf-8")
     words = ["fit", str(tmp_path / "case.toml"), "--data", str(series(exact(), 0.01)), "--out", str(tmp_path / "out")]
     result = CliRunner().invoke(cli.app, words)

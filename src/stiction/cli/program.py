@@ -7,17 +7,20 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from typer.core import TyperCommand, TyperGroup
 
 from stiction.cli.interrupting import INTERRUPTED
-from stiction.cli.output import closed_pipe, give_up_output
+from stiction.cli.output import closed_pipe, give_up_output, print_json
 from stiction.quantities.errors import InputDoubt, InputError
 from stiction.quantities.extras import how_to_install
 from stiction.quantities.notices import Notice
 from stiction.quantities.uninterrupted import uninterrupted
+
+if TYPE_CHECKING:
+    from stiction.report.view import View
 
 _BAD_INPUT = 2
 _TABLE = re.compile(r"\[(?=[a-z])")
@@ -189,8 +192,20 @@ def folder(text: str | Path) -> Path:
     return Path(text)
 
 
+def _checked(out: Path | None) -> Path | None:
+    """Refuse a place where no folder can be before anything is computed for it."""
+    if out is not None:
+        from stiction.report.files import check_folder
+
+        check_folder(out)
+    return out
+
+
 Out = Annotated[
-    Path | None, typer.Option("--out", parser=folder, metavar="FOLDER", help="Folder for the results; other files in it stay.")
+    Path | None,
+    typer.Option(
+        "--out", parser=folder, callback=_checked, metavar="FOLDER", help="Folder for the results; other files in it stay."
+    ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 Ranges = Annotated[
@@ -328,6 +343,30 @@ def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
         telling_steps(lambda one: line.say(f"{text}: load {one.load + 1} of {one.loads}, residual {one.residual:.1e}")),
     ):
         yield
+
+
+def present(view: "View", out: Path | None, json: bool) -> None:
+    """Write what a result shows into a folder, if one is given, and print it, as JSON if that is asked for."""
+    names = []
+    if out is not None:
+        with writing():
+            names = view.write(out)
+    if json:
+        print_json(view.record())
+        return
+    show(view.parts())
+    if out is not None:
+        written(out, names)
+
+
+def show(parts: Iterable[Any]) -> None:
+    """Print paragraphs and tables. What is to be copied, text that does not wrap, stays on one line."""
+    from rich.text import Text
+
+    terminal = console()
+    for part in parts:
+        text = Text(part) if isinstance(part, str) else part
+        terminal.print(text, soft_wrap=isinstance(text, Text) and bool(text.no_wrap))
 
 
 def written(folder: Path, names) -> None:

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stiction.cli.output import print_json
 from stiction.cli.program import (
     AllRows,
     Asperity,
@@ -18,12 +17,10 @@ from stiction.cli.program import (
     Tangential,
     app,
     busy,
-    console,
     keys_of,
     options_of_records,
+    present,
     solving,
-    writing,
-    written,
 )
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
@@ -88,10 +85,6 @@ def run(
     materials vary within their --ranges, mu has a band, with the error of its sampling, drawn in uncertainty.png. Where the
     case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
     """
-    from stiction.report.files import check_folder
-
-    if out is not None:
-        check_folder(out)
     with busy("Reading the case"):
         from stiction.studies.case.read import read_case
 
@@ -110,17 +103,15 @@ def run(
     if kept != 1.0 and not sliding:
         raise InputError("--kept", kept, "nothing without --sliding")
     if sliding:
-        _report_sliding(chosen, _slide(chosen, laws, options_of_records(context), kept), out, json)
+        from stiction.report.views.sliding import sliding_view
+
+        present(sliding_view(chosen, _slide(chosen, laws, options_of_records(context), kept)), out, json)
         return
     data = _solve(chosen, laws, options_of_records(context))
     chosen = chosen.with_surface_moments(data.attrs["model"])
-    names = _write_run(out, chosen, data) if out is not None else []
-    if json:
-        _print_json(chosen, data)
-        return
-    _print_run(chosen, data, all_rows)
-    if out is not None:
-        written(out, names)
+    from stiction.report.views.run import run_view
+
+    present(run_view(chosen, data, all_rows), out, json)
 
 
 def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str]) -> "xarray.Dataset":
@@ -135,124 +126,3 @@ def _slide(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, s
         from stiction.studies.case.results import slide_case
 
         return slide_case(case, case.choice.with_changes(laws, options), kept)
-
-
-def _report_sliding(case: "Case", data: "xarray.Dataset", out: Path | None, json: bool) -> None:
-    """Write and print what --sliding asks for."""
-    from stiction.report.files import comments_of, record, write_csv, write_folder, write_netcdf, write_picture
-    from stiction.report.sliding import sliding_notes, sliding_table
-
-    names = {
-        "sliding.csv": lambda path: write_csv(data, path, comments_of(data)),
-        "sliding.nc": lambda path: write_netcdf(data, path),
-        "sliding.png": lambda path: write_picture(_sliding(case, data), path),
-    }
-    if out is not None:
-        with writing():
-            write_folder(out, names)
-    if json:
-        print_json(record(data, case.subject.groups()))
-        return
-    from stiction.report.tables import outside_validity, run_summary
-
-    terminal = console()
-    terminal.print(run_summary(case, data), "", sliding_table(data), "")
-    for note in sliding_notes(data):
-        terminal.print(note, style="dim")
-    if (beyond := outside_validity(data)) is not None:
-        terminal.print(beyond)
-    if out is not None:
-        written(out, list(names))
-
-
-def _write_run(out: Path, case: "Case", data: "xarray.Dataset") -> list[str]:
-    """Write tables and pictures; returns their names."""
-    with writing():
-        from stiction.report.files import comments_of, write_csv, write_folder, write_netcdf, write_picture
-        from stiction.solving.method_spread import as_columns
-        from stiction.studies.uncertainty.bands import as_columns as with_quantiles
-
-        files = {
-            "curve.csv": lambda path: write_csv(with_quantiles(as_columns(data)), path, comments_of(data)),
-            "curve.nc": lambda path: write_netcdf(data, path),
-            "curve.png": lambda path: write_picture(_figure(case, data), path),
-        }
-        if "friction_coefficient_by_method" in data and not case.is_several:
-            files["band.png"] = lambda path: write_picture(_methods(case, data), path)
-        if "friction_coefficient_quantile" in data and not case.is_several:
-            files["uncertainty.png"] = lambda path: write_picture(_uncertainty(case, data), path)
-        write_folder(out, files)
-    return list(files)
-
-
-def _figure(case: "Case", data: "xarray.Dataset"):
-    if case.is_several:
-        from stiction.report.several_pictures import several_figure
-
-        return several_figure(data, case.title)
-    from stiction.report.pictures import curve_figure
-
-    return curve_figure(data, case.title)
-
-
-def _methods(case: "Case", data: "xarray.Dataset"):
-    from stiction.report.surface_pictures import method_spread_figure
-
-    return method_spread_figure(data, case.title)
-
-
-def _uncertainty(case: "Case", data: "xarray.Dataset"):
-    from stiction.report.uncertainty_pictures import uncertainty_figure
-
-    return uncertainty_figure(data, case.title)
-
-
-def _sliding(case: "Case", data: "xarray.Dataset"):
-    from stiction.report.sliding_pictures import sliding_figure
-
-    return sliding_figure(data, case.title)
-
-
-def _table(case: "Case", data: "xarray.Dataset", all_rows: bool):
-    if case.is_several:
-        from stiction.report.several_tables import several_table
-
-        return several_table(data, all_rows)
-    from stiction.report.tables import curve_table
-
-    return curve_table(data, all_rows)
-
-
-def _print_json(case: "Case", data: "xarray.Dataset") -> None:
-    from stiction.report.files import record
-
-    measured = {} if case.measured is None else {"measured": case.measured.record()}
-    print_json(record(data, case.subject.groups()) | measured)
-
-
-def _print_run(case: "Case", data: "xarray.Dataset", all_rows: bool) -> None:
-    from rich.text import Text
-
-    from stiction.report.tables import outside_validity, rows_shown, run_notes, run_summary
-
-    terminal = console()
-    terminal.print(run_summary(case, data), "", _table(case, data, all_rows), "")
-    if not all_rows and not case.is_several and (text := rows_shown(data)):
-        terminal.print(Text(text, style="dim"), "", sep="\n")
-    if "uncertain_inputs" in data.attrs:
-        from stiction.report.uncertainty_tables import band_table, uncertain_notes
-
-        terminal.print(band_table(data), *uncertain_notes(data), "", sep="\n")
-    if "point_spacing" in data:
-        from stiction.report.surface_tables import map_notes
-
-        terminal.print(*map_notes(data), "", sep="\n")
-    elif case.measured is not None:
-        from stiction.report.surface_tables import roughness_notes, roughness_table
-
-        terminal.print(roughness_table(case.measured, data), *roughness_notes(case.measured), "", sep="\n")
-    for note in run_notes(data):
-        terminal.print(Text(note, style="dim"))
-    beyond = outside_validity(data)
-    if beyond is not None:
-        terminal.print(beyond)

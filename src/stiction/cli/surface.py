@@ -1,21 +1,18 @@
 """`stiction surface`: what one scan says."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from stiction.cli.output import print_json
-from stiction.cli.program import Json, Out, app, bar, busy, console, solving, written
+from stiction.cli.program import Json, Out, app, bar, busy, present, solving
 from stiction.quantities.errors import InputError
 
 if TYPE_CHECKING:
     import xarray
 
     from stiction.studies.case.read import Case
-    from stiction.studies.scans.analysis import Analysis
     from stiction.studies.scans.map_contact import ContactOfMap
     from stiction.surfaces.heightmap import HeightMap
 
@@ -55,17 +52,13 @@ def surface(
     With --out: map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study (how sigma, R and N,
     and with --case mu, change with the method and the shortest wavelength) as fan.png, fan.csv and fan.nc.
     """
-    from stiction.report.files import check_folder
-
-    if out is not None:
-        check_folder(out)
     if out is None and (case is not None or load is not None):
         what, value = ("--load", load) if case is None else ("--case", str(case))
         raise InputError(what, value, "together with --out: it is for the resolution study")
     pressures = _pressures(contact, hardness)
     given = {"size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel}
     with busy("Reading the scan"):
-        from stiction.studies.scans.analysis import analyse, prepared, prepared_period, summary
+        from stiction.studies.scans.analysis import analyse, prepared, prepared_period
         from stiction.surfaces.read import read_scan
 
         chosen, at = _chosen(case, load)
@@ -74,28 +67,10 @@ def surface(
         scan = made_ready or prepared(scan, form, spikes, fill, shortest, longest)
     analysis = analyse(scan, progress=bar("Analysing"), tip_radius=tip_radius)
     solved = _contact(scan, pressures, hardness) if pressures else None
-    names = _write(out, analysis, chosen, at, solved) if out is not None else []
-    if json:
-        print_json(summary(analysis) | ({} if solved is None else {"contact": _contact_in_json(solved)}))
-        return
-    _print(analysis, solved)
-    if out is not None:
-        written(out, names)
+    resolution = _resolution(analysis.surface, chosen, at) if out is not None else None
+    from stiction.report.views.surface import surface_view
 
-
-def _print(analysis: "Analysis", solved: "ContactOfMap | None") -> None:
-    from stiction.report.surface_tables import (
-        asperity_table,
-        contact_notes,
-        contact_table,
-        surface_notes,
-        surface_summary,
-    )
-
-    terminal = console()
-    terminal.print(surface_summary(analysis), "", asperity_table(analysis), "", *surface_notes(analysis), sep="\n")
-    if solved is not None:
-        terminal.print("", contact_table(solved), "", *contact_notes(solved), sep="\n")
+    present(surface_view(analysis, solved, resolution), out, json)
 
 
 def _pressures(contact: str | None, hardness: float | None) -> list[float]:
@@ -117,12 +92,6 @@ def _contact(scan: "HeightMap", pressures: list[float], hardness: float | None) 
         return contact_of_map(scan, pressures, hardness)
 
 
-def _contact_in_json(solved: "ContactOfMap") -> dict[str, Any]:
-    from stiction.studies.scans.map_contact import summary_of_contact
-
-    return summary_of_contact(solved)
-
-
 def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
     """The case whose mu is wanted, and at which load."""
     if case is None:
@@ -142,58 +111,8 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
     return chosen, at
 
 
-def _write(out: Path, analysis: "Analysis", case: "Case | None", load: Any, solved: "ContactOfMap | None") -> list[str]:
-    """Write pictures and tables; returns their names."""
-    from stiction.report.files import as_json, write_csv, write_folder, write_netcdf, write_rows
-    from stiction.studies.scans.analysis import spectrum_rows, summary
-
-    resolution = _resolution(analysis.surface, case, load)
-    with busy("Drawing"):
-        files = _pictures(analysis, resolution) | {
-            "fan.csv": lambda path: write_csv(resolution, path),
-            "fan.nc": lambda path: write_netcdf(resolution, path),
-            "spectrum.csv": lambda path: write_rows(path, *spectrum_rows(analysis.spectrum)),
-            "surface.json": lambda path: path.write_text(as_json(summary(analysis)) + "\n", encoding="utf-8"),
-        }
-        if solved is not None:
-            rows = zip(*(values.tolist() for values in solved.columns.values()), strict=True)
-            files["contact.csv"] = lambda path: write_rows(path, list(solved.columns), map(list, rows))
-            files["pressure.npy"] = lambda path: _write_pressure(path, solved)
-        write_folder(out, files)
-    return list(files)
-
-
-def _pictures(analysis: "Analysis", resolution: "xarray.Dataset") -> dict[str, Callable[[Path], None]]:
-    """The pictures and what draws them, which is imported when it does."""
-
-    def drawn(of: Callable[[Any], Any]) -> Callable[[Path], None]:
-        def draw(path: Path) -> None:
-            from stiction.report import surface_pictures
-            from stiction.report.files import write_picture
-
-            write_picture(of(surface_pictures), path)
-
-        return draw
-
-    found = list(analysis.asperities.values())
-    return {
-        "map.png": drawn(lambda pictures: pictures.map_figure(analysis.surface)),
-        "spectrum.png": drawn(lambda pictures: pictures.spectrum_figure(analysis.spectrum)),
-        "asperities.png": drawn(lambda pictures: pictures.asperity_figure(found, analysis.surface)),
-        "fan.png": drawn(lambda pictures: pictures.resolution_figure(resolution)),
-    }
-
-
 def _resolution(scan: "HeightMap", case: "Case | None", load: Any) -> "xarray.Dataset":
     from stiction.studies.scans.resolution import resolution_study
 
     contact = None if case is None else {"contact": case.subject, "load": load, "choice": case.choice}
     return resolution_study(scan, progress=bar("Studying the resolution"), **(contact or {}))
-
-
-def _write_pressure(path: Path, solved: "ContactOfMap") -> None:
-    """Pressure maps over E* h', one for each nominal pressure that was solved."""
-    import numpy as np
-
-    maps = [one.pressure / solved.gradient for one in solved.curve.contacts if one is not None and one.pressure is not None]
-    np.save(path, np.array(maps))

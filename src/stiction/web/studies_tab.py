@@ -2,9 +2,8 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nicegui import ui
 
@@ -19,51 +18,40 @@ from stiction.web.studying import Study
 from stiction.web.uploading import upload_button
 from stiction.web.working import Progress
 
+if TYPE_CHECKING:
+    from stiction.report.view import View
+
 __all__ = ["Result", "StudiesTab", "calibrated", "designed", "how_sure", "what_matters"]
 
 
-@dataclass(frozen=True)
-class Result:
-    """What a study shows: text as of the terminal, figures, each with what it shows in words, and what is wrong with it."""
+class Result(NamedTuple):
+    """What a study shows: text as of the terminal, images, each with what it shows in words, and what is wrong with it."""
 
     text: str
-    pictures: tuple[tuple[Any, str], ...] = ()
-    warnings: tuple[str, ...] = ()
+    pictures: tuple[tuple[str, str], ...]
+    warnings: tuple[str, ...]
 
-    def drawn(self, narrow: bool) -> "Result":
-        """The same with images in place of figures, for a narrow page or a wide one."""
-        return replace(self, pictures=tuple((image_of(figure, narrow), told) for figure, told in self.pictures))
+    @classmethod
+    def of(cls, view: "View", narrow: bool) -> "Result":
+        """For a narrow page or a wide one."""
+        images = tuple((image_of(picture.draw(), narrow), picture.told) for picture in view.pictures.values())
+        return cls(text_of(view.parts()), images, view.warnings)
 
 
-def how_sure(question: Question, ranges: bool, progress: Progress) -> Result:
+def how_sure(question: Question, ranges: bool, progress: Progress) -> "View":
     """The bands of what is uncertain, and what friction differs by. Raises InputError."""
-    from stiction.report.uncertainty_pictures import spread_figure, uncertainty_figure
-    from stiction.report.uncertainty_tables import band_table, spread_table, uncertain_notes
+    from stiction.report.views.uncertainty import uncertainty_view
     from stiction.studies.uncertainty.run import uncertainty
 
-    data = uncertainty(_with_ranges(question, ranges), progress=progress)
-    parts: list[Any] = []
-    pictures = []
-    if "friction_coefficient_quantile" in data:
-        parts += [band_table(data), *uncertain_notes(data)]
-        pictures.append((uncertainty_figure(data), "friction with its band"))
-    if "spread_factor" in data:
-        parts.append(spread_table(data))
-    if "spread_factor" in data and not pictures:  # with a band they are beside it
-        pictures.append((spread_figure(data), "what friction differs by: inputs, methods, models"))
-    return Result(text_of(parts), tuple(pictures))
+    return uncertainty_view(uncertainty(_with_ranges(question, ranges), progress=progress))
 
 
-def what_matters(question: Question, ranges: bool, progress: Progress) -> Result:
+def what_matters(question: Question, ranges: bool, progress: Progress) -> "View":
     """Which input should be measured better. Raises InputError."""
-    from stiction.report.sensitivity_pictures import sensitivity_figure
-    from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes
+    from stiction.report.views.sensitivity import sensitivity_view
     from stiction.studies.uncertainty.sensitivity import sensitivity
 
-    data = sensitivity(_with_ranges(question, ranges), progress=progress)
-    tables = [indices_table(data)] if "input" in data.dims else []
-    text = text_of([*tables, elasticities_table(data), *sensitivity_notes(data)])
-    return Result(text, ((sensitivity_figure(data), "inputs by what they change"),))
+    return sensitivity_view(sensitivity(_with_ranges(question, ranges), progress=progress))
 
 
 def _with_ranges(question: Question, ranges: bool) -> Any:
@@ -76,10 +64,9 @@ def _with_ranges(question: Question, ranges: bool) -> Any:
 
 def designed(
     question: Question, load: str | float, wish: float, free: dict[tuple[str, ...], Any], progress: Progress
-) -> Result:
+) -> "View":
     """The numbers, between their ends, at which the friction coefficient is next to a wish at a load. Raises InputError."""
-    from stiction.report.design_pictures import design_figure
-    from stiction.report.design_tables import design_notes, design_table
+    from stiction.report.views.design import design_view
     from stiction.studies.design.plan import make_design_plan
     from stiction.studies.design.run import run_design
 
@@ -94,23 +81,18 @@ def designed(
         "effort": 30,
     }
     tables = {**question.tables, "solve": {**solve, "load": [load]}, "design": table}
-    data = run_design(make_design_plan(tables, question.folder), progress.tell).data()
-    text = text_of([design_table(data, "design"), *design_notes(data)])
-    missed = tuple(f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words)
-    return Result(text, ((design_figure(data), "designs by how near they come to the wish"),), missed)
+    return design_view(run_design(make_design_plan(tables, question.folder), progress.tell))
 
 
-def calibrated(question: Question, data: Path, free: dict[tuple[str, ...], Any], progress: Progress) -> Result:
+def calibrated(question: Question, data: Path, free: dict[tuple[str, ...], Any], progress: Progress) -> "View":
     """Numbers of the case, fitted to measured series. Raises InputError."""
-    from stiction.report.fit_pictures import fit_figure
-    from stiction.report.fit_tables import fit_notes, parameter_table
+    from stiction.report.views.fit import fit_view
     from stiction.studies.fit.plan import make_fit_plan
     from stiction.studies.fit.run import run_fit
 
     case_asked(question)
     plan = make_fit_plan({**question.tables, "fit": {"free": _nested(free)}}, data, question.folder)
-    found = run_fit(plan, progress).data()
-    return Result(text_of([parameter_table(found), *fit_notes(found)]), ((fit_figure(found), "measured and fitted"),))
+    return fit_view(run_fit(plan, progress))
 
 
 def _nested(free: dict[tuple[str, ...], Any]) -> dict[str, Any]:
@@ -142,9 +124,13 @@ class StudiesTab:
             ui.label(command).classes("text-sm font-mono")
         return card
 
-    def _study(self, label: str, work: Callable[[Progress], Result]) -> None:
+    def _study(self, label: str, work: "Callable[[Progress], View]") -> None:
         view = self._explorer.view
-        Study(self._explorer, label, lambda progress: work(progress).drawn(view.narrow), lambda found: self._show(below, found))
+
+        def result(progress: Progress) -> Result:
+            return Result.of(work(progress), view.narrow)
+
+        Study(self._explorer, label, result, lambda found: self._show(below, found))
         below = ui.column().classes("w-full")
 
     @staticmethod
@@ -207,7 +193,7 @@ class StudiesTab:
             wish = ui.number("wished mu", value=0.1, min=0.0, format="%.4g").props("dense outlined")
             choice = self._choice()
 
-            def work(progress: Progress) -> Result:
+            def work(progress: Progress) -> "View":
                 answer = self._explorer.good
                 if wish.value is None:
                     raise InputError("wished mu", None, "a number above 0")
@@ -228,7 +214,7 @@ class StudiesTab:
             upload_button(self._explorer, "Upload measured series, .csv", uploaded, said.set_text, 2**21)
             choice = self._choice()
 
-            def work(progress: Progress) -> Result:
+            def work(progress: Progress) -> "View":
                 if self._data is None:
                     raise InputError("measured series", None, "a .csv file with load and what was measured at it")
                 try:

@@ -1,0 +1,58 @@
+"""What one result shows, whoever shows it: paragraphs and tables, files, pictures and JSON."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from stiction.report.files import record, write_folder, write_netcdf, write_picture
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+__all__ = ["Picture", "View"]
+
+
+class Picture(NamedTuple):
+    """told: what it shows, for a reader who does not see it; draw: makes the figure, and imports what draws it."""
+
+    told: str
+    draw: "Callable[[], Figure]"
+
+
+@dataclass(frozen=True)
+class View:
+    """One result as it is shown.
+
+    data: the dataset, written as `name`.nc; None where there is none. parts: makes what a terminal prints, in order. files:
+    name of a file -> function that writes to a path. pictures: name of a file -> picture. groups: dimensionless groups, for
+    JSON; more: what else JSON has, or all it has where there is no dataset. warnings: what is wrong with it, in sentences.
+    """
+
+    name: str
+    data: "xarray.Dataset | None"
+    parts: Callable[[], Iterable[Any]]
+    files: Mapping[str, Callable[[Path], None]] = field(default_factory=dict)
+    pictures: Mapping[str, Picture] = field(default_factory=dict)
+    groups: Mapping[str, float] = field(default_factory=dict)
+    more: Mapping[str, Any] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+
+    def record(self) -> dict[str, Any]:
+        """Return what JSON has of it."""
+        return dict(self.more) if self.data is None else record(self.data, self.groups) | dict(self.more)
+
+    def write(self, folder: Path) -> list[str]:
+        """Write tables, dataset and pictures into a folder; return their names."""
+        files, data = dict(self.files), self.data
+        if data is not None:
+            files[f"{self.name}.nc"] = lambda path: write_netcdf(data, path)
+        files |= {name: partial(_draw, picture) for name, picture in self.pictures.items()}
+        write_folder(folder, files)
+        return list(files)
+
+
+def _draw(picture: Picture, path: Path) -> None:
+    write_picture(picture.draw(), path)

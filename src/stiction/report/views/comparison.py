@@ -1,0 +1,56 @@
+"""A comparison of models as it is shown."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from rich.text import Text
+
+from stiction.report.comparison_rows import at_load_rows, comparison, comparison_rows
+from stiction.report.files import write_netcdf, write_rows
+from stiction.report.surface_tables import roughness_notes, roughness_table
+from stiction.report.tables import comparison_summary, comparison_table
+from stiction.report.uncertainty_tables import models_band_table, spread_table, uncertain_notes
+from stiction.report.view import Picture, View
+from stiction.report.whole_keys import WholeKeys
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.case.read import Case
+
+
+def comparison_view(case: "Case", data: "xarray.Dataset") -> View:
+    """Return what all models of a case show."""
+    measured = case.measured
+
+    def parts() -> Iterator[Any]:
+        yield from (WholeKeys(comparison_table(data)), *comparison_summary(data))
+        if "spread_factor" in data:
+            yield spread_table(data)
+            if "uncertain_inputs" in data.attrs:
+                yield from (WholeKeys(models_band_table(data)), *uncertain_notes(data))
+        if measured is not None:
+            yield from (roughness_table(measured), *roughness_notes(measured))
+            yield from (Text(f"doubtful: {doubt}", style="bold yellow") for doubt in measured.doubts)
+
+    def compared() -> Any:
+        from stiction.report.comparison_pictures import comparison_figure
+
+        return comparison_figure(data, case.title)
+
+    def spread() -> Any:
+        from stiction.report.uncertainty_pictures import spread_figure
+
+        return spread_figure(data, case.title)
+
+    files = {
+        "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),
+        "compare.nc": lambda path: write_netcdf(data, path),
+    }
+    if "working_load" in data.attrs:
+        files["compare_at_load.csv"] = lambda path: write_rows(path, *at_load_rows(data))
+    pictures = {"compare.png": Picture("friction against load by every model", compared)}
+    if "spread_factor" in data:
+        pictures["spread.png"] = Picture("what friction differs by: inputs, methods, models", spread)
+    more = comparison(data) | ({} if measured is None else {"measured": measured.record()})
+    return View("compare", None, parts, files, pictures, more=more)

@@ -1,0 +1,53 @@
+"""A fit as it is shown."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rich.text import Text
+
+from stiction.report.files import write_csv, write_rows
+from stiction.report.fit_tables import evidence_table, fit_notes, parameter_rows, parameter_table, prediction_names, row_rows
+from stiction.report.view import Picture, View
+from stiction.report.whole_keys import WholeKeys
+
+if TYPE_CHECKING:
+    from stiction.studies.fit.run import Fitting
+
+_OTHERS = ("parameter", "other_parameter", "row", "model")
+
+
+def fit_view(found: "Fitting", folder: Path | None = None) -> View:
+    """Return what a fit shows. folder: where its files go, from which the fitted case names other files."""
+    data, title = found.data(), found.plan.title
+
+    def parts() -> Iterator[Any]:
+        if title:
+            yield Text(title, style="bold")
+        yield from (f"model {data.attrs['model']}", "", parameter_table(data), "", *fit_notes(data))
+        if "model" in data.dims:
+            yield from ("", WholeKeys(evidence_table(data)))
+
+    def fitted() -> Any:
+        from stiction.report.fit_pictures import fit_figure
+
+        return fit_figure(data, title)
+
+    def profiles() -> Any:
+        from stiction.report.fit_pictures import profile_figure
+
+        return profile_figure(data)
+
+    files = {
+        "parameters.csv": lambda path: write_rows(path, *parameter_rows(data)),
+        "residuals.csv": lambda path: write_rows(path, *row_rows(data)),
+    }
+    if folder is not None:
+        files["fitted.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
+    if names := prediction_names(data):
+        files["predictions.csv"] = lambda path: write_csv(data[names].drop_vars(_OTHERS, errors="ignore"), path)
+    pictures = {
+        "fit.png": Picture("measured and fitted", fitted),
+        "profiles.png": Picture("likelihood along each fitted number", profiles),
+    }
+    return View("fit", data, parts, files, pictures)

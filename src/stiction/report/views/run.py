@@ -1,0 +1,71 @@
+"""A solved case as it is shown."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from rich.text import Text
+
+from stiction.report.files import comments_of, write_csv
+from stiction.report.several_tables import several_table
+from stiction.report.surface_tables import map_notes, roughness_notes, roughness_table
+from stiction.report.tables import curve_table, outside_validity, rows_shown, run_notes, run_summary
+from stiction.report.uncertainty_tables import band_table, uncertain_notes
+from stiction.report.view import Picture, View
+from stiction.solving.method_spread import as_columns
+from stiction.studies.uncertainty.bands import as_columns as with_quantiles
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.case.read import Case
+
+
+def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> View:
+    """Return what a solved case shows."""
+    files = {"curve.csv": lambda path: write_csv(with_quantiles(as_columns(data)), path, comments_of(data))}
+    more = {} if case.measured is None else {"measured": case.measured.record()}
+    return View("curve", data, lambda: _parts(case, data, all_rows), files, _pictures(case, data), case.subject.groups(), more)
+
+
+def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any]:
+    table = several_table(data, all_rows) if case.is_several else curve_table(data, all_rows)
+    yield from (run_summary(case, data), "", table, "")
+    if not all_rows and not case.is_several and (text := rows_shown(data)):
+        yield from (Text(text, style="dim"), "")
+    if "uncertain_inputs" in data.attrs:
+        yield from (band_table(data), *uncertain_notes(data), "")
+    if "point_spacing" in data:
+        yield from (*map_notes(data), "")
+    elif case.measured is not None:
+        yield from (roughness_table(case.measured, data), *roughness_notes(case.measured), "")
+    yield from (Text(note, style="dim") for note in run_notes(data))
+    if (beyond := outside_validity(data)) is not None:
+        yield beyond
+
+
+def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
+    def curve() -> Any:
+        if case.is_several:
+            from stiction.report.several_pictures import several_figure
+
+            return several_figure(data, case.title)
+        from stiction.report.pictures import curve_figure
+
+        return curve_figure(data, case.title)
+
+    def methods() -> Any:
+        from stiction.report.surface_pictures import method_spread_figure
+
+        return method_spread_figure(data, case.title)
+
+    def uncertain() -> Any:
+        from stiction.report.uncertainty_pictures import uncertainty_figure
+
+        return uncertainty_figure(data, case.title)
+
+    pictures = {"curve.png": Picture("friction, contact area and load", curve)}
+    if "friction_coefficient_by_method" in data and not case.is_several:
+        pictures["band.png"] = Picture("friction by every way of finding asperities", methods)
+    if "friction_coefficient_quantile" in data and not case.is_several:
+        pictures["uncertainty.png"] = Picture("friction with its band", uncertain)
+    return pictures

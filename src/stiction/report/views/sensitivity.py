@@ -1,0 +1,39 @@
+"""A sensitivity study as it is shown."""
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from stiction.report.files import write_csv
+from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes
+from stiction.report.view import Picture, View
+from stiction.report.whole_keys import WholeKeys
+
+if TYPE_CHECKING:
+    import xarray
+
+# Table -> dimension of its rows.
+_TABLES = {"sensitivity.csv": "input", "elasticities.csv": "number"}
+
+
+def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None = None) -> View:
+    """Return what a sensitivity study shows."""
+
+    def parts() -> Iterator[Any]:
+        if "input" in data.dims:
+            yield from (WholeKeys(indices_table(data)), "")
+        yield from (elasticities_table(data), "", *sensitivity_notes(data))
+
+    def drawn() -> Any:
+        from stiction.report.sensitivity_pictures import sensitivity_figure
+
+        return sensitivity_figure(data)
+
+    files = {
+        name: partial(write_csv, data[[one for one in data.data_vars if dim in data[one].dims]])
+        for name, dim in _TABLES.items()
+        if dim in data.dims
+    }
+    return View(
+        "sensitivity", data, parts, files, {"sensitivity.png": Picture("inputs by what they change", drawn)}, groups or {}
+    )

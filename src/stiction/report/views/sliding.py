@@ -1,0 +1,35 @@
+"""A contact moved aside, as it is shown."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from rich.text import Text
+
+from stiction.report.files import comments_of, write_csv
+from stiction.report.sliding import sliding_notes, sliding_table
+from stiction.report.tables import outside_validity, run_summary
+from stiction.report.view import Picture, View
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.case.read import Case
+
+
+def sliding_view(case: "Case", data: "xarray.Dataset") -> View:
+    """Return what the tangential force up to sliding shows."""
+
+    def parts() -> Iterator[Any]:
+        yield from (run_summary(case, data), "", sliding_table(data), "")
+        yield from (Text(note, style="dim") for note in sliding_notes(data))
+        if (beyond := outside_validity(data)) is not None:
+            yield beyond
+
+    def drawn() -> Any:
+        from stiction.report.sliding_pictures import sliding_figure
+
+        return sliding_figure(data, case.title)
+
+    files = {"sliding.csv": lambda path: write_csv(data, path, comments_of(data))}
+    pictures = {"sliding.png": Picture("tangential force against displacement", drawn)}
+    return View("sliding", data, parts, files, pictures, case.subject.groups())

@@ -1,0 +1,82 @@
+"""A measured surface as it is shown."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from stiction.report.files import as_json, write_csv, write_netcdf, write_rows
+from stiction.report.surface_tables import asperity_table, contact_notes, contact_table, surface_notes, surface_summary
+from stiction.report.view import Picture, View
+from stiction.studies.scans.analysis import spectrum_rows, summary
+from stiction.studies.scans.map_contact import summary_of_contact
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.scans.analysis import Analysis
+    from stiction.studies.scans.map_contact import ContactOfMap
+
+
+def surface_view(
+    analysis: "Analysis", solved: "ContactOfMap | None" = None, resolution: "xarray.Dataset | None" = None
+) -> View:
+    """Return what a measured surface shows. solved: its contact; resolution: the resolution study, for files."""
+
+    def parts() -> Iterator[Any]:
+        yield from (surface_summary(analysis), "", asperity_table(analysis), "", *surface_notes(analysis))
+        if solved is not None:
+            yield from ("", contact_table(solved), "", *contact_notes(solved))
+
+    files: dict[str, Any] = {
+        "spectrum.csv": lambda path: write_rows(path, *spectrum_rows(analysis.spectrum)),
+        "surface.json": lambda path: path.write_text(as_json(summary(analysis)) + "\n", encoding="utf-8"),
+    }
+    if resolution is not None:
+        files["fan.csv"] = lambda path: write_csv(resolution, path)
+        files["fan.nc"] = lambda path: write_netcdf(resolution, path)
+    if solved is not None:
+        rows = list(zip(*(values.tolist() for values in solved.columns.values()), strict=True))
+        files["contact.csv"] = lambda path: write_rows(path, list(solved.columns), rows)
+        files["pressure.npy"] = lambda path: _write_pressure(path, solved)
+    more = summary(analysis) | ({} if solved is None else {"contact": summary_of_contact(solved)})
+    return View("surface", None, parts, files, _pictures(analysis, resolution), more=more)
+
+
+def _pictures(analysis: "Analysis", resolution: "xarray.Dataset | None") -> dict[str, Picture]:
+    def heights() -> Any:
+        from stiction.report.surface_pictures import map_figure
+
+        return map_figure(analysis.surface)
+
+    def spectrum() -> Any:
+        from stiction.report.surface_pictures import spectrum_figure
+
+        return spectrum_figure(analysis.spectrum)
+
+    def asperities() -> Any:
+        from stiction.report.surface_pictures import asperity_figure
+
+        return asperity_figure(list(analysis.asperities.values()), analysis.surface)
+
+    pictures = {
+        "map.png": Picture("heights", heights),
+        "spectrum.png": Picture("power spectrum", spectrum),
+        "asperities.png": Picture("asperities by every way of finding them", asperities),
+    }
+    if resolution is not None:
+
+        def fan() -> Any:
+            from stiction.report.surface_pictures import resolution_figure
+
+            return resolution_figure(resolution)
+
+        pictures["fan.png"] = Picture("what the resolution decides", fan)
+    return pictures
+
+
+def _write_pressure(path: Path, solved: "ContactOfMap") -> None:
+    """Pressure maps over E* h', one for each nominal pressure that was solved."""
+    import numpy as np
+
+    maps = [one.pressure / solved.gradient for one in solved.curve.contacts if one is not None and one.pressure is not None]
+    np.save(path, np.array(maps))
