@@ -215,6 +215,8 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("strength_over_bodies", "tau_0/tau_b", r"\tau_0/\tau_\mathrm{b}", "", _NOT_NEGATIVE, "",
      "stated strength of the interface over the shear strength of the weaker body, Y/sqrt(3)"),
     ("yield_strain", "Y/E*", r"Y/E^*", "", _NOT_NEGATIVE, "", "yield stress of the softer body over the contact modulus"),
+    ("pressure_over_body_below", "P/(A H_b)", r"P/(AH_\mathrm{b})", "", _NOT_NEGATIVE, "",
+     "mean pressure in contacts on a hard film over what the body below carries at their radius over its thickness"),
     ("grown_area_ratio", "A_s/A", r"A_\mathrm{s}/A", "", _NOT_NEGATIVE, "",
      "contact area grown under shear over that before (Tabor 1959)"),
     ("touching_share", "n/(N A_n)", r"n/(NA_\mathrm{n})", "", _SHARE, "", "share of the asperities that touch"),

@@ -81,6 +81,8 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
               "no interface is stronger than the bodies: mu is that of the weaker body's strength"), _shears_the_interface),
     (Validity("grown_area_ratio", 1.0, 2.0, "junctions grow under shear, which is left out: mu is too low", "effect"),
      _does_not_grow),
+    (Validity("pressure_over_body_below", 0.0, 1.05, "the body below a hard film yields: mu is too low", "effect"), _any),
+    (Validity("pressure_over_body_below", 0.0, 0.8, "the body below yields: its film may crack, and mu rise"), _any),
     (Validity("film_plasticity_index", 0.0, 0.6, "asperities are taken as elastic, and the film, or what it meets, yields",
               "effect"), _elastic_on_a_film),
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),

@@ -15,19 +15,18 @@ n = share N A_n asperities touch; A_c = pi R omega_c is the area of one at first
 
 import math
 from collections.abc import Mapping
-from functools import cache
 
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.contact.layered.below import pressure_carried_below
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.solving.problem import Problem, number_of_asperities
+from stiction.surfaces.theory.touching import expected_share
 
 # Pull-off force of a sphere over gamma R at the most (Derjaguin, Muller & Toporov 1975); JKR's is 3/4 of it.
 _DMT = 2.0 * math.pi
 _MOST_GROWN = 100.0  # how far growth is followed
-# Where expected numbers of asperities are tabulated, over sigma: from all that touch to none that ever would.
-_SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
 
 
 def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -109,6 +108,7 @@ def _by_asperity(
         if not groups.has_film:
             yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
             found["asperity_area_over_yield"] = area / np.where(share > 0.0, share * yielded, np.nan)
+    found |= _below_film(groups, load, area, share)
     found |= _of_menisci(groups, area, share, pull_of_menisci)
     per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
     pull = per_theta if groups.n_g is None else per_theta * groups.n_g
@@ -128,6 +128,17 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
         return {}
     left = np.sqrt(np.maximum((1.0 - ratio) * (1.0 + ratio), _MOST_GROWN**-2))
     return {"grown_area_ratio": np.maximum(np.clip(pressure, 0.0, 1.0) / np.reshape(left, (-1, 1)), 1.0)}
+
+
+def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, share: np.ndarray | None) -> dict[str, np.ndarray]:
+    """Mean pressure (n, m) of spots on films harder than the body, over what that body carries through them."""
+    if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
+        return {}
+    touching = expected_share(area) if share is None else share
+    spot = np.divide(area, touching, where=touching > 0.0, out=np.full(area.shape, np.nan))
+    carried = pressure_carried_below(spot, groups)
+    pressure = load / (groups.eta[:, None] * np.where(area > 0.0, area, np.nan))
+    return {"pressure_over_body_below": np.where(np.reshape(groups.n_H, (-1, 1)) > 1.0, pressure / carried, np.nan)}
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
@@ -181,25 +192,3 @@ def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarra
     of_film = np.asarray(results["load_film"]).reshape(load.shape)
     share = np.clip(np.divide(of_film, load, where=load > 0.0, out=np.ones_like(load)), 0.0, 1.0)
     return share * n_H + (1.0 - share)
-
-
-def expected_share(area: np.ndarray) -> np.ndarray:
-    """Share of asperities that touch where elastic spheres with Gaussian heights have this area, over pi R sigma per asperity:
-    F_0 where F_1(h) = area (Greenwood & Williamson 1966, eqs 5 and 6). For theories that count no asperities."""
-    log_area, log_share = _tables()
-    small = np.log(np.maximum(area, 1e-300))
-    return np.where(area > 0.0, np.exp(np.interp(small, log_area, log_share)), 0.0)
-
-
-@cache
-def _tables() -> tuple[np.ndarray, np.ndarray]:
-    """Logarithms of F_1, ascending, and of F_0 at the same separations."""
-    from scipy.special import ndtr  # slow to import, and wanted by theories without asperities only
-
-    h = _SEPARATIONS[::-1]
-    share = ndtr(-h)
-    density = np.exp(-0.5 * h * h) / math.sqrt(2.0 * math.pi)
-    # F_1 = phi - h F_0 cancels far out, where it is F_0/h (1 - 2/h^2 + 10/h^4 ...).
-    far = h > 12.0
-    tail = share / np.where(far, h, 1.0) * (1.0 - 2.0 / np.where(far, h, 1.0) ** 2 + 10.0 / np.where(far, h, 1.0) ** 4)
-    return np.log(np.where(far, tail, density - h * share)), np.log(share)

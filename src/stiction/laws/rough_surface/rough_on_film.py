@@ -1,7 +1,8 @@
 r"""The area law of a rough surface with the modulus that a sphere as wide as its spots feels on the film: this project's own.
 
 *Assumes*: a Gaussian isotropic surface, frictionless and without adhesion; a film bonded to its body; pressure nowhere above
-the film's hardness, without hardening. *Source*: this project's own (grade B: its evidence are solved maps). The bare area law
+the film's hardness, or what the body below carries through a harder film, without hardening. *Source*: this project's own
+(grade B: its evidence are solved maps; the body below is grade C and was not compared with any). The bare area law
 $F$ is that of moments in `surfaces/boundary_elements/area_estimates.py`, $p$ the mean pressure,
 
 $$
@@ -12,7 +13,8 @@ $$
 
 solved for $A_\mathrm{el}$. $E_P(a/t)$ is the modulus that carries a sphere on the film at the contact radius $a$, exact, as in
 [`layered`](#layered): a wave of the spectrum $S$ meets the film with spots of its own size. Weighting the film's compliance at
-the wave itself does not do: pressures vary over shorter waves than heights. With the film's hardness $H_f$
+the wave itself does not do: pressures vary over shorter waves than heights. With the film's hardness $H_f$, or what
+the body below carries where that is less,
 
 $$
 \left(\frac A{A_n}\right)^{3.5}=\left(\frac{A_\mathrm{el}}{A_n}\right)^{3.5}+\left(\frac p{H_f}\right)^{3.5},\qquad A\le A_n
@@ -35,6 +37,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.contact.layered.below import pressure_carried_below
 from stiction.contact.layered.curves import TERMS
 from stiction.engine.blocks import blocks
 from stiction.laws.film.shared.layered_rows import coefficients
@@ -43,6 +46,7 @@ from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over
 from stiction.laws.rough_surface.shared.maps import A_SAMPLE, RESOLVED
 from stiction.laws.sources import Source
 from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, require_gaussian, slope_over_sharpness
+from stiction.surfaces.theory.touching import expected_share
 
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
@@ -139,13 +143,32 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
-    from stiction.surfaces.theory.widened_area import of_moments, with_hardness  # slow to import
+    from stiction.surfaces.theory.widened_area import of_moments  # slow to import
 
     density = groups.roughness_parameter[:, None]
     pressure, alpha = reduced_pressure(np.maximum(load, 0.0), density), bandwidth(density)
     waves, thickness = waves_of_moments(groups.roughness_parameter), _thickness(groups)
     elastic = area_of_waves(pressure, lambda p: of_moments(p, alpha), waves, thickness, groups)
-    return with_hardness(elastic, pressure, _hardness(groups)) / (math.pi * density)
+    return _flowing(elastic, pressure, groups) / (math.pi * density)
+
+
+def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:
+    """Return the share of the area (n, H) where spots bear no more than the film, or the body below it, carries.
+
+    The mean spot is that of as many asperities as touch where elastic ones have this area."""
+    from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
+
+    density, unit = math.pi * groups.roughness_parameter[:, None], hardness_over_slope(groups)[:, None]
+    share, hardest = elastic, np.reshape(groups.n_H, (-1, 1))
+    for _ in range(_STEPS if np.any(hardest > 1.0) else 1):
+        area = share / density
+        touching = expected_share(area)
+        spot = np.divide(area, touching, where=touching > 0.0, out=np.zeros(area.shape))
+        hardness = np.minimum(hardest, pressure_carried_below(spot, groups))
+        share, before = with_hardness(elastic, pressure, unit * hardness), share
+        if np.all(np.abs(share - before) <= 1e-14 * share):
+            break
+    return share
 
 
 def _thickness(groups: Groups) -> np.ndarray:
@@ -153,16 +176,9 @@ def _thickness(groups: Groups) -> np.ndarray:
     return np.broadcast_to(groups.film_aspect / groups.films, len(groups))
 
 
-def _hardness(groups: Groups) -> np.ndarray:
-    """Of the film (n, 1), over E* h'."""
-    return (hardness_over_slope(groups) * groups.n_H)[:, None]
-
-
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
     """As `area_at_load`, of the map itself: its spectrum, and as the bare area law the solution of its own contact; all
     contacts have its surface."""
-    from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
-
     whole, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     slopes = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
@@ -171,7 +187,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
         one, p = whole[at : at + 1], pressure[at : at + 1]
         bare = _bare_curve(surface, p, float(slopes[at]), float(one.n_E[0]))
         found[at] = area_of_waves(p, bare, waves_of_map(surface, one), _thickness(one), one)[0]
-    return with_hardness(found, pressure, _hardness(whole)) / (math.pi * density)
+    return _flowing(found, pressure, whole) / (math.pi * density)
 
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
@@ -236,7 +252,8 @@ RECORD = RoughSurface(
         Validity("n_E", 0.1, 10.0, "films with which it was compared with solved maps", "fit"),
         Validity("stiff_film_over_wave", 0.15, math.inf, "under a thin film five times as stiff as the bodies its area is off"),
     ),
-    notes="The hardness is the film's, wherever it is: a soft film that a hard body confines bears more, and under a hard film "
-    "the body may yield first; neither is counted. Of sigma, R and N the spectrum is taken as self-affine, Hurst exponent 0.8; "
+    notes="The hardness is the film's, or what the body below carries through a harder film, whichever is less; that a soft "
+    "film bears more which a hard body confines is not counted. Of sigma, R and N the spectrum is taken as self-affine, Hurst "
+    "exponent 0.8; "
     "of a scan it is that of its map.",
 )  # fmt: skip

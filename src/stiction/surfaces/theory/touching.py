@@ -1,0 +1,33 @@
+"""The share of asperities with Gaussian heights that touch where their elastic contact area is known."""
+
+import math
+from functools import cache
+
+import numpy as np
+
+__all__ = ["expected_share"]
+
+# Where expected numbers of asperities are tabulated, over sigma: from all that touch to none that ever would.
+_SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
+
+
+def expected_share(area: np.ndarray) -> np.ndarray:
+    """Share of asperities that touch where elastic spheres with Gaussian heights have this area, over pi R sigma per asperity:
+    F_0 where F_1(h) = area (Greenwood & Williamson 1966, eqs 5 and 6). For theories that count no asperities."""
+    log_area, log_share = _tables()
+    small = np.log(np.maximum(area, 1e-300))
+    return np.where(area > 0.0, np.exp(np.interp(small, log_area, log_share)), 0.0)
+
+
+@cache
+def _tables() -> tuple[np.ndarray, np.ndarray]:
+    """Logarithms of F_1, ascending, and of F_0 at the same separations."""
+    from scipy.special import ndtr  # slow to import, and wanted by theories without asperities only
+
+    h = _SEPARATIONS[::-1]
+    share = ndtr(-h)
+    density = np.exp(-0.5 * h * h) / math.sqrt(2.0 * math.pi)
+    # F_1 = phi - h F_0 cancels far out, where it is F_0/h (1 - 2/h^2 + 10/h^4 ...).
+    far = h > 12.0
+    tail = share / np.where(far, h, 1.0) * (1.0 - 2.0 / np.where(far, h, 1.0) ** 2 + 10.0 / np.where(far, h, 1.0) ** 4)
+    return np.log(np.where(far, tail, density - h * share)), np.log(share)
