@@ -12,7 +12,7 @@ import stiction as st
 from stiction.contact.layered.below import carried_at_depth
 from stiction.laws.validity import doubts_of
 
-STEEL = 1.27e9  # hardness of 304 [Pa]
+STEEL = st.material("stainless_steel_304").hardness  # [Pa]
 
 
 def contact(thickness):

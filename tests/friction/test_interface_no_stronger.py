@@ -14,7 +14,7 @@ import stiction as st
 from stiction.laws.validity import doubts_of
 
 BULK = 1.0 / (2.8 * math.sqrt(3.0))  # of the shear strength over H
-COPPER, SILVER, STEEL = 356e6, 251e6, 7e9  # hardness [Pa]
+COPPER, SILVER, STEEL = st.material("copper").hardness, st.material("silver").hardness, 7e9  # hardness [Pa]
 
 
 def contact(strength, **more):
