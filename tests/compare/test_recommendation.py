@@ -4,6 +4,8 @@ All that is said of the ranking is in this file and in test_six_contacts: on ans
 time, and on contacts, where it is said beside each what decides.
 """
 
+import math
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -13,6 +15,7 @@ from cases import STEEL_ON_STEEL
 from stiction.laws.validity import Doubt
 from stiction.solving.candidates import Candidate
 from stiction.solving.choice import Choice
+from stiction.solving.measured_error import MeasuredErrors
 from stiction.studies.case.read import read_case
 from stiction.studies.comparison.compare import compare, working_load
 from stiction.studies.comparison.recommendation import TOO_MUCH, Answer, recommend
@@ -129,6 +132,62 @@ def test_two_opinions_are_said_and_none_between_them_is_taken():
     assert found.best.candidate.name != "between" and (found.low, found.high) == (0.101, 0.403)
     assert "of two opinions: 50% of the weight is at 0.104 or below, the rest from 0.4 on" in found.reason
     assert "opinions" not in recommend(low).reason
+
+
+def measured(error, scatter=0.05):
+    """A contact area that is off by this much on average, of a model that is measured near the contact."""
+    one, nothing = np.ones(1), np.zeros(1)
+    end, rms = 1.645 * scatter, math.hypot(error, scatter)
+    return MeasuredErrors(
+        "a|b",
+        error * one,
+        (error - end) * one,
+        (error + end) * one,
+        rms * one,
+        rms * one,
+        error * one,
+        nothing,
+        one,
+        one,
+        nothing,
+    )
+
+
+def off_by(error, name="b", mu=0.3, scatter=0.05):
+    return answer(name, mu, measured=measured(error, scatter))
+
+
+def set_aside(*answers):
+    return recommend([answer("a", 0.2, measured=measured(0.0)), *answers]).set_aside
+
+
+@pytest.mark.parametrize("error", [-0.02, -0.03, -0.04, -0.05, -0.1])
+def test_errors_within_the_scatter_of_solved_surfaces_set_nothing_aside(error):
+    """Also where many models share the weight: neither of two a percent apart is far from the solved surfaces."""
+    others = [off_by(error - 0.01 * at, f"b{at}") for at in range(2)]
+    many = [off_by(0.0, f"c{at}") for at in range(20)]
+    assert set_aside(*others) == set_aside(*others, *many) == ""
+
+
+def test_an_error_beyond_the_scatter_sets_aside_and_is_said():
+    said = set_aside(off_by(-0.35), off_by(-0.04, "c"))
+    assert (
+        said == "its contact area differs from solved surfaces near this contact by more than these scatter: b 0.3 (area -30%)"
+    )
+    assert set_aside(off_by(-0.35, scatter=0.3), off_by(-0.04, "c")) == ""  # within its own interval
+
+
+def test_the_recommended_number_has_no_leap_where_a_model_comes_to_be_set_aside():
+    """The weight of a model falls by a fiftieth for every thousandth of its error, on both sides of the border."""
+
+    def mu(error):
+        family = [answer("a", 0.2, measured=measured(0.0)), off_by(error), off_by(error, "c", 0.31), off_by(0.02, "d", 0.25)]
+        found = recommend(family)
+        return found.best.mu, found.low, found.high
+
+    errors = np.linspace(0.05, 0.5, 451)
+    border = next(at for at, error in enumerate(errors) if set_aside(off_by(error)))
+    assert mu(errors[border]) == mu(errors[border - 1])
 
 
 def test_what_is_set_aside_is_said_with_what_weighs_most():

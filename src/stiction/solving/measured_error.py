@@ -81,6 +81,12 @@ class MeasuredErrors:
         """Whether anything was measured at any point."""
         return bool(np.isfinite(self.area).any())
 
+    @property
+    def is_off(self) -> bool:
+        """Whether at any point the mean error is beyond the 90 % interval of its scatter over solved surfaces of that kind."""
+        scatter = np.sqrt(np.maximum(np.square(self.expected) - np.square(self.area), 0.0))
+        return bool((np.abs(self.area) > _NORMAL_END * scatter).any())
+
     def as_data(self) -> dict[str, Any]:
         """Relative errors: of the area and mu, mean; ends of the middle 90 % and root mean square of the area's; of the
         sample; and how near; lists over the points, null where nothing was measured."""

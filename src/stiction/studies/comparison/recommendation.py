@@ -28,7 +28,7 @@ COST_UNIT = 0.5
 # was not, it is taken for this wrong.
 COST_OF_ERROR, NOT_MEASURED = 10.0, 0.3
 _COSTS = COST_OF_A_DOUBLING | {"impossible": math.inf}
-# A model with less of the weight than this is set aside.
+# A model that weighs less than this beside the best founded one is set aside; with less of the whole weight it is not listed.
 _LITTLE = 0.05
 _MOST_DOUBLINGS = 10.0
 # Of models that differ by less than this from the weighted median the best founded one stands for it.
@@ -176,10 +176,11 @@ def recommend(answers: list[Answer]) -> Recommendation:
     weights = _weights(family)
     below = np.cumsum(weights)
     middle = family[int(np.searchsorted(below, 0.5 - 1e-12))].mu
-    best = _nearest([one for one, weight in zip(family, weights, strict=True) if weight > _LITTLE] or family, middle)
+    little = weights < _LITTLE * weights.max()  # not of the sum: of many that are equally well founded each has a small share
+    best = _nearest([one for one, aside in zip(family, little, strict=True) if not aside], middle)
     low, high = (family[int(np.searchsorted(below, share - 1e-12))].mu for share in (1.0 / 6.0, 5.0 / 6.0))
     others = [one for one in possible if one.of_interface != stated]
-    aside = _set_aside([one for one, weight in zip(family, weights, strict=True) if weight <= _LITTLE], able)
+    aside = _set_aside([one for one, aside in zip(family, little, strict=True) if aside], able)
     return Recommendation(best, _reason(best, family, weights, others), low, high, FAMILIES[stated], set_aside=aside)
 
 
@@ -267,20 +268,26 @@ def _standing(models: int, own: float) -> str:
     return f"median of {models} models, each weighted by how well it is founded here ({own:.0%} of the weight is its own)"
 
 
-_WRONG = "its contact area is far from that of solved surfaces near this contact"
+_WRONG = "its contact area differs from solved surfaces near this contact by more than these scatter"
 _NOT_THERE = "it was not measured near this contact, where others were"
 
 
 def _set_aside(little: list[Answer], able: list[Answer]) -> str:
-    """Models that count for little or cannot be so, by the doubt that weighs most on each."""
+    """Models that count for little or cannot be so, by the doubt that weighs most on each; not those whose error is within the
+    scatter of the solved surfaces."""
     by_reason: dict[str, list[str]] = {}
     for one in [*little, *(one for one in able if one.impossible)]:
         worst = max(one.impossible or one.outside, key=one.cost_of, default=None)
-        if not one.impossible and one.cost_of_error > max((one.cost_of(doubt) for doubt in one.outside), default=0.0):
-            said = _WRONG if one.measured is not None and one.measured.known else _NOT_THERE
-        else:
+        name = f"{one.candidate.name} {one.mu:.3g}"
+        if one.impossible or one.cost_of_error <= max((one.cost_of(doubt) for doubt in one.outside), default=0.0):
             said = worst.rule if worst else f"grade {one.grade}"
-        by_reason.setdefault(said, []).append(f"{one.candidate.name} {one.mu:.3g}")
+        elif one.measured is None or not one.measured.known:
+            said = _NOT_THERE
+        elif one.measured.is_off:
+            said, name = _WRONG, f"{name} (area {np.expm1(one.measured.area.item()):+.0%})"
+        else:
+            continue
+        by_reason.setdefault(said, []).append(name)
     return "\n".join(f"{said}: {', '.join(names)}" for said, names in by_reason.items())
 
 
