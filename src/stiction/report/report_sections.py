@@ -106,6 +106,7 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
         lines.append(f"No model is recommended: {used['reason']}.")
     lines += [f"{said[0].upper()}{said[1:]}." for said in (said_of_plastic_junctions(told), said_of_liquid(told)) if said]
     lines += [f"What would have to change: {used['advice']}."] if used.get("advice") else []
+    lines += [f"{used['leap'][0].upper()}{used['leap'][1:]}."] if used.get("leap") else []
     lines += [f"Set aside: {line}." for line in used.get("set_aside", "").splitlines()]
     lines += [f"{line}." for line in used["criteria"].splitlines()]
     return {

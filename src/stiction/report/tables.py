@@ -297,6 +297,7 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
             lines.append(Text(f"two thirds of the weight of the models: {weighed}", style="bold"))
             command = f"to run it: {run_command(data, used['recommended'])}"
             lines.append(Text(command, no_wrap=True))  # it is copied
+        lines += [Text(used["leap"], style="bold yellow")] if used.get("leap") else []
         lines += [Text(f"set aside: {line}", style="dim") for line in used["set_aside"].splitlines()]
         if used["advice"]:
             lines.append(Text(f"what would have to change: {used['advice']}", style="bold yellow"))

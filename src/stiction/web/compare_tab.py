@@ -82,7 +82,9 @@ class CompareTab:
         said = data.attrs
         best = said.get("recommended", "none")
         told = f"Recommended: {best}." if best != "none" else "No model is recommended."
-        self._advice.set_text(f"{told} {_sentence(said.get('reason', ''))}")
+        self._advice.set_text(
+            " ".join(filter(None, [told, _sentence(said.get("leap", "")), _sentence(said.get("reason", ""))]))
+        )
         ends = [f"{end:.3g}" for end in said.get("spread", [])]
         parts = [f"All models: mu {' to '.join(ends)}." if ends else "", _sentence(said.get("advice", ""))]
         parts.append(_sentence(said_of_liquid(data)))

@@ -9,6 +9,7 @@ import numpy as np
 
 from stiction import __version__
 from stiction.contact.subject import Subject
+from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import several_in_words
@@ -48,8 +49,9 @@ def solve_case(
     progress: from a text, what wraps a list of steps. Raises InputError.
     """
     _check_size(case)
-    choice = choice_of_case(case, choice or case.choice)
+    choice, leap = _chosen(case, choice or case.choice)
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
+    data = with_doubts(data, [Doubt(leap)]) if leap else data
     data = with_bands(data, case, choice, progress("Drawing what is uncertain"))
     return with_groups(_said(data, case), case.with_surface_moments(choice.model_key).subject)
 
@@ -123,19 +125,25 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
 
 def choice_of_case(case: Case, choice: Choice) -> Choice:
     """The choice with the model that its name stands for. Raises InputError where none is recommended."""
-    name = recommended_model(case) if choice.model == RECOMMENDED else choice.model
+    return _chosen(case, choice)[0]
+
+
+def _chosen(case: Case, choice: Choice) -> tuple[Choice, str]:
+    """The same, and what is said of the load at which the recommended model changes, "" if nothing."""
+    name, leap = recommended_model(case) if choice.model == RECOMMENDED else (choice.model, "")
     given = {law: getattr(choice, law) for law in LAWS if law != "model"} | dict(choice.options)
-    return choice_of(name, given, case.subject)
+    return choice_of(name, given, case.subject), leap
 
 
-def recommended_model(case: Case) -> str:
-    """Return the name of the model that `compare` recommends at the working load. Raises InputError where there is none."""
+def recommended_model(case: Case) -> tuple[str, str]:
+    """Return the name of the model that `compare` recommends at the working load, and what it says of loads near it where
+    another one is. Raises InputError where there is none."""
     said = compare(case.subject, load=working_load(replace(case, choice=Choice()), None)).attrs
     name = said.get("recommended", "none")
     if name == "none":
         why = said.get("reason", "without a working load, which is above 0, no model is judged")
         raise InputError("model", RECOMMENDED, "; ".join(filter(None, ["a model by its key", why, said.get("advice")])))
-    return name
+    return name, said["leap"]
 
 
 def with_recommended(plan: Plan, case: Case) -> Plan:
@@ -146,7 +154,7 @@ def with_recommended(plan: Plan, case: Case) -> Plan:
     """
     if case.choice.model != RECOMMENDED:
         return plan
-    name = recommended_model(case)
+    name, _ = recommended_model(case)
     tables = {key: getattr(plan, key) for key in ("content", "given")}
     return replace(plan, **{key: {**some, "solve": {**some["solve"], "model": name}} for key, some in tables.items()})
 

@@ -10,7 +10,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.summation import FARTHEST
-from stiction.laws.registry import Criterion, of_kind
+from stiction.laws.registry import Criterion, RoughSurface, find, of_kind
 from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
@@ -28,6 +28,7 @@ from stiction.solving.problem import Problem, make_problem, problem_of
 from stiction.solving.results import labelled
 from stiction.solving.solve import solve
 from stiction.solving.state import state_of
+from stiction.studies.comparison.leaps import leap_near
 from stiction.studies.comparison.recommendation import FAMILIES, LIQUID, TOO_MUCH, Answer, recommend
 
 if TYPE_CHECKING:
@@ -66,7 +67,8 @@ def compare(
     none (not a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at
     the working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
     `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
-    which of the family count for nothing and why, and `advice` where none is recommended; `cost` of each model is over `model`;
+    which of the family count for nothing and why, `advice` where none is recommended, and `leap`, where another
+    model is recommended at half or twice the load and says another mu; `cost` of each model is over `model`;
     `solved`, whether it is the contact of the map itself, converged; `doubtful` says of every point whether it is within what
     its model claims, outside of it, or impossible (0, 1, 2);
     `criteria` (is it sticky?), and `left_out`: model: why. Where the roughness was measured, there are also
@@ -74,20 +76,39 @@ def compare(
     friction_coefficient_at_load_low and _high. Raises InputError for bad input.
     """
     _refuse_arrays(as_subject(contact))
-    data = _compared(contact, load, separations, progress)
+    data = _with_leap(_compared(contact, load, separations, progress), contact)
     if contact.measured is None:
         return data
     return as_measured(_over_methods(data, contact, load, progress), contact.measured)
 
 
-def _compared(contact: Subject, load: Any, separations: Any, progress: Callable[[Iterable], Iterable]) -> "xarray.Dataset":
-    """What `compare` gives, without the spread over the methods of finding asperities."""
+def _with_leap(data: "xarray.Dataset", contact: Subject) -> "xarray.Dataset":
+    """The comparison with what it says of loads near the working load; maps are not solved again for that."""
+    if "working_load" not in data.attrs:
+        return data
+    quick = [one for one in candidates(contact) if find(one.choice.model_key, RoughSurface).of_map is None]
+
+    def ask(load: float) -> "xarray.Dataset":
+        return _compared(contact, load, [0.0], iter, quick)
+
+    return data.assign_attrs(leap=leap_near(data, ask, lambda load: contact.show(load, "load", 3)))
+
+
+def _compared(
+    contact: Subject,
+    load: Any,
+    separations: Any,
+    progress: Callable[[Iterable], Iterable],
+    asked: Iterable[Candidate] | None = None,
+) -> "xarray.Dataset":
+    """What `compare` gives, without the spread over the methods of finding asperities and loads near; asked: some of the
+    models."""
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", meniscus="none"))  # which never pull
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
-    answers = [_ask(situation, one) for one in progress(candidates(contact))]
+    answers = [_ask(situation, one) for one in progress(candidates(contact) if asked is None else asked)]
     known = max((one.trust for one in answers), default=0.0)
     for one in answers:
         one.beside_measured = known
