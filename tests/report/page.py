@@ -15,7 +15,7 @@ class Page(HTMLParser):
         self.elements: list[tuple[str, dict[str, str]]] = []
         self._open: list[str] = []
         self._words: list[str] = []
-        self.feed(html)
+        self.feed(html.replace("<wbr>", ""))  # a place where a word may be broken is no part of it
         self.close()
         assert not self._open, self._open
         self.text = " ".join(" ".join(self._words).split())

@@ -15,6 +15,7 @@ import urllib.request
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from stiction.web.address import packed
@@ -231,14 +232,27 @@ OFF = """([width, height]) => [...document.querySelectorAll('body *')].filter(on
     && getComputedStyle(one).breakInside !== 'avoid' }).map(one => one.outerHTML.slice(0, 120))"""
 
 
+# Words and numbers of tables that stand on two lines; a key may be broken after an underscore.
+BROKEN = """() => { const found = [];
+  for (const cell of document.querySelectorAll('th, td')) {
+    const walk = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT);
+    for (let node = walk.nextNode(); node; node = walk.nextNode())
+      for (const word of node.data.matchAll(/[^\\s_\\-\u2013\\/]+/g)) {
+        const range = document.createRange();
+        range.setStart(node, word.index); range.setEnd(node, word.index + word[0].length);
+        if (new Set([...range.getClientRects()].map(one => Math.round(one.top))).size > 1) found.push(word[0]); } }
+  return found }"""
+
+
 def _prints_well(browser, report):
-    """Nothing is off the paper, and no picture or row is cut in two: each is less than a page and kept together."""
+    """Nothing is off the paper, no word of a table is broken, and no picture or row is cut in two: each is less than a page
+    and kept together."""
     context = browser.new_context(viewport={"width": PAPER[0], "height": PAPER[1]})
     page = context.new_page()
     page.goto(report.as_uri())
     page.emulate_media(media="print")
     assert page.locator("figure").count() > 5
-    assert page.evaluate(OFF, PAPER) == []
+    assert page.evaluate(OFF, PAPER) == [] and page.evaluate(BROKEN) == []
     context.close()
 
 
@@ -265,6 +279,10 @@ def test_a_bad_scan_is_refused_in_a_sentence(page):
         refusal = page.get_by_role("status").filter(has_text=Path(name).name).filter(has_text="; allowed: ")
         refusal.first.wait_for()
         assert "/tmp" not in page.locator("body").inner_text(), name
+    plain = io.BytesIO()
+    np.save(plain, np.arange(64.0).reshape(8, 8))
+    _give(page, "Upload a scan", "plain.npy", plain.getvalue())
+    page.get_by_text(re.compile("^unit: not given; allowed: the length unit of the numbers in the file")).wait_for()
     assert page.evaluate("window.broken") is None
     _tab(page, "Contact")
     page.get_by_text(re.compile(r"^mu ≈ 0\.0")).first.wait_for()

@@ -6,7 +6,7 @@ from stiction.contact.contact import Contact, Indices, Roughness
 from stiction.contact.materials import Material
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
-from stiction.web.fields import MaterialPart, Number, dropped, got, parts_of, placed
+from stiction.web.fields import MaterialPart, Number, as_written, dropped, got, parts_of, placed
 from stiction.web.first import first_case
 
 
@@ -54,6 +54,21 @@ def test_every_end_of_a_slider_is_allowed(tables):
 def test_text_and_slider_mean_the_same():
     sigma = next(one for one in _numbers(first_case()) if one.path[-1] == "asperity_height_deviation")
     assert sigma.written(sigma.text(48e-9)) == "48 nm" and sigma.si("48 nm") == 48e-9 and sigma.si("48") is None
+
+
+@pytest.mark.parametrize(
+    ("given", "text"),
+    [
+        ({"median": "1 J/m^2", "factor": 3}, '{ median = "1 J/m^2", factor = 3 }'),
+        (["48 nm", "60 nm"], '["48 nm", "60 nm"]'),
+        ({"values": [1.5, 2], "along": "a"}, '{ values = [1.5, 2], along = "a" }'),
+        ("48 nm", "48 nm"),
+    ],
+)
+def test_a_list_and_a_distribution_stand_in_a_field_as_in_a_case_file(given, text):
+    sigma = next(one for one in _numbers(first_case()) if one.path[-1] == "asperity_height_deviation")
+    assert as_written(given) == text and sigma.written(text) == given
+    assert sigma.written("{ median = ") == "{ median = " and as_written(None) == "" and as_written(True) == "true"
 
 
 def test_what_stands_at_a_place():

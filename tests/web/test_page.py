@@ -142,6 +142,20 @@ async def test_a_title_is_text():
 
 
 @in_a_loop
+async def test_no_field_shows_python():
+    tables = first_case()
+    tables["contact"]["work_of_adhesion"] = {"median": "1 J/m^2", "factor": 3}
+    tables["uncertainty"] = {"count": 64}
+    tables["solve"] = {"separation": [2, 0.5]}
+    async with _page(packed(tables)) as user:
+        assert _input(user, "work of adhesion gamma").value == '{ median = "1 J/m^2", factor = 3 }'
+        assert "separation: [2, 0.5]" in _texts(user)
+        _input(user, "work of adhesion gamma").set_value('{ median = "1 J/m^2", factor = 1.5 }')
+        await asyncio.sleep(1.0)
+        assert not _input(user, "work of adhesion gamma").error
+
+
+@in_a_loop
 async def test_dimensionless_groups_and_several_numbers_have_a_page():
     groups = {"theta": 40, "lam": 10, "n_E": [0.5, 1.5], "n_H": 0.5, "tau": 2}
     async with _page(packed({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:

@@ -162,6 +162,12 @@ def test_mu_has_the_same_digits_on_the_page_and_in_the_report(answer):
     assert headline(answer, at)[0] == f"mu ≈ {said['friction_coefficient']:.2g}"  # nothing is known of its error
 
 
+def test_where_the_surfaces_meet_their_separation_is_zero(answer):
+    """Mean separations from 4 to -1 standard deviations in steps of 0.1: the 41st is 0, not the rounding of it."""
+    assert "mean separation 0 m," in headline(answer, 40)[1]
+    assert "mean separation 4.8 nm," in headline(answer, 39)[1] and "mean separation -4.8 nm," in headline(answer, 41)[1]
+
+
 def test_digits_are_those_that_the_draws_leave():
     tables = first_case()
     tables["contact"]["work_of_adhesion"] = {"median": "1 J/m^2", "factor": 3}

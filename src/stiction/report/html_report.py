@@ -18,7 +18,7 @@ from stiction.quantities.paths import require_place
 from stiction.report import report_sections as say
 from stiction.report.honest_digits import rounded
 from stiction.report.html_tables import FORMULAS
-from stiction.report.html_words import formula
+from stiction.report.html_words import breakable, formula
 from stiction.report.printed_sources import printed
 from stiction.report.report_answer import answer_in_words, beside_headline, best_of, doubts_here, headline, question, spreads
 from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
@@ -72,7 +72,7 @@ def as_html(findings: Findings, name: str, again: str, progress: Progress = lamb
     templates = jinja2.Environment(
         loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    templates.filters["formula"] = formula
+    templates.filters |= {"breakable": breakable, "formula": formula}
     own, of_materials, others = say.sources_of(findings)
     style = resources.files("stiction.report").joinpath("templates/report.css").read_text(encoding="utf-8")
     pictures = dict(_pictures(findings, progress))

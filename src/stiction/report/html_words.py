@@ -4,7 +4,7 @@ import re
 
 from markupsafe import Markup, escape
 
-__all__ = ["formula", "letters"]
+__all__ = ["breakable", "formula", "letters"]
 
 _GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "epsilon": "ε", "eta": "η", "theta": "θ", "lambda": "λ", "lam": "λ",
           "mu": "μ", "nu": "ν", "omega": "ω", "pi": "π", "psi": "ψ", "sigma": "σ", "tau": "τ", "Delta": "Δ"}  # fmt: skip
@@ -14,6 +14,11 @@ _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=Tr
 def letters(text: str) -> str:
     """Greek letters in place of their names: "σ/R" of "sigma/R"."""
     return _WORD.sub(lambda found: _GREEK[found[1]], text).replace("sqrt(", "√(")
+
+
+def breakable(text: str) -> Markup:
+    """Return HTML of a key that may be broken after its underscores, and nowhere else."""
+    return Markup(str(escape(text)).replace("_", "_<wbr>"))  # what came in was escaped
 
 
 def formula(text: str) -> Markup:

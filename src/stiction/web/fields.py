@@ -1,6 +1,8 @@
 """What the form asks: the fields of the records of a case, with unit, bounds and help of the table of quantities."""
 
+import json
 import math
+import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args, get_origin
@@ -13,7 +15,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES, Quantity
 from stiction.quantities.units import show, to_si
 
-__all__ = ["Choices", "Knob", "MaterialPart", "Number", "Part", "dropped", "got", "parts_of", "placed"]
+__all__ = ["Choices", "Knob", "MaterialPart", "Number", "Part", "as_written", "dropped", "got", "parts_of", "placed"]
 
 _DECADES = 3.0  # of a slider, to either side of the example of a quantity
 Path = tuple[str, ...]
@@ -58,7 +60,13 @@ class Number:
         return show(value, self.quantity.name, 4)
 
     def written(self, text: str) -> Any:
-        """What the table of a case has for this text: a number where there is no unit, the text where there is one."""
+        """What the table of a case has for this text: a number where there is no unit, the text where there is one; a list or
+        a distribution as a case file has it."""
+        if text.startswith(("[", "{")):
+            try:
+                return tomllib.loads(f"given = {text}")["given"]
+            except tomllib.TOMLDecodeError:
+                return text  # the case will say what is wrong with it
         if self.quantity.unit:
             return text
         try:
@@ -173,6 +181,19 @@ def _record_in(annotation: Any) -> type[BaseModel] | None:
         if isinstance(one, type) and issubclass(one, BaseModel):
             return one
     return None
+
+
+def as_written(given: Any) -> str:
+    """Return what stands at a place of the tables as a case file has it, on a line, a text without quotes; "" for nothing."""
+    return "" if given is None else given if isinstance(given, str) else _inline(given)
+
+
+def _inline(given: Any) -> str:
+    if isinstance(given, Mapping):
+        return "{ " + ", ".join(f"{key} = {_inline(value)}" for key, value in given.items()) + " }"
+    if isinstance(given, list | tuple):
+        return "[" + ", ".join(map(_inline, given)) + "]"
+    return json.dumps(given, ensure_ascii=False)
 
 
 def got(tables: Any, path: Path) -> Any:

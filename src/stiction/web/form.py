@@ -10,7 +10,7 @@ from stiction.solving.choice import DEFAULT_MODEL
 from stiction.web.asked import CHOSEN_BY_KEY, law_keys, model_names, option_values
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.fields import Choices, MaterialPart, Number, Part, got, parts_of
+from stiction.web.fields import Choices, MaterialPart, Number, Part, as_written, got, parts_of
 from stiction.web.points import points_fields
 
 __all__ = ["Form"]
@@ -140,7 +140,7 @@ class Form:
         given = got(self._explorer.question.tables, one.path)
         value = one.si(given if given is not None else otherwise or None)
         ui.label(one.label).classes("text-xs w-full").style("line-height: 1.25; margin: 4px 0 -12px").props("aria-hidden=true")
-        text = ui.input(value="" if given is None else str(given), placeholder=otherwise)
+        text = ui.input(value=as_written(given), placeholder=otherwise)
         attributes(text.props("dense outlined debounce=300").classes("w-full"), hint=one.help, aria_label=one.label)
         self._inputs[one.path] = text
         slider = None
@@ -152,7 +152,7 @@ class Form:
 
         async def typed(_: Any) -> None:
             wanted = str(text.value or "").strip()
-            if wanted == str(got(self._explorer.question.tables, one.path) or ""):
+            if wanted == as_written(got(self._explorer.question.tables, one.path)):
                 return  # it was the slider that wrote it
             await self._explorer.put(one.path, one.written(wanted) if wanted else None)
 

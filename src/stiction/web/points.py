@@ -6,7 +6,7 @@ from typing import Any
 from nicegui import ui
 
 from stiction.web.explorer import Explorer
-from stiction.web.fields import placed
+from stiction.web.fields import as_written, placed
 
 __all__ = ["points_fields"]
 
@@ -32,7 +32,7 @@ def points_fields(explorer: Explorer, inputs: dict[tuple[str, ...], Any], rebuil
         ui.toggle({"load": "loads", "separation": "separations"}, value=by, on_change=other).props("dense no-caps")
         given = solve.get(by)
         if not isinstance(given, Mapping):
-            ui.label(f"{by}: {given}").classes("text-sm")
+            ui.label(f"{by}: {as_written(given)}").classes("text-sm")
             return
         for key in ("start", "stop", "count"):
             _end(explorer, inputs, ("solve", by, key), given.get(key))

@@ -116,7 +116,7 @@ class SurfaceTab:
         except InputError as error:
             # Before the line is made, which shortens long paths. An archive is named without its folder.
             value, allowed = (
-                str(one).replace(path, name).replace(Path(path).name, name) for one in (error.value, error.allowed)
+                one and str(one).replace(path, name).replace(Path(path).name, name) for one in (error.value, error.allowed)
             )
             self._said.set_text(str(InputError(error.field, value, allowed)))
             return

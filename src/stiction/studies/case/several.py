@@ -25,6 +25,7 @@ __all__ = [
 ]  # fmt: skip
 
 _MOST_POINTS = 100_000
+_ROUNDING = 1e-14  # of the ends of a range: less than this is the rounding of 0
 # Dimensions and coordinates of results that are no quantities, and other names of their tables.
 _TAKEN = (
     "asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread",
@@ -264,7 +265,10 @@ def _between(points: Range, ends: list[float], where: str) -> np.ndarray:
 
 def _spaced(ends: Sequence[float] | np.ndarray, count: int, spacing: str) -> np.ndarray:
     start, stop = (float(end) for end in ends)
-    return np.linspace(start, stop, count) if spacing == "linear" else np.geomspace(start, stop, count)
+    if spacing != "linear":
+        return np.geomspace(start, stop, count)
+    places = np.linspace(start, stop, count)
+    return np.where(np.abs(places) < _ROUNDING * max(abs(start), abs(stop)), 0.0, places)
 
 
 def _check_positive(where: str, points: Range, *ends: float) -> None:
