@@ -28,7 +28,8 @@ COST_UNIT = 0.5
 # was not, it is taken for this wrong.
 COST_OF_ERROR, NOT_MEASURED = 10.0, 0.3
 _COSTS = COST_OF_A_DOUBLING | {"impossible": math.inf}
-# A model that weighs less than this beside the best founded one is set aside; with less of the whole weight it is not listed.
+# A model that weighs less than this beside the best founded one is set aside; with less of the whole weight it is
+# not listed, and not recommended unless all have less.
 _LITTLE = 0.05
 _MOST_DOUBLINGS = 10.0
 # Of models that differ by less than this from the weighted median the best founded one stands for it.
@@ -177,7 +178,7 @@ def recommend(answers: list[Answer]) -> Recommendation:
     below = np.cumsum(weights)
     middle = family[int(np.searchsorted(below, 0.5 - 1e-12))].mu
     little = weights < _LITTLE * weights.max()  # not of the sum: of many that are equally well founded each has a small share
-    best = _nearest([one for one, aside in zip(family, little, strict=True) if not aside], middle)
+    best = _nearest([one for one, weight in zip(family, weights, strict=True) if weight > _LITTLE] or family, middle)
     low, high = (family[int(np.searchsorted(below, share - 1e-12))].mu for share in (1.0 / 6.0, 5.0 / 6.0))
     others = [one for one in possible if one.of_interface != stated]
     aside = _set_aside([one for one, aside in zip(family, little, strict=True) if aside], able)
