@@ -39,9 +39,11 @@ FILM = '[contact.coating]\nmaterial = "silver"\nthickness = "200 nm"\n'
 
 
 def case_of(model, loads, folder):
-    """A case file that suits the model: with a film if it is of surfaces with one."""
+    """A case file that suits the model: with a film if it is of surfaces with one, and sticking if it is in full contact."""
     path = folder / "case.toml"
-    path.write_text((CASE.replace("[solve]", FILM + "[solve]") if MODELS[model].on_film else CASE).format(loads))
+    suits = CASE.replace("[solve]", FILM + "[solve]") if MODELS[model].on_film else CASE
+    suits = suits.replace("0.1 J", "100 J") if model == "persson_tosatti_2001" else suits
+    path.write_text(suits.format(loads))
     return path
 
 

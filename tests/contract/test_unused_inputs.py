@@ -86,7 +86,11 @@ def check(contact: st.Contact, **laws) -> None:
         assert does == (name not in named), (name, named)
 
 
-@pytest.mark.parametrize("model", [key for key, one in of_kind(RoughSurface).items() if one.of_map is None])
+# Of full contact the work of adhesion decides whether there is an answer, and not which.
+MODELS = [key for key, one in of_kind(RoughSurface).items() if one.of_map is None and key != "persson_tosatti_2001"]
+
+
+@pytest.mark.parametrize("model", MODELS)
 def test_of_a_contact(model):
     check(BARE.replace(coating=FILM) if of_kind(RoughSurface)[model].on_film else BARE, model=model)
 

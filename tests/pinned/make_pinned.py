@@ -162,6 +162,7 @@ LATER = ("dayson_1971", "kato_1981", "ravindran_ramasamy_laddha_1980")
 # And rough surfaces that are.
 LATER_SURFACES = (
     "yang_persson_2008", "wang_muser_2017", "xu_zhu_xiao_zhou_2024", "pastewka_robbins_2014_area", "persson_widened",
+    "persson_tosatti_2001",
 )  # fmt: skip
 ON_FILM, OF_MAP = "rough_on_film", "boundary_elements"  # the first is asked with a film, the other of no numbers
 

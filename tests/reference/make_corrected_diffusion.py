@@ -6,6 +6,8 @@
 - `xu_zhu_xiao_zhou_2024.csv`: the same, its equation by bisection in 30 digits
 - `pastewka_robbins_2014_area.csv`: load per nominal area of `area_fraction`, from the pressures in the spots and on their rims
   in SI units: `reduced_pressure` is it over E* h'
+- `persson_tosatti_2001.csv`: `ratio` of the elastic energy of flattening the roughness, at most, to the work of adhesion, from
+  moments in SI units
 """
 
 import csv
@@ -79,9 +81,24 @@ def attracted():
         yield [theta, N * R * sigma, (R * w * w / (E * E * reach**3)) ** (1 / 3), area, pressure / (E * slope)]
 
 
+def flattened():
+    """sigma, R, N, E*, w in SI units: the elastic energy of flattening the roughness, at most, over the work of adhesion."""
+    deficit = 1 + 16 / math.pi - 3 * math.sqrt(3)
+    for sigma, R, N, E, w in (
+        (5e-9, 10e-6, 1e12, 2.6e6, 0.05),
+        (50e-9, 2e-6, 5e11, 2.6e6, 0.09),
+        (48e-9, 50e-6, 1.7e10, 115e9, 1.0),
+    ):
+        m4 = 9 * math.pi / (64 * R * R)
+        m2 = m4 / (6 * math.pi * math.sqrt(3) * N)
+        m0 = sigma**2 + deficit * m2 * m2 / m4
+        yield [4 / 3 * E * sigma**1.5 / (w * math.sqrt(R)), N * R * sigma, E * math.sqrt(m0) * math.sqrt(2 * m2) / 4 / w]
+
+
 if __name__ == "__main__":
     write("yang_persson_2008", ["pressure", "area"], stepped(yang_persson))
     write("wang_muser_2017", ["pressure", "area"], stepped(wang_muser))
     write("xu_zhu_xiao_zhou_2024", ["pressure", "area"], xu())
     header = ["theta", "roughness_parameter", "tabor_parameter", "area_fraction", "reduced_pressure"]
     write("pastewka_robbins_2014_area", header, attracted())
+    write("persson_tosatti_2001", ["theta", "roughness_parameter", "ratio"], flattened())

@@ -237,6 +237,8 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
      "share of the load on asperities whose substrate has yielded"),
     ("rms_slope", "h'", r"h'", "", _NOT_NEGATIVE, "", "rms slope of the Gaussian surface that has these asperities"),
     ("stickiness_ratio", "Q", "Q", "", _POSITIVE, "", "repulsion in contact spots over the attraction beside them"),
+    ("elastic_over_adhesion", "U/gamma", r"U/\gamma", "", _POSITIVE, "",
+     "elastic energy of flattening the roughness over the work of adhesion, at most"),
     ("range_over_gap", "rho/g_0", r"\varrho/g_0", "", _NOT_NEGATIVE, "",
      "range of the attraction over the gap beside contact spots, (16/3) h'^2/h''"),
     ("thickness_over_radius", "t/R", r"t/R", "", _NOT_NEGATIVE, "", "film thickness over asperity radius"),

@@ -86,8 +86,12 @@ def _of_the_map(problem: Problem) -> dict[str, np.ndarray]:
 def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:
     """The attraction of the surface (n,), which theories of the whole surface are asked for that know it."""
     from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
+    from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
 
-    return {"range_over_gap": range_over_gap(groups), "stickiness_ratio": stickiness(groups)}
+    found = {"elastic_over_adhesion": elastic_over_adhesion(groups)}
+    if groups.tabor_parameter is None:
+        return found
+    return found | {"range_over_gap": range_over_gap(groups), "stickiness_ratio": stickiness(groups)}
 
 
 def _by_asperity(

@@ -1,0 +1,70 @@
+r"""A soft smooth surface that adhesion presses flat: full contact, after Persson & Tosatti 2001.
+
+*Assumes*: elastic half-spaces; the faces are in full contact where the elastic energy of flattening the roughness is less than
+the work of adhesion. *Source*: [persson_tosatti_2001], the balance as commonly quoted and derived again here: a wave of the
+wavevector $q$ and the mean square height $\langle h^2\rangle$ stores $E^*q\langle h^2\rangle/4$ per area, so that
+
+$$
+\frac U\gamma=\frac{E^*}{4\gamma}\int q\,C(q)\,d^2q\ \le\ \frac{E^*h_\mathrm{rms}h'}{4\gamma}<1,\qquad A=A_n,\qquad
+\mu=\frac{\tau_0A_n}P
+$$
+
+The bound (Cauchy and Schwarz) stands for the integral: of sigma, R and N only the moments are known. It is exact for waves of
+one length, and three times the energy for self-affine ones over three decades. *Limit*: waves of one length jump into full
+contact by themselves where $U/\gamma<0.49$ (Johnson 1995, $\alpha>0.57$); between that and 1 they may need to be pressed. Where
+the bound is above 1 the model is refused: partial contact under adhesion is not in it. *Check*: $E^*=2$ MPa,
+$h_\mathrm{rms}=0.1$ um, $h'=0.1$, $\gamma=50$ mJ/m^2: $U/\gamma=0.1$. It knows no separation: results have none.
+"""
+
+import math
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.laws.registry import RoughSurface, Validity
+from stiction.laws.sources import Source
+from stiction.quantities.errors import InputError
+from stiction.surfaces.theory.moments import Moments
+
+
+def elastic_over_adhesion(groups: Groups) -> np.ndarray:
+    """Return the bound of U/gamma (n,). By the definition of theta, E* sigma/gamma = (3/4) theta sqrt(R/sigma)."""
+    moments = Moments.from_groups(groups.roughness_parameter, 1.0)  # the gradient over sqrt(sigma/R), which drops out
+    return 0.75 * groups.theta * np.sqrt(moments.m0) * moments.rms_slope / 4.0
+
+
+def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Return the area per asperity over pi R sigma (n, H), the nominal one; not a number for contacts that stay partial.
+
+    Raises InputError where all do."""
+    ratio = elastic_over_adhesion(groups)
+    if not (ratio < 1.0).any():
+        allowed = f"more: flattening the roughness takes {ratio.min():.3g} times the work of adhesion"
+        raise InputError("work_of_adhesion", "too little for full contact", allowed)
+    full = np.where(ratio < 1.0, 1.0 / (math.pi * groups.roughness_parameter), np.nan)
+    return np.broadcast_to(full[:, None], load.shape).copy()
+
+
+RECORD = RoughSurface(
+    key="persson_tosatti_2001",
+    title="Full contact of a soft smooth surface that adhesion presses flat",
+    grade="B",
+    sources=(
+        Source("persson_tosatti_2001", "", "elastic energy of full contact against the work of adhesion, as commonly quoted"),
+        Source("johnson_1995", "", "from where waves of one length jump into full contact, as commonly quoted"),
+        Source("nayak_1971", "", "height and gradient that belong to sigma, R and N"),
+    ),
+    area_at_load=area_at_load,
+    takes_surface_moments=True,
+    up_to_full_contact=True,
+    adheres=True,
+    verified="energy of waves of one length, in SI units; the nominal area",
+    needs=("theta", "roughness_parameter"),
+    validity=(
+        Validity("elastic_over_adhesion", 0.0, 1.0, "the contact stays partial", "impossible"),
+        Validity("elastic_over_adhesion", 0.0, 0.49, "faces may need a load to come into full contact: mu may be less"),
+        Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect"),
+    ),
+    notes="mu is the strength of the interface over the nominal pressure. Refused where flattening the roughness takes more "
+    "than the work of adhesion.",
+)

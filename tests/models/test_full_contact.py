@@ -1,0 +1,90 @@
+"""Soft smooth bodies that adhesion presses flat: mu = tau_0 A_n/P, in place of no answer."""
+
+import math
+
+import numpy as np
+import pytest
+
+import stiction as st
+from stiction.contact.indices import Groups
+from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
+from stiction.laws.validity import doubts_of
+from tables import column, groups, read
+
+PDMS, GLASS = {"youngs_modulus": "2 MPa", "poissons_ratio": 0.49, "hardness": "1 MPa"}, "soda_lime_glass"
+
+
+def contact(deviation="5 nm", radius="10 um", density="1e12 1/m^2", **more):
+    rough = {"asperity_height_deviation": deviation, "asperity_radius": radius, "asperity_density": density}
+    given = {"first": PDMS, "second": GLASS, "nominal_area": "1 mm^2", "work_of_adhesion": "50 mJ/m^2"}
+    return st.Contact(**given | more, roughness=rough, interfacial_shear_strength="100 kPa")
+
+
+def ratio_of(given):
+    return float(elastic_over_adhesion(Groups.of(given.indices())[0])[0])
+
+
+@pytest.mark.parametrize("load", (1e-3, 1e-2, 1e-1))
+def test_full_contact_is_answered(load):
+    """100 kPa on a square millimetre are 0.1 N; nothing was recommended."""
+    data = st.compare(contact(), load=load)
+    best = data.sel(model=data.attrs["recommended"])
+    assert data.attrs["recommended"] == "persson_tosatti_2001"
+    assert float(best["friction_coefficient_at_load"]) == pytest.approx(0.1 / load, rel=1e-12)
+    assert float(best["contact_area_at_load"]) == pytest.approx(1e-6, rel=1e-12)
+
+
+def test_energy_of_waves_of_one_length():
+    """Summits of waves of one length, alpha = 3/2: the bound is the energy, E* q h^2/4 with q^2 = m4/m2 4/3, in SI units."""
+    R, sigma, E, w = 10e-6, 20e-9, 2e6 / (1.0 - 0.49**2), 0.05
+    deficit = 1.0 + 16.0 / math.pi - 3.0 * math.sqrt(3.0)
+    m4 = 9.0 * math.pi / (64.0 * R * R)
+    m0 = sigma**2 / (1.0 - deficit / 1.5)
+    m2 = math.sqrt(m0 * m4 / 1.5)
+    q = math.sqrt(4.0 / 3.0 * m4 / m2)
+    assert q * math.sqrt(m0) == pytest.approx(math.sqrt(2.0 * m2), rel=1e-12)
+    density = m4 / m2 / (6.0 * math.pi * math.sqrt(3.0))
+    rigid = {"youngs_modulus": 1e20, "poissons_ratio": 0.3, "hardness": 1e18}
+    given = contact(sigma, R, density, second=rigid, work_of_adhesion=w)
+    assert ratio_of(given) == pytest.approx(E * q * m0 / 4.0 / w, rel=1e-9)
+
+
+def test_what_stays_partial_is_refused():
+    with pytest.raises(st.InputError, match=r"flattening the roughness takes .* times the work of adhesion"):
+        st.solve(contact("2 um", "20 um", "2e9 1/m^2"), load=1e-3, model="persson_tosatti_2001")
+    steel = st.compare(contact(first="copper", second="copper"), load=1e-2)
+    assert "persson_tosatti_2001: " in steel.attrs["left_out"]
+
+
+def test_between_faces_may_need_a_load():
+    """Johnson (1995): waves of one length jump into contact by themselves for U/gamma below 0.49."""
+    sigmas = np.geomspace(5e-9, 2e-6, 20)
+    kinds = set()
+    for sigma in sigmas:
+        given = contact(float(sigma), "10 um", 0.04 / (1e-5 * sigma))
+        try:
+            found = st.solve(given, load=1e-3, model="persson_tosatti_2001")
+        except st.InputError:
+            kinds.add("refused")
+            continue
+        ratio = ratio_of(given)
+        said = "elastic_over_adhesion" in {one.quantity for one in doubts_of(found)}
+        assert said == (ratio > 0.49)
+        kinds.add(said)
+    assert kinds == {"refused", True, False}
+
+
+def test_energies_in_si_units():
+    rows = read("persson_tosatti_2001.csv")
+    given = groups(**{name: column(rows, name) for name in ("theta", "roughness_parameter")}, lam=1.0)
+    np.testing.assert_allclose(elastic_over_adhesion(given), column(rows, "ratio"), rtol=1e-12)
+
+
+@pytest.mark.parametrize("ratio", (1.01, 10.0, 1e3))
+def test_the_bound_is_above_the_energy(ratio):
+    """By up to a factor of three, of self-affine surfaces with C ~ q^-3.6 from q to this times q, all in closed form."""
+
+    def moment(order):
+        return (ratio ** (order - 1.6) - 1.0) / (order - 1.6)
+
+    assert 0.3 < moment(1) / math.sqrt(moment(0) * moment(2)) <= 1.0
