@@ -32,7 +32,7 @@ BARE = st.Contact(
     roughness=ROUGHNESS,
     work_of_adhesion="2 J/m^2",
     nominal_area="1 mm^2",
-    interfacial_shear_strength="200 MPa",
+    interfacial_shear_strength="20 MPa",
     pressure_coefficient=0.1,
     peeling=0.5,
 )
@@ -261,3 +261,11 @@ def test_a_counterbody_that_yields_first_is_said(hardness, n_H):
     assert harder.indices().n_H == contact.indices().n_H == 1.0  # the hardness of the film changes nothing
     both = contact.replace(coating=film.replace(bodies="both"))
     assert st.solve(both, load="1 N", model=PAPER).attrs["remarks"] == "" and both.indices().n_H != 1.0
+
+
+def test_the_yield_stress_counts_where_it_caps_the_strength():
+    """Silver of 30 MPa in shear under 20 MPa and 2 GPa."""
+    for strength, counts in (("20 MPa", False), ("2 GPa", True)):
+        contact = BARE.replace(coating=FILM, interfacial_shear_strength=strength)
+        found = st.solve(contact, load="1 N", model="rough_on_film")
+        assert ("first.yield_stress" in found.attrs["inputs_not_used"]) == (not counts)

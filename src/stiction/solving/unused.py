@@ -5,6 +5,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from stiction.contact.indices import Groups
 from stiction.laws.registry import AsperityLaw, Record, TangentialLaw, friction_incompatibility, incompatibility, of_kind
 from stiction.quantities.errors import InputError, InWords
@@ -57,6 +59,9 @@ def unused_inputs(problem: Problem) -> list[Unused]:
     plastic = [one for one in problem.records() if not (isinstance(one, TangentialLaw) and one.interfacial)]
     if any(name in ("lam", "hardness_group", "n_H") for record in plastic for name in record.needs):
         spoken_of.add("hardness")
+    ratio = problem.groups.strength_over_bodies
+    if "shear_strength" in spoken_of and ratio is not None and np.any(ratio >= 1.0 - 1e-12):  # capped by the bodies' yield
+        spoken_of |= {"hardness", "hardness_to_yield"}
     found = [Unused(name, why="this contact has no film") for name in problem.chosen.ignored]
     for name, group in given.items():
         if not group:
