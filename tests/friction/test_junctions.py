@@ -281,7 +281,8 @@ def test_on_a_film_solved_as_one_yielded_junctions_are_those_of_the_interface(ke
     with pytest.raises(st.InputError, match=rf"plastic_junctions: '{key}'; allowed: none, .*(one homogeneous|of one material)"):
         st.solve(given, separation=1.0, film="layered", plastic_junctions=key)
     sheared, held = (
-        st.solve(given, separation=1.0, film="layered", plastic_junctions=law) for law in ("bowden_tabor_1943", "none")
+        st.solve(given, separation=1.0, model="soft_coating_2015", film="layered", plastic_junctions=law)
+        for law in ("bowden_tabor_1943", "none")
     )
     more = float(sheared["friction_force"] - held["friction_force"])
     assert more == pytest.approx(0.03 * given.eta * float(sheared["contact_area_plastic"]), rel=1e-6)

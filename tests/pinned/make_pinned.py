@@ -326,7 +326,9 @@ def asked_at_loads(known, drawn: Drawn):
 def asked_at_loads_of(some):
     """A real contact with some films, at loads."""
     for film in some:
-        given = {"model": PLAIN, "tangential": "bowden_tabor_1943"} if film["tangential"] in ("", "interface") else {}
+        given = (
+            {"model": PLAIN, "tangential": "bowden_tabor_1943"} if film["tangential"] in ("", "interface") else {"model": PAPER}
+        )
         given |= {"asperity": film["asperity"]} if film["asperity"] else {}
         for one in (0.03, 1.0):
             chosen = {"load": one, "film": film["key"]} | given
