@@ -404,6 +404,22 @@ def test_the_family_of_the_recommended_model_is_the_first_panel():
         assert comparison_figure(data.isel(model=order)).axes[0].get_title() == data.attrs["family"]
 
 
+@pytest.mark.parametrize("case_loads", [[0.5, 5.0], [0.01, 0.1], [30.0]])
+def test_the_recommended_model_is_marked_at_the_working_load_where_its_curve_does_not_reach(case_loads):
+    data = compare(contact(interfacial_shear_strength="200 MPa"), load="1 N").assign_attrs(case_loads=np.array(case_loads))
+    best = data.attrs["recommended"]
+    beyond = (data["model"] == best) & (data["load"] > 0.1)
+    figure = drawn_without_warning(data.assign(friction_coefficient=data["friction_coefficient"].where(~beyond)))
+    axes = figure.axes[0]
+    (point,) = (line for line in axes.lines if line.get_marker() == "o")
+    mu = float(data["friction_coefficient_at_load"].sel(model=best))
+    assert (float(point.get_xdata()[0]), float(point.get_ydata()[0])) == (1.0, mu)
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    assert left < 1.0 < right and bottom < mu < top
+    (curve,) = (line for line in axes.lines if str(line.get_label()).partition(" (")[0] == best)
+    assert curve.get_linestyle() == "-" and curve.get_color() == "black"
+
+
 def test_an_error_bar_is_in_sight_with_its_ends_and_names_stay_beside_their_curves():
     data = compare(contact(), load="1 N").sel(model=["soft_coating_2015"])
     mu = data["friction_coefficient_at_load"]

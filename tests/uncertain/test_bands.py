@@ -1,18 +1,23 @@
 """Bands over what is uncertain: against quantiles in closed form, with the error of their sampling, and how they are told."""
 
 import csv
+import io
 import json
 
 import numpy as np
 import pytest
 import scipy.stats
 import xarray
+from matplotlib.collections import LineCollection
+from rich.console import Console
 from typer.testing import CliRunner
 
 import stiction as st
 from stiction import cli
 from stiction.quantities.errors import InputError
+from stiction.report.pictures import curve_figure
 from stiction.report.uncertainty_pictures import COLOURS, spread_figure, uncertainty_figure
+from stiction.report.uncertainty_tables import band_lines
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.studies.case.read import parse_case
@@ -53,6 +58,31 @@ def test_bands_of_a_power_law_are_those_of_a_log_normal():
     error = data["friction_coefficient_quantile_error"].values
     assert np.all(np.abs(data["friction_coefficient_quantile"].values - exact) < 4.0 * error)
     assert np.all(error < 0.02 * exact) and np.all(error > 0.0)
+
+
+def test_the_band_of_one_load_is_a_bar_in_every_picture():
+    data = solve_case(case(solve={"load": "1 N"}, uncertainty={"count": 64}))
+    lowest, highest = data["friction_coefficient_quantile"].values[[0, -1]].ravel()
+    for figure in (uncertainty_figure(data), curve_figure(data, "")):
+        bars = [one for one in figure.axes[0].collections if isinstance(one, LineCollection) and one.get_linewidth()[0] > 4.0]
+        ends = np.concatenate([one.get_segments()[0][:, 1] for one in bars])
+        assert ends.min() == pytest.approx(lowest) and ends.max() == pytest.approx(highest)
+        bottom, top = figure.axes[0].get_ylim()
+        assert bottom < lowest and highest < top
+
+
+def test_no_quantile_is_cut_off_at_the_edge_of_the_terminal():
+    """As wide as they come: mu of 1e-7 takes nine letters, a load with a prefix twelve."""
+    loads = ["199.5 mN", "316.2 mN"]
+    data = solve_case(case({"interfacial_shear_strength": {"median": "21.3 Pa", "factor": 2}}, {"load": loads}))
+    printed = Console(file=io.StringIO(), width=80)
+    for line in band_lines(data):
+        printed.print(line)
+    text = printed.file.getvalue()
+    for value in data["friction_coefficient_quantile"].values.ravel():
+        assert f"{value:.4g}" in text.split(), text
+    assert "…" not in text and all(name in text for name in ("P = 199.5 mN", "95%"))
+    assert max(map(len, text.splitlines())) <= 80
 
 
 def test_the_error_of_the_sampling_is_as_large_as_it_says():

@@ -21,6 +21,7 @@ __all__ = ["comparison_figure"]
 # Of `doubtful`: as the model claims, and outside of its range; beyond that a curve is not drawn.
 _WITHIN, _DOUBTFUL = 0, 1
 _DASHES = ("-", "--", ":", "-.")  # beyond this many lines colours repeat, with another dash
+_NEAR = 1e3  # as many times beyond the loads of the case a working load is still shown
 _APART = 0.034  # of the height of a panel, between the names at the ends of its curves
 
 
@@ -64,7 +65,8 @@ def _panel(axes: Axes, data: "xarray.Dataset", family: str) -> None:
     for at, name in enumerate(with_plastic_junctions(some)):
         one = some.isel(model=at)
         best = one["model"].item() == data.attrs.get("recommended")
-        look = {"color": "black" if best else colours[drawn % 10], "linestyle": _DASHES[drawn // 10 % 4]}
+        dashes = "-" if best else _DASHES[drawn // 10 % 4]  # a gap of the recommended curve may lie at the working load
+        look = {"color": "black" if best else colours[drawn % 10], "linestyle": dashes}
         drawn += _curve(axes, one, label=name, linewidth=3.0 if best else 1.5, zorder=3 if best else 2, **look)
     axes.set(xscale="log", yscale="log", xlabel=label(data["load"]))
     axes.set_title(family, fontsize=9.5)
@@ -92,6 +94,9 @@ def _in_sight(panels: list[Axes], data: "xarray.Dataset") -> None:
     x, y = x[np.isfinite(y)], y[np.isfinite(y)]
     asked = [load for load in np.atleast_1d(data.attrs.get("case_loads", [])) if load > 0.0]
     low, high = (min(asked) / 3.0, max(asked) * 3.0) if asked else (max(x.min() / 1.5, x.max() / 1e8), x.max() * 1.5)
+    working = data.attrs.get("working_load", low)
+    if low / _NEAR < working < high * _NEAR:
+        low, high = min(low, working / 3.0), max(high, working * 3.0)
     seen = (x >= low) & (x <= high)
     for axes in panels:
         axes.set_xlim(low, high)
@@ -138,7 +143,8 @@ def _spread(places: list[float]) -> list[float]:
 
 
 def _mark_working_load(axes: Axes, data: "xarray.Dataset", family: str) -> None:
-    """A line at the working load, with the error bar of the recommended model in its panel, if it is in sight."""
+    """Mark the working load by a line, and on it mu of the recommended model, with its error bar, whether or not its curve
+    reaches there."""
     load = data.attrs.get("working_load")
     low, high = axes.get_xlim()
     if load is None or not low < load < high:
@@ -147,7 +153,18 @@ def _mark_working_load(axes: Axes, data: "xarray.Dataset", family: str) -> None:
     axes.annotate("working load", (load, 0.01), xycoords=("data", "axes fraction"), rotation=90,
                   color=GREY, fontsize=8, ha="right", va="bottom")  # fmt: skip
     if family == data.attrs.get("family"):
+        _point(axes, data)
         _error_bar(axes, data)
+
+
+def _point(axes: Axes, data: "xarray.Dataset") -> None:
+    if data.attrs["recommended"] not in data["model"]:
+        return
+    mu = float(data["friction_coefficient_at_load"].sel(model=data.attrs["recommended"]))
+    if mu > 0.0:
+        axes.plot([data.attrs["working_load"]], [mu], "ko", markersize=7, zorder=4, label="_recommended")
+        bottom, top = axes.get_ylim()
+        axes.set_ylim(min(bottom, mu / 1.5), max(top, 1.5 * mu))
 
 
 def _error_bar(axes: Axes, data: "xarray.Dataset") -> None:

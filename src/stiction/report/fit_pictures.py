@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.picture_style import along
-from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, finish, label
+from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, draw_band, finish, label
 
 if TYPE_CHECKING:
     import xarray
@@ -117,9 +117,7 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     x = data[point].values if point in data.coords else np.arange(data.sizes[point])
     for at, place in enumerate(chosen):
         colour = _COLOURS[at % len(_COLOURS)]
-        if x.size == 1:  # of one point neither a line nor a band is seen
-            axes.vlines(x, low.isel(place), high.isel(place), color=colour, alpha=0.5, linewidth=6)
-        axes.fill_between(x, low.isel(place), high.isel(place), color=colour, alpha=0.25, linewidth=0)
+        draw_band(axes, x, low.isel(place).values, high.isel(place).values, color=colour, alpha=0.25)
         axes.plot(
             x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "",
             label=_place(data, place) or "as in the case",

@@ -12,7 +12,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.picture_style import look_of, plain, scale, unit_for
-from stiction.report.pictures import GREY, RED, SKY, WIDE, doubts_below, finish, heading, label, say
+from stiction.report.pictures import GREY, RED, SKY, WIDE, doubts_below, draw_band, finish, heading, label, say
 from stiction.solving.method_spread import METHOD
 
 if TYPE_CHECKING:
@@ -206,9 +206,7 @@ def _friction_lines(
     spread: dict[str, Any] = {"color": SKY, "alpha": 0.25, "label": "spread over methods of\nfinding asperities"}
     if len(load) == 1:
         axes.set_xlim(load[0] / 3.0, load[0] * 3.0)
-        axes.vlines(load, *band, linewidth=14.0, **spread)
-    else:
-        axes.fill_between(load, *band, linewidth=0.0, **spread)
+    draw_band(axes, load, *band, **spread)
     alone = "o" if len(load) == 1 else ""
     axes.plot(load, taken, color="black", linewidth=2.4, marker=alone, label=f"taken: {plain(methods[0])}", zorder=3)
     for at, (method, one) in enumerate(zip(methods[1:], each[1:], strict=True)):

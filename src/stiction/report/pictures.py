@@ -168,6 +168,14 @@ def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     finish(axes)
 
 
+def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **look: Any) -> None:
+    """Fill what lies between two curves; of one point, which has no width, draw a bar."""
+    if len(x) == 1:
+        axes.vlines(x, low, high, linewidth=14.0, **look)
+    else:
+        axes.fill_between(x, low, high, linewidth=0.0, **look)
+
+
 def _method_spread(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> list[np.ndarray]:
     """The spread of friction over the methods of finding asperities in a measured surface; returns what is drawn, nothing where
     there is no such spread."""
@@ -180,8 +188,8 @@ def _method_spread(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> list
         return []
     # Where a method gives no friction at all the band reaches down to the edge of a logarithmic axis.
     floor = np.concatenate([low[low > 0.0], high]).min() / 2.0
-    axes.fill_between(load[there], np.maximum(low, floor), high, color=SKY, alpha=0.25, linewidth=0.0,
-                      label="spread over methods of\nfinding asperities")  # fmt: skip
+    draw_band(axes, load[there], np.maximum(low, floor), high, color=SKY, alpha=0.25,
+              label="spread over methods of\nfinding asperities")  # fmt: skip
     axes.lines[0].set_label(f"taken: {data.attrs.get('roughness_method', 'first method')}")
     axes.legend(fontsize=8, framealpha=0.9)
     return [np.maximum(low, floor), high]
@@ -197,7 +205,7 @@ def _input_band(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> list[np
     if not there.any():
         return []
     text = f"{shares[0]:.0%} to {shares[-1]:.0%} of what is\nuncertain of the inputs"
-    axes.fill_between(load[there], low[there], high[there], color=BLUE, alpha=0.2, linewidth=0.0, label=text)
+    draw_band(axes, load[there], low[there], high[there], color=BLUE, alpha=0.2, label=text)
     axes.legend(fontsize=8, framealpha=0.9)
     return [low[there], high[there]]
 

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.pictures import BLUE, GREEN, ORANGE, WIDE, finish, heading, label, say
+from stiction.report.pictures import BLUE, GREEN, ORANGE, WIDE, draw_band, finish, heading, label, say
 from stiction.report.several_tables import points_dimension
 from stiction.report.uncertainty_tables import MEANINGS
 
@@ -53,8 +53,10 @@ def _band(axes: Axes, data: "xarray.Dataset") -> None:
     for low, depth in zip(range(middle), np.linspace(0.2, 0.4, middle), strict=True):
         high = len(shares) - 1 - low
         text = f"{shares[low]:.0%} to {shares[high]:.0%}"
-        axes.fill_between(x, band[low][known], band[high][known], color=BLUE, alpha=depth, linewidth=0.0, label=text)
-    axes.plot(x, band[middle][known], color=BLUE, linestyle="--", label="median")
+        draw_band(axes, x, band[low][known], band[high][known], color=BLUE, alpha=depth, label=text)
+    axes.plot(
+        x, band[middle][known], color=BLUE, linestyle="--", marker="_" if x.size == 1 else "", markersize=14, label="median"
+    )
     marks: dict[str, Any] = {"marker": "o", "markersize": 4.0} if x.size <= 20 else {}
     axes.plot(x, mu[known], color="black", label="of the nominal numbers", **marks)
     for at in (0, -1):

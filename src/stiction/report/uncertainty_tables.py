@@ -10,13 +10,14 @@ from rich.text import Text
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.several_tables import of_point, points_dimension, shown_quantity, some, varied
+from stiction.report.whole_keys import WholeKeys
 
 if TYPE_CHECKING:
     import xarray
 
 __all__ = [
-    "MEANINGS", "band_table", "draws_in_words", "in_draws", "models_band_table", "spread_table", "uncertain_notes",
-    "with_meaning",
+    "MEANINGS", "band_lines", "band_table", "draws_in_words", "in_draws", "models_band_table", "spread_table",
+    "uncertain_notes", "with_meaning",
 ]  # fmt: skip
 
 _ROWS = 12
@@ -35,7 +36,7 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
         return Text(f"{name} does not vary with what is uncertain", style="dim")
     dim, several = points_dimension(data), varied(data)
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for head in ("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "sampling error"):
+    for head in ("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "sampling\nerror"):
         table.add_column(head, justify="right", no_wrap=True)
     # Where numbers are several, of each the first: the files have them all.
     whole = data.isel({one: 0 for one in several})
@@ -45,6 +46,13 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
         worst = float(np.nanmax(error)) if np.isfinite(error).any() else np.nan
         table.add_row(of_point(data, int(at)), *(_short(value) for value in (float(one[name]), *band)), _short(worst, 2))
     return table
+
+
+def band_lines(data: "xarray.Dataset") -> Iterator[Any]:
+    """Yield the table of quantiles, whole on a terminal of any width, and what is uncertain."""
+    table = band_table(data)
+    yield WholeKeys(table) if isinstance(table, Table) else table
+    yield from uncertain_notes(data)
 
 
 def _short(value: float, digits: int = 4) -> str:

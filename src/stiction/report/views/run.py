@@ -9,7 +9,7 @@ from stiction.report.files import comments_of, write_csv
 from stiction.report.several_tables import several_table
 from stiction.report.surface_tables import map_notes, roughness_notes, roughness_table
 from stiction.report.tables import curve_table, outside_validity, rows_shown, run_notes, run_summary
-from stiction.report.uncertainty_tables import band_table, uncertain_notes
+from stiction.report.uncertainty_tables import band_lines
 from stiction.report.view import Picture, View
 from stiction.solving.method_spread import as_columns
 from stiction.studies.uncertainty.bands import as_columns as with_quantiles
@@ -33,7 +33,7 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
     if not all_rows and not case.is_several and (text := rows_shown(data)):
         yield from (Text(text, style="dim"), "")
     if "uncertain_inputs" in data.attrs:
-        yield from (band_table(data), *uncertain_notes(data), "")
+        yield from (*band_lines(data), "")
     if "point_spacing" in data:
         yield from (*map_notes(data), "")
     elif case.measured is not None:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from stiction.report.uncertainty_tables import band_table, spread_table, uncertain_notes
+from stiction.report.uncertainty_tables import band_lines, spread_table
 from stiction.report.view import Picture, View
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ def uncertainty_view(data: "xarray.Dataset") -> View:
 
     def parts() -> Iterator[Any]:
         if has_band:
-            yield from (band_table(data), *uncertain_notes(data))
+            yield from band_lines(data)
         if "spread_factor" in data:
             yield spread_table(data)
 
