@@ -133,11 +133,7 @@ def test_friction_of_the_pressure_of_every_point(contact, rough):
     for changes, given, message in (
         ({}, {"shear": "lesser"}, "pressure_coefficient"),
         (
-            (
-                {"interfacial_shear_strength": second.hardness / 3.0, "hardness_to_yield": 1.5},
-                {"shear": "junction_growth"},
-                "grow without end|without end",
-            ),
+            {"interfacial_shear_strength": second.hardness / 3.0, "hardness_to_yield": 1.5},
             {"shear": "junction_growth"},
             "grow without end|without end",
         ),
