@@ -398,6 +398,15 @@ def test_the_address_opens_the_same_page_elsewhere_and_what_is_wrong_stands_besi
     assert _status(page) == said
 
 
+def test_a_free_number_is_searched_from_a_third_of_it_to_three_times_as_much(fresh):
+    page = fresh
+    _tab(page, "Studies")
+    page.get_by_label("free number").first.click()
+    page.get_by_role("option", name="coating.thickness").click()  # 200 nm
+    page.wait_for_function("() => [...document.querySelectorAll('input')].some(one => one.value === '66.67 nm')")
+    assert [page.get_by_label(name, exact=True).first.input_value() for name in ("from", "to")] == ["66.67 nm", "600 nm"]
+
+
 OLD = re.compile("^Result of earlier numbers: press “Compare all models at this load”")
 
 

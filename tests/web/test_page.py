@@ -2,6 +2,7 @@
 
 import asyncio
 import importlib
+import math
 import sys
 from collections.abc import Awaitable, Callable
 from contextlib import asynccontextmanager
@@ -139,6 +140,26 @@ async def test_a_title_is_text():
     tables = first_case() | {"title": "<script>window.broken = 1</script>"}
     async with _page(packed(tables)) as user:
         assert tables["title"] in _texts(user)  # of a label, which a browser writes as text
+
+
+@in_a_loop
+async def test_the_number_on_the_page_is_that_of_a_closed_form():
+    """Persson (2001): mu = tau_0 A_n erf(sqrt(2) p/(E* h'))/P, of the summits h'^2 = sqrt(3)/(64 N R^2)."""
+    body = {"youngs_modulus": "210 GPa", "poissons_ratio": 0.3, "hardness": "7.3 GPa"}
+    rough = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
+    contact = {
+        "first": body,
+        "second": body,
+        "nominal_area": "1 mm^2",
+        "interfacial_shear_strength": "200 MPa",
+        "roughness": rough,
+    }
+    slope = math.sqrt(math.sqrt(3.0) / (64.0 * 1.7e10 * 50e-6**2))
+    area = 1e-6 * math.erf(math.sqrt(2.0) * 2.0 / 1e-6 / (210e9 / (2.0 * (1.0 - 0.3**2)) * slope))
+    async with _page(packed({"contact": contact, "solve": {"load": "2 N", "model": "persson_2001"}})) as user:
+        where = next(text for text in _texts(user) if text.startswith("at a load of"))
+        assert where.startswith(f"at a load of 2 N, real contact area {area * 1e12:.4g} µm²")
+        assert where.endswith(f"mu to four digits {200e6 * area / 2.0:.4g}")
 
 
 @in_a_loop

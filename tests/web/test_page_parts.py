@@ -12,12 +12,13 @@ import matplotlib
 import pytest
 from matplotlib.figure import Figure
 
+import stiction as st
 import stiction.web
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
 from stiction.studies.comparison.findings import find_out
 from stiction.web.asked import Question, solved
-from stiction.web.charts import chart, line
+from stiction.web.charts import chart, curve_chart, line
 from stiction.web.downloads import report_of
 from stiction.web.first import first_case
 from stiction.web.fitting import fitted
@@ -166,6 +167,21 @@ def test_where_the_surfaces_meet_their_separation_is_zero(answer):
     """Mean separations from 4 to -1 standard deviations in steps of 0.1: the 41st is 0, not the rounding of it."""
     assert "mean separation 0 m," in headline(answer, 40)[1]
     assert "mean separation 4.8 nm," in headline(answer, 39)[1] and "mean separation -4.8 nm," in headline(answer, 41)[1]
+
+
+def test_a_chart_has_symbols_on_its_axes_and_the_number_at_its_mark(answer):
+    """Silver film on hardened steel: mu 0.0457 at 2.36 N, by the first screen; drawn by a browser from these options."""
+    at = answer.middle()
+    options = curve_chart(answer.curve, "friction_coefficient", "load", at, False)
+    assert options["xAxis"]["name"] == "net normal load P [N]" and options["yAxis"]["name"] == "friction coefficient mu"
+    separations = curve_chart(answer.curve, "contact_area", "mean_separation", at, False)
+    assert separations["xAxis"]["name"] == "mean separation d [nm]"
+    assert separations["yAxis"]["name"] == "real contact area A [m^2]"
+    load, mu = options["series"][-1]["data"][0]
+    told, where = headline(answer, at)
+    assert told == f"mu ≈ {mu:.2g}" and f"at a load of {load:.4g} N" in where and where.endswith(f"four digits {mu:.4g}")
+    case = st.read_case(Path(__file__).parents[2] / "examples" / "silver_on_steel.toml")
+    assert float(st.solve(case.subject, load=f"{load!r} N")["friction_coefficient"]) == pytest.approx(mu, rel=1e-9)
 
 
 def test_digits_are_those_that_the_draws_leave():
