@@ -447,7 +447,7 @@ def _mu_of_the_row(page):
 def test_the_place_with_a_figure_as_the_case(fresh):
     page = fresh
     _tab(page, "Where am I")
-    page.get_by_text(re.compile(r"The bodies: theta = 229, lambda = 1\.58e\+05")).wait_for()
+    page.get_by_text(re.compile(r"The bodies: theta = 229, lambda = 2\.15e\+05")).wait_for()
     page.get_by_text("Figure 1(a) of the 2015 paper, corrected reading").wait_for()
     page.get_by_role("button", name="Open as the case").click()
     page.wait_for_function("() => document.body.innerText.includes('elastic adhesion index')")
