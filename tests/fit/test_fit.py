@@ -639,3 +639,11 @@ def test_an_interval_ends_where_the_profile_does_also_beyond_a_bend():
     assert found.high == pytest.approx(0.8 + (0.6 / 3600.0) ** 0.5, abs=1e-5)
     # Below, nothing is in the way: the least over q of both squares is (p - 0.7)^2/(1/3600 + 1/324).
     assert found.low == pytest.approx(0.7 - (3.84 * (1.0 / 3600.0 + 1.0 / 324.0)) ** 0.5, abs=1e-6)
+
+
+def test_an_error_that_was_estimated_has_its_unit():
+    data = SimpleNamespace(quantity=["contact_area"] * 3)
+    fitted = SimpleNamespace(stated=False, errors=np.array([1.23e-10]), forward=SimpleNamespace(data=data))
+    assert "all values have one, 123 µm^2, by their scatter" in fit_module._errors_said(fitted)
+    data.quantity[0] = "friction_coefficient"
+    assert "1.23e-10 in SI units" in fit_module._errors_said(fitted)

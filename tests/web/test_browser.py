@@ -145,6 +145,11 @@ def test_every_model_beside_the_others_and_its_page(page):
     page.get_by_role("dialog").get_by_text(re.compile("Source: ")).first.wait_for()
     said = page.get_by_role("dialog").inner_text()
     assert "$" not in said and "\\" not in said and "μ(h) = (∫T(w) φ(h + w) dw)/(∫P(w) φ(h + w) dw)" in said
+    assert "[soft_coating_2015], eqs. (1) to (15)" in said
+    page.set_viewport_size({"width": 390, "height": 900})
+    wide = "one => one.scrollWidth > one.clientWidth + 1 || one.getBoundingClientRect().right > window.innerWidth"
+    assert not page.locator(".equations").evaluate(wide) and not page.locator(".equations pre").first.evaluate(wide)
+    page.set_viewport_size({"width": 1280, "height": 900})
     page.get_by_role("button", name="Close").click()
     page.get_by_role("dialog").wait_for(state="detached")
 

@@ -220,8 +220,10 @@ def _replaced(text: str, inline: str, display: str, indent: str = "") -> str:
 
 
 def as_code(text: str) -> str:
-    """Return Markdown with its formulas as code, and without links into other pages."""
-    return _replaced(_without_links(text), "`{}`", "```text\n{}\n```")
+    """Return Markdown with its formulas as code, without links into other pages, and keys with their underscores."""
+    marked = _replaced(_without_links(text), "`{}`", "```text\n{}\n```")
+    parts = re.split(r"(```.*?```|`[^`]*`)", marked, flags=re.DOTALL)  # every second one is code
+    return "".join(part if at % 2 else part.replace("_", r"\_") for at, part in enumerate(parts))
 
 
 def as_text(text: str) -> str:
@@ -231,4 +233,4 @@ def as_text(text: str) -> str:
 
 
 def _without_links(text: str) -> str:
-    return re.sub(r"\[([^\]]+)\]\(#[\w-]+\)", r"\1", text)
+    return re.sub(r"\[([^\]]+)\]\((?!https?:)[^)]*\)", r"\1", text)

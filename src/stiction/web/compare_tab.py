@@ -127,7 +127,7 @@ class CompareTab:
             ui.label(f"{row['key']}, {row['kind']}, grade {row['grade']}: {row['verified']}")
             for source in row["source"]:
                 ui.label(f"Source: {source}").classes("text-sm")
-            ui.markdown(as_code(row["text"]))
+            ui.markdown(as_code(row["text"])).classes("equations w-full")
             for text in (row["notes"], *row["validity"], *row["limits"]):
                 if text:
                     ui.label(str(text)).classes("text-sm")

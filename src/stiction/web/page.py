@@ -39,6 +39,7 @@ _STYLE = """
 .section { aspect-ratio: 2; max-width: 900px }
 .under-chart { margin: 0 18px 0 74px; width: auto; align-self: stretch }
 .one-line { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; min-width: 0 }
+.equations { min-width: 0 } .equations pre { white-space: pre-wrap; overflow-wrap: anywhere }
 .results { container-type: inline-size }
 .by-rows { height: calc(var(--rows) * 22px + 130px) }
 @container (max-width: 420px) { .by-rows { height: calc(var(--rows) * 34px + 170px) }

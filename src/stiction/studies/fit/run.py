@@ -10,6 +10,7 @@ import numpy as np
 from stiction import __version__
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
 from stiction.studies.case.read import read_content, without_studies
 from stiction.studies.case.results import with_recommended
 from stiction.studies.case.text import case_text, with_written
@@ -229,7 +230,10 @@ def _unsure(found: Fitting) -> list[str]:
 
 def _errors_said(one: Fitted) -> str:
     if not one.stated:
-        return f"no errors were given: all values have one, {one.errors[0]:.3g} in SI units, by their scatter about the fit"
+        names = sorted(set(one.forward.data.quantity))
+        one_known = len(names) == 1 and names[0] in QUANTITIES
+        size = show(float(one.errors[0]), names[0], 3) if one_known else f"{one.errors[0]:.3g} in SI units"
+        return f"no errors were given: all values have one, {size}, by their scatter about the fit"
     if one.scale > 1.0:
         return (
             f"the scatter about the fit is {one.scale:.2g} times the errors that were given, more than chance allows: the "
