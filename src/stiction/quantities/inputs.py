@@ -234,7 +234,8 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
         return InputError(".".join([*path, cause.field] if cause.field else path), cause.value, cause.allowed)
     if details["type"] == "extra_forbidden":
         known = nearest(path[-1], cls.model_fields)
-        return InputError(".".join(path), details["input"], f"{known}; {path[-1]} is no key here")
+        given = "a table" if isinstance(details["input"], dict) else details["input"]
+        return InputError(".".join(path), given, f"{known}; {path[-1]} is no key here")
     if details["type"] == "missing":
         return InputError(".".join(path), None, _wanted(path[-1], cls))
     allowed = details.get("ctx", {}).get("expected") or cls.model_fields[path[0]].description

@@ -1,12 +1,17 @@
 """What the table of quantities says of one quantity."""
 
 from dataclasses import dataclass
-from math import inf, isinf
+from math import degrees, inf, isinf
 
-__all__ = ["COUNT", "Quantity"]
+__all__ = ["COUNT", "Quantity", "in_degrees"]
 
 # What a number of asperities is normalised by.
 COUNT = "number of asperities"
+
+
+def in_degrees(value: float, unit: str) -> tuple[float, str]:
+    """Return a number and its unit as people write them: angles in degrees, all else as it is."""
+    return (degrees(value), "deg") if unit == "rad" else (value, unit)
 
 
 @dataclass(frozen=True)
@@ -41,12 +46,12 @@ class Quantity:
     @property
     def allowed(self) -> str:
         """The allowed range with its unit, in words: "> 0 Pa", ">= 0 and < 0.5", "any finite number of m"."""
-        unit = f" {self.unit}" if self.unit else ""
-        ends = []
-        if not isinf(self.lower):
-            ends.append(f"{'>=' if self.lower_included else '>'} {self.lower:g}{unit}")
-        if not isinf(self.upper):
-            ends.append(f"{'<=' if self.upper_included else '<'} {self.upper:g}{unit}")
+        signs = ">=" if self.lower_included else ">", "<=" if self.upper_included else "<"
+        ends = [
+            " ".join([sign, f"{value:g}", unit]).rstrip()
+            for sign, (value, unit) in zip(signs, (in_degrees(end, self.unit) for end in (self.lower, self.upper)), strict=True)
+            if not isinf(value)
+        ]
         return " and ".join(ends) or ("any finite number" + (f" in {self.unit}" if self.unit else ""))
 
     @property

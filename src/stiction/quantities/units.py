@@ -18,9 +18,10 @@ from stiction.quantities.dimensions import check_names, without_indexes
 from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.quantities.hardness import from_hardness_test
 from stiction.quantities.hints import meant, too_soft, with_a_point
+from stiction.quantities.quantity import in_degrees
 from stiction.quantities.table import QUANTITIES, Quantity
 
-__all__ = ["axis", "from_series", "in_degrees", "reason_of", "several_in_words", "show", "to_si"]
+__all__ = ["axis", "from_series", "reason_of", "several_in_words", "show", "to_si"]
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 # pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
@@ -72,11 +73,6 @@ def show(value, name: str, digits: int = 6) -> str:
     exponent = int(f"{value:.5e}".partition("e")[2]) // (3 * power) * 3
     exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
     return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{raised}{rest}"
-
-
-def in_degrees(value: float, unit: str) -> tuple[float, str]:
-    """Return a number and its unit as people write them: angles in degrees, all else as it is."""
-    return (float(np.degrees(value)), "deg") if unit == "rad" else (value, unit)
 
 
 def several_in_words(values, where: str, count: int | None = None) -> InWords:

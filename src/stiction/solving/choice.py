@@ -47,6 +47,15 @@ class Choice:
         """Return the key of the model that answers, the default one where none is named."""
         return DEFAULT_MODEL if self.model is None else self.model
 
+    @property
+    def name(self) -> str:
+        """Return the model in a line, with the laws that are chosen in place of its own.
+
+        >>> Choice("greenwood_williamson_1966", tangential="tabor_1959").name
+        'greenwood_williamson_1966 + tabor_1959'
+        """
+        return " + ".join(filter(None, (self.model_key, self.asperity, self.tangential, self.film)))
+
     def with_changes(self, laws: Mapping[str, str | None], options: Mapping[str, str | None]) -> "Choice":
         """The same with those laws and options that are not None."""
         changed = {name: value for name, value in options.items() if value is not None}

@@ -76,7 +76,7 @@ VALIDITY = (
     Validity("meniscus_coverage", 0.0, 0.2, "menisci of neighbours meet: they pull less than is counted, by a tenth and more"),
 )
 PULL_ON_MAPS = Validity(
-    "meniscus_share", 0.0, 0.1, "on six solved maps menisci pulled 1.2 to 2.4 times as hard as by this law", "effect"
+    "meniscus_share", 0.0, 0.1, "on six solved maps menisci pulled 1.2 to 2.4 times as hard as by this law", "assumption"
 )
 
 

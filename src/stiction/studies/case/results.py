@@ -9,6 +9,7 @@ import numpy as np
 
 from stiction import __version__
 from stiction.contact.subject import Subject
+from stiction.laws.registry import RoughSurface, find
 from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
@@ -75,7 +76,7 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     except InputError:
         if not recommended:
             raise
-        name = " + ".join(filter(None, (choice.model_key, choice.asperity)))
+        name = replace(choice, film=None).name
         allowed = f"a sum over asperities that goes with the film law {_LAYERED}, such as --model soft_coating_2015"
         raise InputError("model", f"{RECOMMENDED}, which is {name} here", allowed) from None
     return _said(data, case)
@@ -131,8 +132,15 @@ def choice_of_case(case: Case, choice: Choice) -> Choice:
 def _chosen(case: Case, choice: Choice) -> tuple[Choice, str]:
     """The same, and what is said of the load at which the recommended model changes, "" if nothing."""
     name, leap = recommended_model(case) if choice.model == RECOMMENDED else (choice.model, "")
-    given = {law: getattr(choice, law) for law in LAWS if law != "model"} | dict(choice.options)
-    return choice_of(name, given, case.subject), leap
+    laws = {law: getattr(choice, law) for law in LAWS if law != "model"}
+    if choice.model != case.choice.model and _brings_its_laws(case, choice.model, name):
+        laws = {law: key for law, key in laws.items() if key != getattr(case.choice, law)}
+    return choice_of(name, laws | dict(choice.options), case.subject), leap
+
+
+def _brings_its_laws(case: Case, model: str | None, name: str | None) -> bool:
+    """Return whether a model that replaces that of the case takes none of the laws that the case names beside its own."""
+    return model == RECOMMENDED or not find(choice_of(name, {}, case.subject).model_key, RoughSurface).asperity
 
 
 def recommended_model(case: Case) -> tuple[str, str]:

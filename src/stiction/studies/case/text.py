@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import tomli_w
 
+from stiction.quantities.quantity import in_degrees
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import in_degrees
 from stiction.studies.case.distribution import Distribution, is_law
 from stiction.studies.case.places import with_numbers
 from stiction.studies.case.uncertain import read_distribution

@@ -345,7 +345,7 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
     return {
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",
-        "model": found.space.choice.model_key,
+        "model": found.space.choice.name,
         "wishes": "\n".join(one.words for one in plan.wishes),
         "chosen": unknown,
         "limits": "\n".join(one.words for one in plan.limits),

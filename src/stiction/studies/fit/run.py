@@ -205,7 +205,7 @@ def _attributes(found: Fitting) -> dict[str, Any]:
     return {
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",
-        "model": one.forward.choice.model_key,
+        "model": one.forward.choice.name,
         "values": len(plan.data),
         "free": len(one.parameters),
         "degrees_of_freedom": one.freedom,
