@@ -346,5 +346,6 @@ def test_a_case_without_scans_knows_nothing_of_surfaces():
     names = loaded(f"import stiction as st; st.solve_case({case})")
     assert "stiction.solving.solve" in names
     moments = {"stiction.surfaces", "stiction.surfaces.theory", "stiction.surfaces.theory.moments"}  # a film is beside waves
+    moments |= {"stiction.surfaces.theory.touching"}
     moments |= {"stiction.surfaces.boundary_elements", "stiction.surfaces.boundary_elements.limits"}  # numbers alone
     assert not [name for name in names if name.startswith("stiction.surfaces") and name not in moments]

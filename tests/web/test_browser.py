@@ -441,6 +441,7 @@ def test_a_comparison_of_earlier_numbers_says_so_until_it_is_made_again(fresh):
 def _mu_of_the_case(page):
     """The number of the tab Contact."""
     _tab(page, "Contact")
+    page.wait_for_function("() => document.querySelector('[role=status]').innerText.includes('mu to four digits')")
     return float(re.search(r"mu to four digits (\S+)", page.get_by_role("status").first.inner_text())[1])
 
 

@@ -7,7 +7,6 @@ from rich.text import Text
 
 from stiction.report.comparison_rows import at_load_rows, comparison, comparison_rows
 from stiction.report.files import write_netcdf, write_rows
-from stiction.report.surface_tables import roughness_notes, roughness_table
 from stiction.report.tables import comparison_summary, comparison_table
 from stiction.report.uncertainty_tables import models_band_table, spread_table, uncertain_notes
 from stiction.report.view import Picture, View
@@ -30,6 +29,8 @@ def comparison_view(case: "Case", data: "xarray.Dataset") -> View:
             if "uncertain_inputs" in data.attrs:
                 yield from (WholeKeys(models_band_table(data)), *uncertain_notes(data))
         if measured is not None:
+            from stiction.report.surface_tables import roughness_notes, roughness_table
+
             yield from (roughness_table(measured), *roughness_notes(measured))
             yield from (Text(f"doubtful: {doubt}", style="bold yellow") for doubt in measured.doubts)
 

@@ -7,7 +7,6 @@ from rich.text import Text
 
 from stiction.report.files import comments_of, write_csv
 from stiction.report.several_tables import several_table
-from stiction.report.surface_tables import map_notes, roughness_notes, roughness_table
 from stiction.report.tables import curve_table, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.uncertainty_tables import band_lines
 from stiction.report.view import Picture, View
@@ -35,8 +34,12 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
     if "uncertain_inputs" in data.attrs:
         yield from (*band_lines(data), "")
     if "point_spacing" in data:
+        from stiction.report.surface_tables import map_notes
+
         yield from (*map_notes(data), "")
     elif case.measured is not None:
+        from stiction.report.surface_tables import roughness_notes, roughness_table
+
         yield from (roughness_table(case.measured, data), *roughness_notes(case.measured), "")
     yield from (Text(note, style="dim") for note in run_notes(data))
     if (beyond := outside_validity(data)) is not None:
