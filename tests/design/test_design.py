@@ -10,6 +10,7 @@ from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.design_pictures import design_figure
 from stiction.report.design_tables import design_notes
+from stiction.report.views.design import design_view
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.solving.problem import make_problem
@@ -387,6 +388,12 @@ def test_an_interruption_keeps_the_best_so_far():
     assert -so_far[-1] == pytest.approx(float(data["friction_coefficient"][0]), rel=1e-12)
     with pytest.raises(KeyboardInterrupt):
         run_design(plan, stop, keep_on_interrupt=False)
+
+
+def test_json_has_the_designs_and_not_the_way_there():
+    found = run_design(plan_of_design(case(MOST, RADIUS)), lambda count, text: None)
+    variables = design_view(found).record()["variables"]
+    assert "best_so_far" not in variables and "friction_coefficient" in variables and "best_so_far" in found.data()
 
 
 def test_the_same_seed_gives_the_same_design():

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from stiction.report.files import record, write_folder, write_netcdf, write_picture
+from stiction.report.files import write_folder, write_netcdf, write_picture
 
 if TYPE_CHECKING:
     import xarray
@@ -26,23 +26,18 @@ class Picture(NamedTuple):
 class View:
     """One result as it is shown.
 
-    data: the dataset, written as `name`.nc; None where there is none. parts: makes what a terminal prints, in order. files:
-    name of a file -> function that writes to a path. pictures: name of a file -> picture. groups: dimensionless groups, for
-    JSON; more: what else JSON has, or all it has where there is no dataset. warnings: what is wrong with it, in sentences.
+    data: the dataset, written as `name`.nc; None where there is none. parts: makes what a terminal prints, in order. record:
+    makes what JSON has. files: name of a file -> function that writes to a path. pictures: name of a file -> picture. warnings:
+    what is wrong with it, in sentences.
     """
 
     name: str
     data: "xarray.Dataset | None"
     parts: Callable[[], Iterable[Any]]
+    record: Callable[[], dict[str, Any]]
     files: Mapping[str, Callable[[Path], None]] = field(default_factory=dict)
     pictures: Mapping[str, Picture] = field(default_factory=dict)
-    groups: Mapping[str, float] = field(default_factory=dict)
-    more: Mapping[str, Any] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
-
-    def record(self) -> dict[str, Any]:
-        """Return what JSON has of it."""
-        return dict(self.more) if self.data is None else record(self.data, self.groups) | dict(self.more)
 
     def write(self, folder: Path) -> list[str]:
         """Write tables, dataset and pictures into a folder; return their names."""

@@ -49,12 +49,14 @@ class Choice:
 
     @property
     def name(self) -> str:
-        """Return the model in a line, with the laws that are chosen in place of its own.
+        """Return the model in a line, with the laws and options that are chosen in place of its own.
 
         >>> Choice("greenwood_williamson_1966", tangential="tabor_1959").name
         'greenwood_williamson_1966 + tabor_1959'
         """
-        return " + ".join(filter(None, (self.model_key, self.asperity, self.tangential, self.film)))
+        laws = [getattr(self, law) for law in LAWS if law != "model" and getattr(self, law) is not None]
+        options = [f"{name} {value}" for name, value in self.options.items() if value is not None]
+        return " + ".join([self.model_key, *laws, *options])
 
     def with_changes(self, laws: Mapping[str, str | None], options: Mapping[str, str | None]) -> "Choice":
         """The same with those laws and options that are not None."""

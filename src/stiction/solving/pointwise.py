@@ -161,4 +161,6 @@ def _taken(points: Points) -> tuple[Solved, np.ndarray]:
 
 def _without(tables: Mapping[str, np.ndarray], lost: np.ndarray) -> dict[str, np.ndarray]:
     """The tables with not a number where results are lost; the load asked for stays."""
+    if not lost.any():
+        return dict(tables)
     return {name: np.where(lost, np.nan, table) if name != "load" else table for name, table in tables.items()}

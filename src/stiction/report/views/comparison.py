@@ -34,6 +34,9 @@ def comparison_view(case: "Case", data: "xarray.Dataset") -> View:
             yield from (roughness_table(measured), *roughness_notes(measured))
             yield from (Text(f"doubtful: {doubt}", style="bold yellow") for doubt in measured.doubts)
 
+    def record() -> dict[str, Any]:
+        return comparison(data) | ({} if measured is None else {"measured": measured.record()})
+
     def compared() -> Any:
         from stiction.report.comparison_pictures import comparison_figure
 
@@ -53,5 +56,4 @@ def comparison_view(case: "Case", data: "xarray.Dataset") -> View:
     pictures = {"compare.png": Picture("friction against load by every model", compared)}
     if "spread_factor" in data:
         pictures["spread.png"] = Picture("what friction differs by: inputs, methods, models", spread)
-    more = comparison(data) | ({} if measured is None else {"measured": measured.record()})
-    return View("compare", None, parts, files, pictures, more=more)
+    return View("compare", None, parts, record, files, pictures)

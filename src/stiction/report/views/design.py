@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rich.text import Text
 
 from stiction.report.design_tables import design_notes, design_rows, design_table
-from stiction.report.files import write_rows
+from stiction.report.files import record, write_rows
 from stiction.report.view import Picture, View
 
 if TYPE_CHECKING:
@@ -40,4 +40,4 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
         files["designed.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
     missed = tuple(f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words)
     pictures = {"design.png": Picture("designs by how near they come to the wish", drawn)}
-    return View("design", data, parts, files, pictures, warnings=missed)
+    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, missed)

@@ -41,5 +41,5 @@ def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[
     }
     pictures = {f"{one.panel.name}.png": Picture(f"figure {one.panel.name[3:]}", partial(panel, one)) for one in panels}
     pictures["claims.png"] = Picture("where each claim holds", map_of_claims)
-    more = {"theta": theta, "lambda": lam, "reading": reading, "claims": rows}
-    return View("figures", None, parts, files, pictures, more=more)
+    found = {"theta": theta, "lambda": lam, "reading": reading, "claims": rows}
+    return View("figures", None, parts, lambda: found, files, pictures)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from stiction.report.files import comments_of, write_csv, write_netcdf
+from stiction.report.files import comments_of, record, write_csv, write_netcdf
 from stiction.report.film_tables import MEANINGS, film_table
 from stiction.report.tables import outside_validity, run_summary
 from stiction.report.view import Picture, View
@@ -42,4 +42,4 @@ def film_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with
 
         files["section.nc"] = lambda path: write_netcdf(section, path)
         pictures["film.png"] = Picture("stresses under the asperity", drawn)
-    return View("film", data, parts, files, pictures, case.subject.groups())
+    return View("film", data, parts, lambda: record(data, case.subject.groups()), files, pictures)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from stiction.report.files import write_csv, write_rows
+from stiction.report.files import record, write_csv, write_rows
 from stiction.report.fit_tables import evidence_table, fit_notes, parameter_rows, parameter_table, prediction_names, row_rows
 from stiction.report.view import Picture, View
 from stiction.report.whole_keys import WholeKeys
@@ -50,4 +50,4 @@ def fit_view(found: "Fitting", folder: Path | None = None) -> View:
         "fit.png": Picture("measured and fitted", fitted),
         "profiles.png": Picture("likelihood along each fitted number", profiles),
     }
-    return View("fit", data, parts, files, pictures)
+    return View("fit", data, parts, lambda: record(data, {}), files, pictures)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from stiction.report.files import comments_of, write_csv
+from stiction.report.files import comments_of, record, write_csv
 from stiction.report.several_tables import several_table
 from stiction.report.tables import curve_table, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.uncertainty_tables import band_lines
@@ -22,8 +22,11 @@ if TYPE_CHECKING:
 def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> View:
     """Return what a solved case shows."""
     files = {"curve.csv": lambda path: write_csv(with_quantiles(as_columns(data)), path, comments_of(data))}
-    more = {} if case.measured is None else {"measured": case.measured.record()}
-    return View("curve", data, lambda: _parts(case, data, all_rows), files, _pictures(case, data), case.subject.groups(), more)
+
+    def found() -> dict[str, Any]:
+        return record(data, case.subject.groups()) | ({} if case.measured is None else {"measured": case.measured.record()})
+
+    return View("curve", data, lambda: _parts(case, data, all_rows), found, files, _pictures(case, data))
 
 
 def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any]:

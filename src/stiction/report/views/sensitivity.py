@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from stiction.report.files import write_csv
+from stiction.report.files import record, write_csv
 from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes
 from stiction.report.view import Picture, View
 from stiction.report.whole_keys import WholeKeys
@@ -34,6 +34,5 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
         for name, dim in _TABLES.items()
         if dim in data.dims
     }
-    return View(
-        "sensitivity", data, parts, files, {"sensitivity.png": Picture("inputs by what they change", drawn)}, groups or {}
-    )
+    pictures = {"sensitivity.png": Picture("inputs by what they change", drawn)}
+    return View("sensitivity", data, parts, lambda: record(data, groups or {}), files, pictures)

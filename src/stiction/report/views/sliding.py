@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from stiction.report.files import comments_of, write_csv
+from stiction.report.files import comments_of, record, write_csv
 from stiction.report.sliding import sliding_notes, sliding_table
 from stiction.report.tables import outside_validity, run_summary
 from stiction.report.view import Picture, View
@@ -32,4 +32,4 @@ def sliding_view(case: "Case", data: "xarray.Dataset") -> View:
 
     files = {"sliding.csv": lambda path: write_csv(data, path, comments_of(data))}
     pictures = {"sliding.png": Picture("tangential force against displacement", drawn)}
-    return View("sliding", data, parts, files, pictures, case.subject.groups())
+    return View("sliding", data, parts, lambda: record(data, case.subject.groups()), files, pictures)

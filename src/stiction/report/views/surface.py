@@ -27,6 +27,9 @@ def surface_view(
         if solved is not None:
             yield from ("", contact_table(solved), "", *contact_notes(solved))
 
+    def record() -> dict[str, Any]:
+        return summary(analysis) | ({} if solved is None else {"contact": summary_of_contact(solved)})
+
     files: dict[str, Any] = {
         "spectrum.csv": lambda path: write_rows(path, *spectrum_rows(analysis.spectrum)),
         "surface.json": lambda path: path.write_text(as_json(summary(analysis)) + "\n", encoding="utf-8"),
@@ -38,8 +41,7 @@ def surface_view(
         rows = list(zip(*(values.tolist() for values in solved.columns.values()), strict=True))
         files["contact.csv"] = lambda path: write_rows(path, list(solved.columns), rows)
         files["pressure.npy"] = lambda path: _write_pressure(path, solved)
-    more = summary(analysis) | ({} if solved is None else {"contact": summary_of_contact(solved)})
-    return View("surface", None, parts, files, _pictures(analysis, resolution), more=more)
+    return View("surface", None, parts, record, files, _pictures(analysis, resolution))
 
 
 def _pictures(analysis: "Analysis", resolution: "xarray.Dataset | None") -> dict[str, Picture]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from stiction.report.files import record
 from stiction.report.uncertainty_tables import band_lines, spread_table
 from stiction.report.view import Picture, View
 
@@ -35,4 +36,4 @@ def uncertainty_view(data: "xarray.Dataset") -> View:
         pictures["uncertainty.png"] = Picture("friction with its band", band)
     elif "spread_factor" in data:
         pictures["spread.png"] = Picture("what friction differs by: inputs, methods, models", spread)
-    return View("uncertainty", data, parts, pictures=pictures)
+    return View("uncertainty", data, parts, lambda: record(data, {}), pictures=pictures)

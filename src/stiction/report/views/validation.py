@@ -24,8 +24,11 @@ def validation_view(found: "Mapping[str, xarray.Dataset]") -> View:
             yield from (*origin_lines(data), WholeKeys(validation_table(data)))
             yield from (Text(f"left out: {line}", style="dim") for line in data.attrs["left_out"].splitlines())
 
+    def record() -> dict[str, Any]:
+        return {name: validation_record(data) for name, data in found.items()}
+
     files = {f"{name}.csv": partial(_write_rows, data) for name, data in found.items()}
-    return View("validation", None, parts, files, more={name: validation_record(data) for name, data in found.items()})
+    return View("validation", None, parts, record, files)
 
 
 def _write_rows(data: "xarray.Dataset", path: Path) -> None:

@@ -12,7 +12,6 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.units import several_in_words
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import LAWS, Choice
 from stiction.solving.solve import solve
 from stiction.studies.case.read import Case, as_case
 from stiction.studies.case.results import choice_of_case
@@ -122,7 +121,7 @@ class _Variation:
 
 def _variation(case: Case, choice: Any, models: Sequence[str] | None, at: float | None, progress: Progress) -> _Variation:
     by_method = case.measured.by_method if case.measured is not None and case.by_method else {}
-    own = _name_of(choice)
+    own = choice.name
     names, weights = [own], np.ones(1)
     choices = [choice]
     if models is not None and not (isinstance(models, list | tuple) and all(isinstance(one, str) for one in models)):
@@ -139,13 +138,6 @@ def _variation(case: Case, choice: Any, models: Sequence[str] | None, at: float 
     surfaces: list[Any] = [*by_method.values()] or [None]
     variants = [Variant(one, surface) for surface, one in product(surfaces, choices)]
     return _Variation(list(case.unknowns), list(by_method), names, weights, variants)
-
-
-def _name_of(choice: Choice) -> str:
-    """A choice by its model, and the laws and options that stand in it in place of the model's own."""
-    laws = [getattr(choice, law) for law in LAWS if law != "model" and getattr(choice, law) is not None]
-    options = [f"{name} {value}" for name, value in choice.options.items() if value is not None]
-    return " + ".join([choice.model_key, *laws, *options])
 
 
 def _told(case: Case, variation: _Variation) -> dict[str, Any]:
