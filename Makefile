@@ -8,7 +8,7 @@ TOOLS := build/release-tools
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.ready
-	$(BIN)/stiction run examples/silver_on_steel.toml --out demo
+	$(BIN)/stiction run examples/soft_film.toml --out demo
 
 test: $(VENV)/.ready
 	$(BIN)/python -m pytest -n auto --dist loadgroup

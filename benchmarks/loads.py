@@ -16,7 +16,7 @@ from scipy.integrate import quad  # noqa: E402
 from scipy.optimize import brentq  # noqa: E402
 
 import stiction as st  # noqa: E402
-from stiction.laws.registry import RoughSurface, find, of_kind  # noqa: E402
+from stiction.records.registry import RoughSurface, find, of_kind  # noqa: E402
 from stiction.solving.choice import Choice  # noqa: E402
 from stiction.solving.inversion import separations_at  # noqa: E402
 from stiction.solving.problem import make_problem  # noqa: E402

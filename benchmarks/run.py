@@ -31,7 +31,7 @@ import stiction as st  # noqa: E402
 from stiction.contact.indices import Groups, stiffness_group  # noqa: E402
 from stiction.engine.heights import gaussian  # noqa: E402
 from stiction.engine.summation import totals_on_grid  # noqa: E402
-from stiction.laws.registry import (  # noqa: E402
+from stiction.records.registry import (  # noqa: E402
     JUNCTIONS,
     Ageing,
     AsperityLaw,

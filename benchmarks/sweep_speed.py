@@ -115,7 +115,7 @@ def _number(values: Any, name: str, sample: int) -> str:
 def differences(out: Path) -> dict[str, float]:
     """By how much of their size results at points picked at random differ from what `solve` gives of each contact alone."""
     import stiction as st
-    from stiction.studies.case.read import parse_case
+    from stiction.case.read import parse_case
 
     data = st.sweep(out.parent / f"{out.name}.toml", out)  # it is complete: nothing is computed
     content = tomllib.loads(CASE.read_text(encoding="utf-8"))

@@ -18,8 +18,8 @@ import numpy as np
 
 import stiction as st
 from stiction.solving.choice import Choice
-from stiction.studies.scans.analysis import prepared
 from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.prepare import prepared
 from stiction.surfaces.statistics import statistics
 
 SOLVED = "boundary_elements"

@@ -3,11 +3,11 @@
 from markdown_table import table
 
 import stiction as st
-from stiction.contact.finishes import NUMBERS, finishes
-from stiction.contact.interfaces import GRADES
-from stiction.contact.ranges import range_in_words
+from stiction.quantities.data_files import GRADES
+from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.report.interface_tables import grade_of, median_in_words, range_of
+from stiction.surfaces.finishes import NUMBERS, finishes
 
 _OF_A_STATE = ("strength", "pressure_coefficient")
 

@@ -8,7 +8,7 @@
 - interfaces.md: states of an interface and finish classes, from their files (interface_tables.py);
 - truth.md: how far models are from solved surfaces, from the set of these (truth_tables.py);
 - what-mu-rests-on.md: friction of one contact with each assumption switched (what_mu_rests_on.py);
-- tests/reference/README.md: how each table of numbers was made, from the docstrings of the scripts that make them.
+- reference/README.md: how each table of numbers was made, from the docstrings of the scripts that make them.
 
 Each stands in its page between a line "<!-- NAME: begin, made by docs/make_tables.py -->" and "<!-- NAME: end -->".
 """
@@ -23,12 +23,11 @@ from pathlib import Path
 import stiction as st
 from stiction.contact.materials import material_names, symbols_of
 from stiction.laws.asperity.shared import letting_go as unloading
-from stiction.laws.claims import KINDS_OF_DOUBT
-from stiction.laws.film.shared.measured import summary, summary_on_maps
-from stiction.laws.finding import methods
-from stiction.laws.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, records, text_of
 from stiction.quantities.table import QUANTITIES
+from stiction.records.claims import KINDS_OF_DOUBT
+from stiction.records.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, records, text_of
 from stiction.report.material_tables import LISTED, with_range
+from stiction.solving.accuracy.film_tables import summary, summary_on_maps
 from stiction.solving.conditions import RULES
 from stiction.studies.comparison.recommendation import (
     COST_OF_A_DOUBLING,
@@ -38,6 +37,7 @@ from stiction.studies.comparison.recommendation import (
     COST_UNIT,
     NOT_MEASURED,
 )
+from stiction.surfaces.finding import methods
 from stiction.surfaces.read import readers
 
 HERE = Path(__file__).parent
@@ -47,7 +47,7 @@ import truth_tables  # noqa: E402 - beside this file
 import what_mu_rests_on  # noqa: E402
 from markdown_table import table  # noqa: E402
 
-REFERENCE = HERE.parent / "tests" / "reference"
+REFERENCE = HERE.parent / "reference"
 SECTIONS = "published-models.md"
 
 
@@ -175,7 +175,7 @@ def section(model: dict) -> str:
     lines = [f"### {heading(model)}", "", text_of(record), "", f"- Grade {model['grade']}: {GRADES[model['grade']]}"]
     lines += [f"- Source: {source}" for source in model["source"]]
     lines += [f"- Checked against: {model['verified']}"]
-    lines += [f"- Reference values: [`{name}`](../tests/reference/{name})" for name in reference_tables(record)]
+    lines += [f"- Reference values: [`{name}`](../reference/{name})" for name in reference_tables(record)]
     good = "Sigma and R of wide paraboloids" if model["kind"] == "asperity method" else "Sums"
     lines += [f"- {good} are good to: {model['accuracy']:.0e}"] if record.keyword else []
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
@@ -361,7 +361,7 @@ TABLES = {
     "what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},
     "materials.md": {"materials": materials, "sources of materials": material_sources},
     "interfaces.md": interface_tables.TABLES,
-    "../tests/reference/README.md": {"scripts": reference_scripts},
+    "../reference/README.md": {"scripts": reference_scripts},
 }
 
 

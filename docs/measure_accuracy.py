@@ -56,7 +56,7 @@ def regimes_of(group, reading):
 
 
 def table_cases():
-    """The 376 rows of tests/reference/paper_model_own.csv: regimes, separations, true values, their sizes."""
+    """The 376 rows of reference/paper_model_own.csv: regimes, separations, true values, their sizes."""
     for reading, coated in KINDS:
         rows = [row for row in read("paper_model_own.csv") if (row["formulation"], bool(row["n_E"])) == (reading, coated)]
         expected = [column(rows, name) for name in ("load", "area", "friction")]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.laws.finding import asperities, methods
+from stiction.surfaces.finding import asperities, methods
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.prepare import level
 from stiction.surfaces.targets import GaussianCorrelation, SelfAffine

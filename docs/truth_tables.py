@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.solving.solved_set import SolvedSet, solved_set
+from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
 
 HERE = Path(__file__).parent
 _LIGHT, _HEAVY = 0.002, 0.3  # p/(E* h') of which root mean squares are taken

@@ -16,7 +16,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import stiction as st
-from stiction.studies.case.read import read_case
+from stiction.case.read import read_case
 
 HERE = Path(__file__).parent
 CASE = read_case(HERE.parent / "examples" / "what_mu_rests_on.toml")

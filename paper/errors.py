@@ -3,7 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from stiction.solving.solved_set import solved_set
+from stiction.solving.accuracy.solved_set import solved_set
 
 MODELS = {
     "greenwood_williamson_1966|mccool": "Greenwood & Williamson, asperities by McCool",

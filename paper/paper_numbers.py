@@ -13,13 +13,13 @@ from pathlib import Path
 import numpy as np
 
 import stiction as st
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, of_kind
-from stiction.solving.solved_set import SolvedSet, solved_set
+from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, of_kind
+from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PAPER = HERE / "paper.md"
-SPHERE = ROOT / "src" / "stiction" / "laws" / "film" / "shared" / "measured_on_a_sphere.csv"
+SPHERE = ROOT / "src" / "stiction" / "solving" / "accuracy" / "measured_on_a_sphere.csv"
 # p/(E* h') of which root mean squares are taken, as in docs/truth.md.
 LIGHT, HEAVY = 0.002, 0.3
 _NUMBER = r"(?:\d+(?:\.\d+)?|\{\w+\})"  # or a name, where it was never written

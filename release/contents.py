@@ -13,10 +13,10 @@ from shared import ROOT, project
 DATA = (
     "py.typed",
     "__init__.pyi",
-    "laws/sources.bib",
+    "records/sources.bib",
     "contact/material_data/elements.toml",
-    "contact/layered/curves.npz",
-    "solving/solved_set.npz",
+    "solvers/layered/curves.npz",
+    "solving/accuracy/solved_set.npz",
     "report/templates/report.html",
     "web/first.toml",
 )

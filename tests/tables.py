@@ -10,7 +10,7 @@ from numpy.testing import assert_array_less
 
 from stiction.contact.indices import Groups
 
-REFERENCE = Path(__file__).parent / "reference"
+REFERENCE = Path(__file__).parents[1] / "reference"
 SHARED = Path(__file__).parents[2] / "shared" / "reference"
 
 GROUP_COLUMNS = {"theta": "theta", "lam": "lambda", "nu": "nu", "hardness_to_yield": "H_over_Y"}
@@ -18,7 +18,7 @@ FILM_COLUMNS = {"n_E": "n_E", "n_H": "n_H", "tau": "t"}
 
 
 def read(name: str) -> list[dict[str, str]]:
-    """Rows of a table in tests/reference, or of one that is handed out beside the repository (else the test is skipped)."""
+    """Rows of a table in reference, or of one that is handed out beside the repository (else the test is skipped)."""
     path = REFERENCE / name
     if not path.exists():
         path = SHARED / name

@@ -12,8 +12,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from film_laws import LAWS, NU, asperity
-from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.sphere import respond
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.sphere import respond
 
 DOCS = Path(__file__).parents[1] / "docs"
 MODULI, RATIO = (0.1, 2.0, 10.0), 1e-3  # thickness over radius

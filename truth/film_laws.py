@@ -26,15 +26,15 @@ import numpy as np
 
 import films
 from stiction.contact.indices import Groups, stiffness_group
-from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.sphere import respond
-from stiction.laws.film.shared import measured
 from stiction.laws.joining import coordinates, states
 from stiction.laws.piece import NormalPiece
+from stiction.solvers.boundary_elements.area_estimates import map_slopes
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.sphere import respond
+from stiction.solving.accuracy import film_tables
 from stiction.solving.choice import Choice
 from stiction.solving.inversion import separations_at
 from stiction.solving.problem import problem_of
-from stiction.surfaces.boundary_elements.area_estimates import map_slopes
 from stiction.surfaces.theory.moments import Moments, slope_over_sharpness
 
 PLAIN, PAPER = "greenwood_williamson_1966", "soft_coating_2015"
@@ -176,5 +176,5 @@ def _write(path: Path, columns: tuple[str, ...], rows: Iterator[list]) -> None:
 
 
 if __name__ == "__main__":
-    _write(measured.ON_A_SPHERE, measured.SPHERE_COLUMNS, on_a_sphere())
-    _write(measured.ON_MAPS, measured.MAP_COLUMNS, on_maps())
+    _write(film_tables.ON_A_SPHERE, film_tables.SPHERE_COLUMNS, on_a_sphere())
+    _write(film_tables.ON_MAPS, film_tables.MAP_COLUMNS, on_maps())

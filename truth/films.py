@@ -16,9 +16,9 @@ from pathlib import Path
 
 import numpy as np
 
-from stiction.surfaces.boundary_elements.area_estimates import map_slopes
-from stiction.surfaces.boundary_elements.compliance import Film
-from stiction.surfaces.boundary_elements.solve import solve_map
+from stiction.solvers.boundary_elements.area_estimates import map_slopes
+from stiction.solvers.boundary_elements.compliance import Film
+from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.surfaces.generate import gaussian_surface, with_slope
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.targets import SelfAffine

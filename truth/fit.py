@@ -2,7 +2,7 @@
 
     python truth/fit.py [FOLDER]
 
-It prints; the constants stand, rounded, in `stiction.surfaces.boundary_elements.area_estimates`. Those of the moments and the
+It prints; the constants stand, rounded, in `stiction.solvers.boundary_elements.area_estimates`. Those of the moments and the
 top slopes are fitted to Gaussian isotropic surfaces, those of the ranks to all.
 """
 
@@ -17,7 +17,7 @@ from scipy.optimize import least_squares
 
 import surfaces as design
 from solve import WORK
-from stiction.surfaces.boundary_elements.area_estimates import MapSlopes, first_crossing, map_slopes
+from stiction.solvers.boundary_elements.area_estimates import MapSlopes, first_crossing, map_slopes
 from stiction.surfaces.theory.widened_area import widened
 
 PRESSURES = np.array(design.LOADS)

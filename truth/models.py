@@ -20,15 +20,15 @@ from solve import WORK
 from stiction.contact.coating import Coating
 from stiction.contact.contact import Contact, Roughness
 from stiction.contact.materials import Material
-from stiction.laws.registry import RoughSurface, find
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import axis
+from stiction.records.registry import RoughSurface, find
+from stiction.solvers.boundary_elements.map_area import MapArea
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.inversion import Unreachable, separations_at
 from stiction.solving.problem import make_problem, takes_surface_moments
-from stiction.studies.scans.measured import MeasuredRoughness, measure
-from stiction.surfaces.boundary_elements.map_area import MapArea
 from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.measured import MeasuredRoughness, measure
 
 MODULUS = 1e11  # E*, of the substrate where there is a film [Pa]
 WEAK = 1e-6  # work of adhesion [J/m2]

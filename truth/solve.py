@@ -13,10 +13,10 @@ import numpy as np
 from scipy.stats import kurtosis, skew
 
 import surfaces as design
-from stiction.surfaces.boundary_elements.area_estimates import map_slopes
-from stiction.surfaces.boundary_elements.compliance import Compliance, Film
-from stiction.surfaces.boundary_elements.measures import waves
-from stiction.surfaces.boundary_elements.solve import solve_map
+from stiction.solvers.boundary_elements.area_estimates import map_slopes
+from stiction.solvers.boundary_elements.compliance import Compliance, Film
+from stiction.solvers.boundary_elements.measures import waves
+from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.surfaces.heightmap import HeightMap
 
 WORK = Path(__file__).parent / "work"

@@ -46,7 +46,7 @@ _BASES = ((0.8, 8.0), (0.5, 16.0), (1.0, 4.0))  # Hurst, roll-off over shortest 
 class Surface:
     """One surface of the set. kind: of those above; design, seed: two of one design differ by their seeds only; hurst; ratio:
     roll-off over shortest wave; stretch, angle [rad]: of the lay; change: name of the transform with its numbers; points: along
-    a side; with_hardness, with_films: also solved so.
+    a side; fineness: of points in the shortest wave, over those of the set; with_hardness, with_films: also solved so.
     """
 
     kind: str
@@ -60,6 +60,7 @@ class Surface:
     with_hardness: bool = False
     with_films: bool = False
     design: int = 0
+    fineness: float = 1.0
 
     @property
     def name(self) -> str:
@@ -86,7 +87,7 @@ class Surface:
 
 
 def _spectrum(one: Surface, waves: float) -> SelfAffine:
-    shortest = SIDE / (waves * one.points / 256.0)
+    shortest = SIDE / (waves * one.points / 256.0) * one.fineness
     return SelfAffine(hurst=one.hurst, rolloff=shortest * one.ratio, shortest=shortest, deviation=1e-8)
 
 

@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import stiction as st
-from stiction.surfaces.boundary_elements.solve import solve_map
+from stiction.solvers.boundary_elements.solve import solve_map
 
 spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=1.25e-6, deviation=30e-9)
 surface = st.gaussian_surface((192, 192), ("30 um", "30 um"), spectrum, seed=2)

@@ -7,7 +7,7 @@ from typing import Any
 
 from docstrings import as_markdown, cell, said_of, summary
 
-from stiction.studies.case.read import json_schema
+from stiction.case.read import json_schema
 
 # Where a part of the schema stands in a case file, in the order of the page; those without are values (held by a test).
 TABLES = {
@@ -15,6 +15,9 @@ TABLES = {
     "Roughness": "[contact.roughness]",
     "MeasuredRoughness": "[contact.roughness] with scans",
     "Scan": "a scan",
+    "Finished": "[contact.roughness] with a finish",
+    "FinishedBodies": "[contact.roughness] with finishes of both",
+    "Interface": "[contact.interface]",
     "Coating": "[contact.coating]",
     "Material": "a material",
     "Liquid": "[contact.liquid]",

@@ -10,8 +10,8 @@ from links import relinked
 from model_pictures import picture
 
 import stiction as st
-from stiction.laws.registry import KINDS, Record, RoughSurface, records
-from stiction.laws.sources import bibliography
+from stiction.records.registry import KINDS, Record, RoughSurface, records
+from stiction.records.sources import bibliography
 
 TITLES = {
     "rough surface": "Rough surfaces",

@@ -15,7 +15,7 @@ import stiction as st
 from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.joining import states
-from stiction.laws.registry import (
+from stiction.records.registry import (
     Ageing,
     AsperityLaw,
     AsperityMethod,

@@ -14,15 +14,4 @@ def __getattr__(name: str):
         from importlib.metadata import version
 
         return version("stiction")
-    value = _lazily(name)
-    from stiction.contact.measuring import measured_by
-
-    measured_by(_roughness_of)
-    return value
-
-
-def _roughness_of(scan):
-    """The roughness that is found in a scan: the one question that a room asks of one above it."""
-    from stiction.studies.scans.measured import roughness_of
-
-    return roughness_of(scan)
+    return _lazily(name)

@@ -1,4 +1,4 @@
-"""Single asperities, normal direction: printed constants, points of JKR, first yield, and tests/reference/asperity.csv.
+"""Single asperities, normal direction: printed constants, points of JKR, first yield, and reference/asperity.csv.
 
 Sections A..D name the compendium of published models this project works from; "theory" is docs/theory.md.
 """
@@ -191,7 +191,7 @@ def test_critical_interference():
 
 
 def test_elastic_range():
-    """tests/reference/asperity.csv: first contact x0, yield x1 and w1, and the load just plastic: 1e-13."""
+    """reference/asperity.csv: first contact x0, yield x1 and w1, and the load just plastic: 1e-13."""
     given = bare(ROWS)
     elastic, flow = joined(given)
     edges = elastic.edges

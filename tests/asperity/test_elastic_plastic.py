@@ -1,6 +1,6 @@
 """Elastic-plastic asperities without adhesion: Zhao-Maietta-Chang, Kogut-Etsion, Jackson-Green, Brizmer-Kligerman-Etsion.
 
-tests/reference/<key>.csv holds independent values at 30 digits; the tables below were computed from the published equations
+reference/<key>.csv holds independent values at 30 digits; the tables below were computed from the published equations
 before this package had them, or are the output of an independent code.
 """
 

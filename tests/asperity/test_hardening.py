@@ -1,6 +1,6 @@
 """The asperity of a hardening material, Ghaednia et al. 2019.
 
-tests/reference/ghaednia_2019.csv holds independent values at 30 digits; the table below is the output of an independent code.
+reference/ghaednia_2019.csv holds independent values at 30 digits; the table below is the output of an independent code.
 """
 
 import math

@@ -1,15 +1,17 @@
 """Case files: the examples, the two kinds of points, and one line about everything that is wrong."""
 
 import json
+import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from stiction.case.read import json_schema, parse_case, read_case
+from stiction.case.study_tables import study_tables
 from stiction.contact.contact import Contact, Indices
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
-from stiction.studies.case.read import json_schema, read_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -224,3 +226,13 @@ def test_a_mark_of_the_encoding_is_no_content(tmp_path):
     (tmp_path / "case.toml").write_text(plain, encoding="utf-8-sig")
     assert (tmp_path / "case.toml").read_bytes().startswith(b"\xef\xbb\xbf")
     assert read_case(tmp_path / "case.toml").subject.theta == 40.0
+
+
+def test_every_study_with_a_table_has_it_in_the_case_file():
+    folder = Path(__file__).parents[2] / "src" / "stiction" / "studies"
+    found = {path.parent.name for path in folder.glob("*/table.py")}
+    assert set(study_tables()) == found >= {"design", "fit", "sweep"}
+    with pytest.raises(InputError, match=r"^swep"):
+        parse_case({**tomllib.loads(INDICES + "load = [1.0]\n"), "swep": {}})
+    with pytest.raises(InputError, match=r"^sweep\.precision"):
+        parse_case({**tomllib.loads(INDICES + "load = [1.0]\n"), "sweep": {"precision": "float16"}})

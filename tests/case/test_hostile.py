@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 import stiction as st
+from stiction.case.measurements import read_measurements
+from stiction.case.read import read_content
+from stiction.case.uncertain import read_distribution
 from stiction.quantities.errors import InputError
-from stiction.studies.case.read import read_content
-from stiction.studies.case.uncertain import read_distribution
-from stiction.studies.fit.measurements import read_measurements
+from stiction.solvers.boundary_elements.doubts import share_at_ends
 from stiction.studies.fit.plan import make_fit_plan
 from stiction.studies.sweep.plan import make_plan
 from stiction.studies.sweep.run import sweep
-from stiction.surfaces.boundary_elements.doubts import share_at_ends
 from stiction.surfaces.heightmap import HeightMap
 
 CONTACT = {

@@ -12,11 +12,11 @@ import xarray
 from typer.testing import CliRunner
 
 from stiction import cli
+from stiction.case.read import json_schema, read_case
 from stiction.cli.run import case_numbers
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, find, incompatibility, of_kind
 from stiction.quantities.table import QUANTITIES
+from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, find, incompatibility, of_kind
 from stiction.solving.solve import solve
-from stiction.studies.case.read import json_schema, read_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SILVER = EXAMPLES / "silver_on_steel.toml"
@@ -52,7 +52,7 @@ def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("parent") / "out"
     folder.mkdir()
     (folder / "mine.txt").write_text("kept")
-    result = command("run", SILVER, "--out", folder)
+    result = command("run", SILVER, "--model", "soft_coating_2015", "--out", folder)
     assert "written to" in result.stdout and result.stderr == ""
     return folder
 
@@ -105,7 +105,7 @@ def test_help_and_errors_name_the_tables_of_a_case(words, tables):
 
 
 def test_run_prints_table_summary_and_what_is_outside_validity():
-    text = command("run", SILVER).stdout
+    text = command("run", SILVER, "--model", "soft_coating_2015").stdout
     assert "Silver film" in text and "E = 210 GPa" in text and "elastic adhesion index = 228.8" in " ".join(text.split())
     assert "separation" in text and "touching" in text
     assert "outside the range of validity" in text
@@ -143,7 +143,7 @@ def test_netcdf_opens_again_with_its_attributes(folder, solved):
 
 
 def test_json_is_strict_and_agrees_with_solve(solved):
-    result = command("run", SILVER, "--json")
+    result = command("run", SILVER, "--model", "soft_coating_2015", "--json")
     content = strict(result.stdout)
     assert result.stderr == ""
     assert content["attrs"]["model"] == "soft_coating_2015" and content["groups"]["tau"] == pytest.approx(200 / 48)
@@ -274,7 +274,7 @@ def test_interruption_is_exit_code_130(monkeypatch):
     def interrupt(path, **options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("stiction.studies.case.read.read_case", interrupt)
+    monkeypatch.setattr("stiction.case.read.read_case", interrupt)
     assert command("run", PAPER, code=130).stderr == "stiction: interrupted\n"
 
 

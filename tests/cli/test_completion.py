@@ -4,7 +4,7 @@ import pytest
 from typer.testing import CliRunner
 
 from stiction.cli import app
-from stiction.laws.registry import RoughSurface, TangentialLaw, of_kind
+from stiction.records.registry import RoughSurface, TangentialLaw, of_kind
 
 
 def completed(words: str) -> list[str]:

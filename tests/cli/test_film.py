@@ -96,15 +96,39 @@ def test_a_film_like_its_body_has_hamiltons_stresses():
     assert_allclose(section["interface_shear_stress"].values, 1.5 * xz, atol=1e-6)
 
 
+def test_a_softer_counterbody_yields_in_place_of_the_film(tmp_path):
+    """A film of 20 GPa meets a metal of 1 GPa: where the film would be the first to yield that metal does."""
+    path, out = tmp_path / "case.toml", tmp_path / "out"
+    soft = 'second = { youngs_modulus = "70 GPa", poissons_ratio = 0.3, hardness = "1 GPa" }'
+    text = CASE.replace('second = "hardened_steel_52100"', soft).replace('"14 GPa"', '"20 GPa"').replace("0.4 um", "4 um")
+    path.write_text(text)
+    shown = run(path, "--out", str(out)).stdout
+    assert "counterbody" in shown
+    data = xarray.open_dataset(out / "film.nc", engine="h5netcdf")
+    assert set(data["yields_first"].values) == {"counterbody"}
+    assert xarray.open_dataset(out / "section.nc", engine="h5netcdf").attrs["where"] == "counterbody"
+
+
+def test_where_files_are_fits_the_terminal(case, tmp_path):
+    out = tmp_path / "a folder"
+    lines = run(case, "--out", str(out)).stdout.splitlines()
+    first = next(at for at, line in enumerate(lines) if line.startswith("written to"))
+    names = [name.strip(" ,") for name in " ".join(lines[first:]).replace(str(out), "").split(":")[1].split()]
+    assert sorted(names) == sorted(one.name for one in out.iterdir())
+    longest = len(str(out).rsplit(" ", 1)[0]) + len("written to ")
+    assert all(len(line) <= max(80, longest) for line in lines[first:])
+
+
 def test_what_cannot_be(case, tmp_path):
     bare = tmp_path / "bare.toml"
     bare.write_text(BARE)
     said = {
-        (str(bare),): "a contact with a film",
+        (str(bare),): "coating: not given; allowed: a film with its material and thickness",
+        (str(bare), "--model", "recommended"): "coating: not given; allowed: a film with its material and thickness",
         (str(case), "--load", "much"): "--load: 'much'",
         (str(case), "--load", "-1 N"): "load: '-1 N'",
         (str(case), "--tangential", "hamilton_1983"): "take layered_first_yield",
-        (str(case), "--model", "persson_2001"): "a sum over asperities",
+        (str(case), "--model", "persson_2001"): "an asperity model, because the contact has a film",
     }
     for words, text in said.items():
         result = run(*words, code=2)

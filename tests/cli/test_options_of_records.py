@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from stiction.cli import app
-from stiction.laws.registry import all_options
+from stiction.records.registry import all_options
 
 CASE = str(Path(__file__).parents[2] / "examples" / "silver_on_steel.toml")
 
@@ -40,5 +40,5 @@ def test_what_no_record_has_is_refused():
 
 def test_presliding():
     bare = str(Path(CASE).with_name("compare_models.toml"))
-    found = json.loads(run(bare, "--presliding", "mindlin_1949").stdout)
+    found = json.loads(run(bare, "--model", "greenwood_williamson_1966", "--presliding", "mindlin_1949").stdout)
     assert found["variables"]["tangential_stiffness"]["unit"] == "N/m"

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 import stiction as st
 from cases import STEEL_ON_STEEL
 from stiction import cli
-from stiction.laws.registry import RoughSurface, of_kind
+from stiction.records.registry import RoughSurface, of_kind
 
 CASE = STEEL_ON_STEEL + "[solve]\nload = {}\n"
 MODELS = {key: one for key, one in of_kind(RoughSurface).items() if one.of_map is None}

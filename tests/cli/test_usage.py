@@ -19,7 +19,7 @@ CASES = {
     "run": ("CASE.toml: not given", "Case file"),
     "run one.toml two.toml": ("arguments: 'two.toml'", "CASE.toml and options"),
     "schema here": ("arguments: 'here'", "options only"),
-    "compare case.toml --lod 3": ("option: '--lod'", "--load, --out, --ranges, --json, --help"),
+    "compare case.toml --lod 3": ("option: '--lod'", "--load, --out, --all, --ranges, --json, --help"),
     "run case.toml -x": ("option: '-x'", "--model"),
     "run case.toml --json=3": ("--json: 'with a value'", "without a value"),
     "--bad": ("option: '--bad'", "--version, --install-completion, --show-completion, --help"),

@@ -12,12 +12,12 @@ from numpy.testing import assert_allclose
 
 import stiction as st
 from stiction.contact.contact import Contact
-from stiction.laws.film.shared import measured
-from stiction.laws.film.shared.measured import on_a_sphere, on_maps, summary
-from stiction.laws.registry import FilmLaw, of_kind
+from stiction.records.registry import FilmLaw, of_kind
+from stiction.solving.accuracy import film_tables
+from stiction.solving.accuracy.film_errors import film_errors, in_words, off_by, read_film_errors
+from stiction.solving.accuracy.film_tables import on_a_sphere, on_maps, summary
 from stiction.solving.candidates import Candidate
 from stiction.solving.choice import Choice
-from stiction.solving.film_errors import film_errors, in_words, off_by, read_film_errors
 from stiction.solving.problem import make_problem
 from stiction.studies.comparison.recommendation import COST_OF_FILM, Answer
 from tables import column, read
@@ -96,12 +96,12 @@ def test_between_and_beyond():
 
 def test_every_elastic_film_law_is_there():
     elastic = {key for key, one in of_kind(FilmLaw).items() if one.interchangeable} - FLOW
-    assert {key for key, _ in measured._sphere()} == elastic
-    assert {key for key, _ in measured._maps()} == elastic | {"rough_on_film"}
+    assert {key for key, _ in film_tables._sphere()} == elastic
+    assert {key for key, _ in film_tables._maps()} == elastic | {"rough_on_film"}
     for law in elastic:
         assert summary(law) and st.models([law])[0]["measured_film_error"]
     assert not st.models(["kato_1981"])[0]["measured_film_error"]
-    options = {text for key, text in measured._sphere() if key == "finkin_1969"}
+    options = {text for key, text in film_tables._sphere() if key == "finkin_1969"}
     assert options == {f"bound {value}" for value in of_kind(FilmLaw)["finkin_1969"].options["bound"]}
 
 

@@ -11,8 +11,8 @@ from stiction.laws import joining as law
 from stiction.laws.asperity import chang_etsion_bogy_1987, hertz
 from stiction.laws.film import chang_1997, finkin_1969, halling_1979, liu_neville_reuben_2002, ogilvy_1993
 from stiction.laws.piece import TangentialResistance
-from stiction.laws.registry import TangentialLaw, composites_of, records
 from stiction.quantities.errors import InputError
+from stiction.records.registry import TangentialLaw, composites_of, records
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import assert_near, column, groups, read

@@ -1,4 +1,4 @@
-"""Sums of the graded film against the equations of docs/theory.md, 5.3, written out a second time: tests/reference/graded.csv,
+"""Sums of the graded film against the equations of docs/theory.md, 5.3, written out a second time: reference/graded.csv,
 in which nothing of the package takes part."""
 
 import numpy as np

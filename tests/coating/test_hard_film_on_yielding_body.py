@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.contact.layered.below import carried_at_depth
 from stiction.laws.validity import doubts_of
+from stiction.solvers.layered.below import carried_at_depth
 
 STEEL = st.material("stainless_steel_304").hardness  # [Pa]
 
@@ -60,6 +60,42 @@ def test_it_is_continuous_in_the_thickness():
         for t in (3.0e-7, 3.06e-7, 3.12e-7)
     ]
     assert np.abs(np.diff(np.log(mu))).max() < 0.04
+
+
+def punched():
+    """A film of .1 um, 15 GPa, on steel of 1.25 GPa that many small asperities press: N R sigma = .0075."""
+    return st.Contact(
+        first={"youngs_modulus": "193 GPa", "poissons_ratio": 0.29, "hardness": "1.25 GPa"},
+        second={"youngs_modulus": "380 GPa", "poissons_ratio": 0.22, "hardness": "20 GPa"},
+        coating={
+            "material": {"youngs_modulus": "150 GPa", "poissons_ratio": 0.2, "hardness": "15 GPa"},
+            "thickness": "0.1 um", "bodies": "first",
+        },
+        roughness={"asperity_height_deviation": "100 nm", "asperity_radius": "15 um", "asperity_density": "5e9 1/m^2"},
+        interfacial_shear_strength="100 MPa", nominal_area="2 mm^2",
+    )  # fmt: skip
+
+
+def test_no_mean_pressure_punches_the_film_through():
+    """A plug of radius a that the film's shear strength H_f/(sqrt(3) 2.8) holds along t, over a body that flows at H_b:
+    p <= H_b + 2 (t/a) H_f/(sqrt(3) 2.8), by the radius of the mean spot."""
+    found = st.solve(punched(), load="2 N", model="jackson_green_2005 + layered")
+    pressure, spots = float(found["load"] / found["contact_area"]), float(found["touching_asperities"])
+    radius = math.sqrt(float(found["contact_area"]) / spots / math.pi)
+    bound = 1.25e9 + 2.0 * (0.1e-6 / radius) * 15e9 / (math.sqrt(3.0) * 2.8)
+    assert pressure > 1.1 * bound
+    doubt = next(one for one in doubts_of(found) if one.quantity == "pressure_over_punching")
+    assert doubt.kind == "impossible" and "the film would be punched through" in found.attrs["outside_validity"]
+    assert doubt.most == pytest.approx(pressure / bound, rel=1e-9)
+
+
+def test_models_that_punch_the_film_through_are_not_recommended():
+    data = st.compare(punched(), load="2 N")
+    punching = ["pressure_over_punching" in str(doubts) for doubts in data["doubts"].values]
+    assert sum(punching) == 17 and np.isinf(data["cost"].values[punching]).all()
+    assert data.attrs["recommended"] == "none"
+    assert "the film would be punched through: mu is too low (17 of 19 models)" in data.attrs["reason"]
+    assert data.attrs["advice"] == "a thicker film; a harder body below the film"
 
 
 def test_models_that_leave_the_body_elastic_lose_weight():

@@ -1,5 +1,5 @@
 """Film and substrate that shear in series, film_shear="in_series" of the sequential film: against the asperity of the 2015
-paper written out in tests/reference/paper_equations.py (mpmath; nothing of the package), the weaker taken at every
+paper written out in reference/paper_equations.py (mpmath; nothing of the package), the weaker taken at every
 displacement."""
 
 import itertools

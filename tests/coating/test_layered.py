@@ -10,10 +10,6 @@ import pytest
 from numpy.testing import assert_allclose
 
 import stiction as st
-from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.curves import curves
-from stiction.contact.layered.sphere import respond
-from stiction.contact.layered.table import curves_of_films
 from stiction.engine import summation
 from stiction.engine.heights import gaussian
 from stiction.engine.summation import scattered
@@ -21,8 +17,12 @@ from stiction.laws.film.layered import elastic, regimes
 from stiction.laws.film.shared.layered_rows import coefficients
 from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
 from stiction.laws.joining import Law, coordinates, coordinates_at_area, normal_states
-from stiction.laws.registry import AsperityLaw, composites_of, find, of_kind, resolve_options
 from stiction.quantities.errors import InputError
+from stiction.records.registry import AsperityLaw, composites_of, find, of_kind, resolve_options
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.curves import curves
+from stiction.solvers.layered.sphere import respond
+from stiction.solvers.layered.table import curves_of_films
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import REFERENCE, column, groups, random_others, read

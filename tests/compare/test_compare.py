@@ -13,15 +13,15 @@ from typer.testing import CliRunner
 
 import stiction as st
 from cases import STEEL_ON_STEEL
+from stiction.case.read import read_case
 from stiction.cli import app
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
+from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
 from stiction.report.comparison_pictures import comparison_figure
 from stiction.report.comparison_rows import at_load_rows, comparison
 from stiction.report.families import families_of, said_of_plastic_junctions
 from stiction.report.model_pictures import models_figure, rows_of_models
 from stiction.report.tables import comparison_summary
-from stiction.studies.case.read import read_case
-from stiction.studies.case.results import compare_case
+from stiction.studies.case_results import compare_case
 from stiction.studies.comparison.compare import candidates, compare, working_load
 from stiction.web.charts import comparison_chart
 
@@ -90,6 +90,23 @@ def test_spread_and_recommendation(data):
     assert data.attrs["working_load"] == pytest.approx(10.0)
 
 
+def test_the_spread_leaves_impossible_models_out():
+    """A polymer that sticks fully: models without a bound on the area say mu above tau_0 A_n/P, which nothing passes."""
+    soft = {"youngs_modulus": "1 MPa", "poissons_ratio": 0.49, "hardness": "0.5 MPa"}
+    rough = {"asperity_height_deviation": "50 nm", "asperity_radius": "10 um", "asperity_density": "1e11 1/m^2"}
+    given = st.Contact(
+        first=soft, second="soda_lime_glass", roughness=rough, nominal_area="1 mm^2",
+        work_of_adhesion="50 mJ/m^2", interfacial_shear_strength="0.1 MPa",
+    )  # fmt: skip
+    most = 0.1e6 * 1e-6 / 1e-3
+    data = compare(given, load="1 mN")
+    mu, impossible = data["friction_coefficient_at_load"].values, np.isinf(data["cost"].values)
+    assert np.nanmax(mu) > 1.1 * most >= data.attrs["spread"][1]
+    assert data.attrs["impossible_models"] == (impossible & np.isfinite(mu)).sum() > 0
+    first = str(comparison_summary(data)[0])
+    assert f"over all possible models ({data.attrs['impossible_models']} impossible left out)" in first
+
+
 def test_the_field_disagrees_by_an_order_of_magnitude(data):
     """What the comparison is for; and the order of the abstracts: full stick above failure by sliding above first yield."""
     mu = {name: float(data.sel(model=name)["friction_coefficient_at_load"]) for name in data["model"].values}
@@ -124,7 +141,7 @@ def test_films():
         assert shown > 1 if film.key == "sequential" or film.solved_as_one else shown == film.interchangeable
     assert data.sel(model="jackson_green_2005 + layered")["outside_validity"].item() == ""
     assert "kogut_etsion_2004 + layered: " in data.attrs["left_out"]
-    assert "persson_2001: " in data.attrs["left_out"] and "this contact has a film" in data.attrs["left_out"]
+    assert "persson_2001: " in data.attrs["left_out"] and "the contact has a film" in data.attrs["left_out"]
 
 
 def test_a_film_solved_with_its_body_takes_the_friction_of_its_model_or_its_like():
@@ -233,7 +250,7 @@ def test_command_in_json(case, data):
 
 def test_command_for_people(case, tmp_path):
     out = tmp_path / "results"
-    result = run(case, "--out", out)
+    result = run(case, "--all", "--out", out)
     assert result.exit_code == 0
     said = " ".join(result.stdout.split())  # lines are folded to the width of the terminal
     for word in ("kogut_etsion_2004", "working load 10 N", "recommended: ", "within their validity", "does not stick"):
@@ -249,7 +266,7 @@ def test_command_for_people(case, tmp_path):
 def test_what_is_to_be_copied_is_not_broken(case, width):
     """On a narrow terminal: keys of the table, each at the start of a line, and the command that runs the recommended one."""
     case.write_text(CASE + '[contact.coating]\nmaterial = "silver"\nthickness = "200 nm"\nbodies = "first"\n')
-    said = CliRunner().invoke(app, ["compare", str(case)], env={"COLUMNS": str(width)}).stdout.splitlines()
+    said = CliRunner().invoke(app, ["compare", str(case), "--all"], env={"COLUMNS": str(width)}).stdout.splitlines()
     names = compare_case(read_case(case), 1.0)["model"].values
     assert len(names) > 25
     for name in names:
@@ -469,7 +486,7 @@ def test_families_by_what_plastic_junctions_resist(data, case, tmp_path):
     assert {row["model"]: row["plastic_junctions_resist"] or "" for row in rows} == said
     heads, table = at_load_rows(data)
     assert [row[heads.index("plastic_junctions_resist")] for row in table] == list(said.values())
-    printed = run(case).stdout
+    printed = run(case, "--all").stdout
     assert " full stick " in printed and re.search(r"kogut_etsion_2004 .* none", printed)
 
 

@@ -15,8 +15,8 @@ from scipy.optimize import brentq
 import stiction as st
 from cases import STEEL_ON_STEEL
 from stiction.laws.proportion import questions
-from stiction.laws.registry import FilmLaw, RoughSurface, of_kind
 from stiction.laws.validity import doubts_of
+from stiction.records.registry import FilmLaw, RoughSurface, of_kind
 from stiction.solving.candidates import candidates, choice_of
 from stiction.solving.state import expected_share
 

@@ -8,8 +8,8 @@ import pytest
 import xarray
 
 import stiction as st
-from stiction.laws.claims import Validity
 from stiction.laws.validity import Doubt, doubts_about, doubts_of, with_doubts
+from stiction.records.claims import Validity
 
 BARE = {"theta": 100, "lam": 10}
 COATED = {"theta": 100, "lam": 10, "n_E": 0.5, "n_H": 20, "tau": 2, "film_aspect": 0.3, "shear_strength": 0.05}

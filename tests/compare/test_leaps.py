@@ -6,11 +6,11 @@ import pytest
 from typer.testing import CliRunner
 
 import stiction as st
+from stiction.case.read import parse_case
 from stiction.cli import app
 from stiction.laws.validity import doubts_of
 from stiction.quantities.units import to_si
 from stiction.report.tables import comparison_summary
-from stiction.studies.case.read import parse_case
 
 MU = "friction_coefficient_at_load"
 # Ground soft metals, and hardened steel: body, surface, what is known of the interface, load, and whether mu leaps there.
@@ -94,7 +94,7 @@ asperity_density = "{rough.asperity_density} 1/m^2"
 [solve]
 load = "2 mN"
 """)
-    shown = CliRunner().invoke(app, ["compare", str(tmp_path / "case.toml")]).stdout
+    shown = CliRunner().invoke(app, ["compare", str(tmp_path / "case.toml"), "--all"]).stdout
     assert here.attrs["leap"] in " ".join(shown.split())
     data = json.loads(CliRunner().invoke(app, ["compare", str(tmp_path / "case.toml"), "--json"]).stdout)
     assert data["leap"] == here.attrs["leap"]

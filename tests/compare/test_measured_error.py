@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.laws.finding import asperities
+from stiction.solvers.boundary_elements.area_estimates import map_slopes
+from stiction.solvers.boundary_elements.solve import solve_map
+from stiction.solving.accuracy.measured_error import measured_errors
+from stiction.solving.accuracy.solved_set import FEATURES, coded, decoded, solved_set
 from stiction.solving.choice import Choice
-from stiction.solving.measured_error import measured_errors
 from stiction.solving.problem import make_problem
-from stiction.solving.solved_set import FEATURES, coded, decoded, solved_set
-from stiction.surfaces.boundary_elements.area_estimates import map_slopes
-from stiction.surfaces.boundary_elements.solve import solve_map
+from stiction.surfaces.finding import asperities
 from stiction.surfaces.generate import gaussian_surface, with_slope
 from stiction.surfaces.height_model import roughness
 from stiction.surfaces.heightmap import HeightMap
@@ -93,7 +93,7 @@ def test_the_set_is_what_its_design_says():
 
 
 def test_the_set_is_small():
-    from stiction.solving.solved_set import FILE
+    from stiction.solving.accuracy.solved_set import FILE
 
     assert FILE.stat().st_size < 300_000
 

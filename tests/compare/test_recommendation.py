@@ -5,6 +5,7 @@ time, and on contacts, where it is said beside each what decides.
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,11 +13,12 @@ from numpy.testing import assert_allclose
 
 import stiction as st
 from cases import STEEL_ON_STEEL
+from stiction.case.read import read_case
 from stiction.laws.validity import Doubt
+from stiction.solving.accuracy.errors_near import NORMAL_SCORES
+from stiction.solving.accuracy.measured_error import MeasuredErrors
 from stiction.solving.candidates import Candidate
 from stiction.solving.choice import Choice
-from stiction.solving.measured_error import MeasuredErrors
-from stiction.studies.case.read import read_case
 from stiction.studies.comparison.compare import compare, working_load
 from stiction.studies.comparison.recommendation import TOO_MUCH, Answer, recommend
 
@@ -137,12 +139,11 @@ def test_two_opinions_are_said_and_none_between_them_is_taken():
 def measured(error, scatter=0.05):
     """A contact area that is off by this much on average, of a model that is measured near the contact."""
     one, nothing = np.ones(1), np.zeros(1)
-    end, rms = 1.645 * scatter, math.hypot(error, scatter)
+    levels, rms = error + scatter * np.array([NORMAL_SCORES]), math.hypot(error, scatter)
     return MeasuredErrors(
         "a|b",
         error * one,
-        (error - end) * one,
-        (error + end) * one,
+        levels,
         rms * one,
         rms * one,
         error * one,
@@ -175,6 +176,15 @@ def test_an_error_beyond_the_scatter_sets_aside_and_is_said():
         said == "its contact area differs from solved surfaces near this contact by more than these scatter: b 0.3 (area -30%)"
     )
     assert set_aside(off_by(-0.35, scatter=0.3), off_by(-0.04, "c")) == ""  # within its own interval
+
+
+def test_by_numbers_the_scatter_that_sets_aside_is_that_of_gaussian_surfaces():
+    """The interval over all kinds, beside it, is wider."""
+    far = off_by(-0.35)
+    far = replace(far, measured=replace(far.measured, kind_known=False))
+    assert set_aside(far, off_by(-0.04, "c")).startswith(
+        "its contact area differs from solved Gaussian surfaces by more than Gaussian surfaces scatter: b"
+    )
 
 
 def test_the_recommended_number_has_no_leap_where_a_model_comes_to_be_set_aside():

@@ -13,8 +13,8 @@ from typer.testing import CliRunner
 import stiction as st
 from cases import STEEL_ON_STEEL
 from stiction import cli
+from stiction.case.read import read_case
 from stiction.quantities.errors import InputError
-from stiction.studies.case.read import read_case
 from stiction.studies.comparison.validation import entries_in, read_entry
 
 VALIDATION = Path(__file__).parents[2] / "validation"

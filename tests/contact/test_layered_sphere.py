@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from stiction.contact.layered.compliance import Layer, compliance, modulus_without_film
-from stiction.contact.layered.curves import curves
-from stiction.contact.layered.sphere import Response, respond
+from stiction.solvers.layered.compliance import Layer, compliance, modulus_without_film
+from stiction.solvers.layered.curves import curves
+from stiction.solvers.layered.sphere import Response, respond
 from tables import REFERENCE, column, read
 
 ROWS = read("layered.csv")

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.sphere import pressure, value_of
-from stiction.contact.layered.stresses import Stresses, cartesian
-from stiction.contact.layered.waves import CoatedBody
 from stiction.laws.tangential.shared.hamilton_field import stress
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.sphere import pressure, value_of
+from stiction.solvers.layered.stresses import Stresses, cartesian
+from stiction.solvers.layered.waves import CoatedBody
 from tables import read
 
 COMPONENTS = ("x", "y", "z", "xy", "yz", "xz")

@@ -7,14 +7,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 import stiction as st
-from stiction.contact.layered.bodies import bodies_of, per_root
-from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.edge import edge_curves
-from stiction.contact.layered.first_yield import ANGLES, PLACES, at_interface, first_yield, norms, table_of_norms
-from stiction.contact.layered.shear import shear_compliance, shear_curve, shear_ends
-from stiction.contact.layered.stresses import Stresses, cartesian
-from stiction.contact.layered.waves import CoatedBody
 from stiction.laws.tangential.shared import hamilton_field
+from stiction.solvers.layered.bodies import bodies_of, per_root
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.edge import edge_curves
+from stiction.solvers.layered.first_yield import ANGLES, PLACES, at_interface, first_yield, norms, table_of_norms
+from stiction.solvers.layered.shear import shear_compliance, shear_curve, shear_ends
+from stiction.solvers.layered.stresses import Stresses, cartesian
+from stiction.solvers.layered.waves import CoatedBody
 from tables import column, groups, read
 
 FILM = {"n_E": 1.0, "n_H": 1.0, "tau": 1.0, "film_aspect": 1.0}

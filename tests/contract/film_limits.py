@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import AsperityLaw, FilmLaw, TangentialLaw, find, incompatibility, of_kind
+from stiction.records.registry import AsperityLaw, FilmLaw, TangentialLaw, find, incompatibility, of_kind
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import groups

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.laws import records as record_finding
-from stiction.laws.finding import SPOKEN_OF, asperities, method_of_moments, methods, methods_for
-from stiction.laws.registry import AsperityMethod, Parameter
-from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
+from stiction.records import record as record_finding
+from stiction.records.registry import AsperityMethod, Parameter
+from stiction.records.sources import Source
 from stiction.solving.choice import Choice
 from stiction.surfaces.asperity_set import Asperities, of_samples, over_mean_plane
+from stiction.surfaces.finding import SPOKEN_OF, asperities, method_of_moments, methods, methods_for
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.targets import GaussianCorrelation
 
@@ -308,21 +308,21 @@ def test_a_method_from_outside_is_like_the_others(outside, tmp_path):
     assert measured.method == "every_point" and tuple(measured.by_method) == (*KEYS, "every_point")
     cited = st.cite(st.solve_case(st.read_case(tmp_path / "case.toml"), Choice("greenwood_williamson_1966")))
     assert "{somebody_2031," in cited and "{mccool_1986," in cited and "{hertz_1882," in cited
-    from stiction.studies.case.read import json_schema
+    from stiction.case.read import json_schema
 
     assert "every_point" in json_schema()["$defs"]["MeasuredRoughness"]["properties"]["method"]["description"]
 
 
 def test_one_that_says_it_is_of_summits_comes_after_those_before_it(outside, monkeypatch):
     """The first in order that finds enough stands for the surface."""
-    from stiction.studies.scans.measured import _standing
+    from stiction.surfaces.measured import standing_method
 
     first = replace(OUTSIDE, order=0, of_summits=True)
     monkeypatch.setattr(Entry, "load", lambda self: first)
     record_finding._outside.cache_clear()
     found = dict.fromkeys(methods(), asperities(rough(), "eight_neighbour"))
-    assert _standing(found, dict.fromkeys(found, 100)) == "every_point"
-    assert _standing(found, dict.fromkeys(found, 100) | {"every_point": 3}) == "eight_neighbour"
+    assert standing_method(found, dict.fromkeys(found, 100)) == "every_point"
+    assert standing_method(found, dict.fromkeys(found, 100) | {"every_point": 3}) == "eight_neighbour"
 
 
 # ---- what it costs
@@ -335,8 +335,8 @@ def loaded(program):
 
 
 def test_the_registry_loads_nothing_slow():
-    names = loaded("from stiction.laws.registry import records; records()")
-    assert "stiction.laws.asperity_method.persistence" in names
+    names = loaded("from stiction.records.registry import records; records()")
+    assert "stiction.surfaces.asperity_method.persistence" in names
     slow = {"SurfaceTopography", "scipy.ndimage", "scipy.signal", "scipy.fft", "scipy.stats", "xarray"}
     assert not slow & set(names)
 
@@ -347,5 +347,7 @@ def test_a_case_without_scans_knows_nothing_of_surfaces():
     assert "stiction.solving.solve" in names
     moments = {"stiction.surfaces", "stiction.surfaces.theory", "stiction.surfaces.theory.moments"}  # a film is beside waves
     moments |= {"stiction.surfaces.theory.touching"}
-    moments |= {"stiction.surfaces.boundary_elements", "stiction.surfaces.boundary_elements.limits"}  # numbers alone
+    moments |= {
+        f"stiction.surfaces.{name}" for name in ("roughness", "measured", "solvable_maps", "finished", "finishes")
+    }  # forms of input
     assert not [name for name in names if name.startswith("stiction.surfaces") and name not in moments]

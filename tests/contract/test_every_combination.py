@@ -8,7 +8,8 @@ import pytest
 
 from stiction.engine.heights import gaussian, height_distribution
 from stiction.engine.summation import scattered
-from stiction.laws.registry import (
+from stiction.quantities.errors import InputError
+from stiction.records.registry import (
     JUNCTIONS,
     AsperityLaw,
     FilmLaw,
@@ -18,7 +19,6 @@ from stiction.laws.registry import (
     incompatibility,
     of_kind,
 )
-from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import look_up
 from stiction.solving.problem import problem_of

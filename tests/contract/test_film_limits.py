@@ -6,9 +6,9 @@ import pytest
 from film_limits import QUANTITIES, H, choices, departures, groups_of
 
 import stiction as st
-from stiction.laws.claims import FILM_LIMITS
-from stiction.laws.registry import FilmLaw, of_kind
 from stiction.laws.validity import doubts_about
+from stiction.records.claims import FILM_LIMITS
+from stiction.records.registry import FilmLaw, of_kind
 from stiction.solving.problem import problem_of
 
 FILMS = of_kind(FilmLaw)

@@ -11,14 +11,14 @@ import pytest
 
 import stiction as st
 from cases import STEEL_ON_STEEL
+from stiction.case.read import json_schema, parse_case
 from stiction.contact.indices import Groups
-from stiction.laws.registry import AsperityLaw, FilmLaw, TangentialLaw, of_kind
 from stiction.quantities.errors import InputError
+from stiction.records.registry import AsperityLaw, FilmLaw, TangentialLaw, of_kind
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import look_up
 from stiction.solving.problem import make_problem
-from stiction.studies.case.read import json_schema, parse_case
-from stiction.studies.case.results import compare_case, solve_case
+from stiction.studies.case_results import compare_case, solve_case
 
 ROUGH = {"asperity_height_deviation": 1e-7, "asperity_radius": 2e-5, "asperity_density": 1.2e10}
 BODY = {"youngs_modulus": 200e9, "poissons_ratio": 0.3, "hardness": 2e9, "tangent_modulus": 2e9}

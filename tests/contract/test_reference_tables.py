@@ -1,4 +1,4 @@
-"""Every law against the table that is named for it, tests/reference/KEY.csv: a new one is compared by being there.
+"""Every law against the table that is named for it, reference/KEY.csv: a new one is compared by being there.
 
 What a table says it has, it is compared in: load and area of one asperity at the displacement `w`, the force at which one gives
 way (`friction`), and sums over Gaussian heights at the separation `h`. Columns named as a group or as an option of the law are
@@ -15,7 +15,7 @@ from stiction.engine.heights import gaussian
 from stiction.engine.summation import scattered
 from stiction.laws.asperity import hertz, jkr
 from stiction.laws.joining import Law, coordinates, normal_states
-from stiction.laws.registry import AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find, of_kind, resolve_options
+from stiction.records.registry import AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find, of_kind, resolve_options
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import REFERENCE, column, columns_of_groups, groups, load_size, read

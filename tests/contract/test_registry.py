@@ -11,9 +11,12 @@ from stiction.contact.indices import Groups
 from stiction.engine import summation
 from stiction.engine.heights import gaussian, height_distribution
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
-from stiction.laws import records as record_finding
 from stiction.laws.joining import coordinates, normal_states
-from stiction.laws.registry import (
+from stiction.quantities.errors import InputError
+from stiction.quantities.notices import Notice, notice
+from stiction.quantities.table import QUANTITIES
+from stiction.records import record as record_finding
+from stiction.records.registry import (
     GRADES,
     KINDS,
     TRAITS,
@@ -32,10 +35,7 @@ from stiction.laws.registry import (
     select_options,
     text_of,
 )
-from stiction.laws.sources import bibliography
-from stiction.quantities.errors import InputError
-from stiction.quantities.notices import Notice, notice
-from stiction.quantities.table import QUANTITIES
+from stiction.records.sources import bibliography
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import FILM_GROUPS, assert_near, groups, load_size, random_groups, random_others

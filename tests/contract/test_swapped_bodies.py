@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.laws.registry import AsperityLaw, FilmLaw, Presliding, RoughSurface, TangentialLaw, of_kind
 from stiction.quantities.errors import InputError
+from stiction.records.registry import AsperityLaw, FilmLaw, Presliding, RoughSurface, TangentialLaw, of_kind
 from stiction.solving.problem import make_problem
 from stiction.studies.comparison.compare import candidates
 

@@ -9,11 +9,12 @@ import pytest
 from typer.testing import CliRunner
 
 import stiction as st
+from stiction.case.read import parse_case
 from stiction.cli import app
-from stiction.laws.registry import FilmLaw, RoughSurface, of_kind
+from stiction.records.registry import FilmLaw, RoughSurface, of_kind
 from stiction.solving.problem import make_problem
-from stiction.studies.case.read import parse_case
 from stiction.studies.comparison.compare import working_load
+from stiction.studies.prediction.predict import is_predicted
 from stiction.web.asked import Question, solved
 
 PAPER = "soft_coating_2015"
@@ -196,7 +197,6 @@ REFUSED = {
     "fit": lambda: st.fit(unnamed(fit={"free": {"work_of_adhesion": {"low": "1 mJ/m^2", "high": "1 J/m^2"}}}), SERIES),
     "design": lambda: st.design(unnamed(design={"wish": WISH, "choose": RADIUS, "validity": "any"})),
     "sensitivity": lambda: st.sensitivity(unnamed()),
-    "report": lambda: st.write_report(unnamed(), "never_made.html"),
 }
 SERIES = Path(__file__).parents[2] / "validation" / "synthetic_boundary_film.csv"
 
@@ -213,13 +213,13 @@ def test_a_strength_that_the_default_model_ignores_is_refused(study, tmp_path, m
 
 
 def test_the_page_refuses_it_too():
-    answer = solved(Question(unnamed()))
+    answer = solved(Question(unnamed(solve={"load": "1 N", "asperity": "jkr"})))
     assert answer.data is None and answer.error is not None and answer.error.field == "interfacial_shear_strength"
     named = unnamed(solve={"load": "1 N", "model": PAPER})
     assert solved(Question(named)).error is None
 
 
-@pytest.mark.parametrize("words", [(), ("--load", "3 N"), ("--asperity", "jkr")])
+@pytest.mark.parametrize("words", [("--asperity", "jkr"), ("--load", "3 N", "--asperity", "jkr")])
 def test_the_command_ends_in_one_line(words, tmp_path):
     (tmp_path / "case.toml").write_text(CASE.replace('model = "soft_coating_2015"\n', ""))
     result = CliRunner().invoke(app, ["run", str(tmp_path / "case.toml"), *words])
@@ -244,7 +244,8 @@ def test_a_comparison_at_separations_asks_no_model_by_default(tmp_path):
 def test_shipped_cases_state_nothing_that_is_ignored():
     for path in sorted((Path(__file__).parents[2] / "examples").glob("*.toml")):
         case = st.read_case(path)
-        make_problem(case.subject.as_numbers(), case.choice)
+        if not is_predicted(case):
+            make_problem(case.subject.as_numbers(), case.choice)
 
 
 @pytest.mark.parametrize(("hardness", "n_H"), [("9 GPa", 1.0), ("3 GPa", 1.5), ("1 GPa", 0.5)])

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+import stiction as st
 from stiction import cli
+from stiction.case.read import parse_case, read_case
 from stiction.quantities.errors import InputError
 from stiction.report.design_pictures import design_figure
 from stiction.report.design_tables import design_notes
@@ -16,8 +18,7 @@ from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.solving.problem import make_problem
 from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
-from stiction.studies.case.read import parse_case, read_case
-from stiction.studies.case.results import solve_case
+from stiction.studies.case_results import solve_case
 from stiction.studies.comparison.compare import compare
 from stiction.studies.design import run as design_module
 from stiction.studies.design.plan import Limit
@@ -341,9 +342,24 @@ def test_the_recommended_model_is_that_of_compare(tmp_path):
     table = case(MOST, RADIUS, {"area_fraction": {"high": 0.001}}, model="recommended", effort=5)
     name = compare(subject_of(table | {"solve": {"load": "1 N"}}), load=LOAD).attrs["recommended"]
     found, named = design(table), design(table | {"solve": {"load": "1 N", "model": name}})
-    assert found.attrs["model"] == name and found.identical(named)
+    assert found.attrs["model"] == name and found.assign_attrs(other_model="").identical(named)
     text = run_design(plan_of_design(table), lambda count, text: None).case_text(tmp_path)
     assert tomllib.loads(text)["solve"]["model"] == name
+
+
+def test_another_model_that_is_recommended_at_the_design_is_named_with_both_coefficients(tmp_path):
+    """The wish for little friction makes the surface rough: there asperities are plastic, which the searched model is not."""
+    choose = {"roughness": {"asperity_height_deviation": {"low": "5 nm", "high": "2 um"}}}
+    table = case(LEAST, choose, {"area_fraction": {"high": 0.001}}, model="recommended", effort=5)
+    searched = run_design(plan_of_design(table), lambda count, text: None)
+    data, designed = searched.data(), tomllib.loads(searched.case_text(tmp_path))
+    there = compare(subject_of(designed), load=LOAD)
+    best, name = there.attrs["recommended"], data.attrs["model"]
+    assert best != name
+    mu = st.solve(subject_of(designed), load=LOAD, model=best)["friction_coefficient"]
+    assert f"{best} is recommended, with mu {float(mu):.3g}; {name}" in data.attrs["other_model"]
+    assert data.attrs["other_model"].endswith(f"gives mu {float(data['friction_coefficient'][0]):.3g}")
+    assert any(data.attrs["other_model"] in str(line) for line in design_notes(data))
 
 
 def test_what_is_uncertain_is_held_for_nineteen_of_twenty():
@@ -427,7 +443,7 @@ def test_told_at_once():
             "design.choose.coating.material: .* a number of the contact, first",
         ),
         ({"choose": {"first": ["steal"]}}, "'steal'; allowed: a preset"),
-        ({"choose": {"first": {"low": 1, "high": 2}}}, "a list, of which one is taken"),
+        ({"choose": {"first": {"low": 1, "high": 2}}}, "a list of choices"),
         (
             {"choose": {"nominal_area": {"low": "1 mm^2", "high": "2 mm^2", "each_sample": True}}},
             "each_sample: True; allowed: not here",

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from itertools import zip_longest
 from pathlib import Path
 
-from stiction.laws import records
+from stiction.records import record
 
 ROOT = Path(__file__).parents[2]
 
@@ -116,7 +116,7 @@ def sandbox() -> Iterator[Path]:
             for module in set(sys.modules) - modules:
                 if str(getattr(sys.modules[module], "__file__", "")).startswith(str(folder)):
                     del sys.modules[module]
-            records._outside.cache_clear()
+            record._outside.cache_clear()
 
 
 def _install(text: str, folder: Path) -> None:
@@ -129,7 +129,7 @@ def _install(text: str, folder: Path) -> None:
     for group, entries in project["entry-points"].items():
         lines += [f"[{group}]", *(f"{name} = {place}" for name, place in entries.items())]
     (info / "entry_points.txt").write_text("\n".join(lines) + "\n")
-    records._outside.cache_clear()
+    record._outside.cache_clear()
 
 
 def refreshed(page: str, examples: list[Example]) -> str:

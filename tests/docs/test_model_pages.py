@@ -9,8 +9,8 @@ import re
 import pytest
 from pages import ROOT, make_tables
 
-from stiction.laws.registry import records, text_of
-from stiction.laws.sources import bibliography
+from stiction.records.registry import records, text_of
+from stiction.records.sources import bibliography
 
 MADE = [(script, table) for script, tables in make_tables.tables_made().items() for table in tables]
 PAGE = (ROOT / "docs" / make_tables.SECTIONS).read_text(encoding="utf-8")
@@ -79,16 +79,16 @@ def test_list_of_models_leads_to_the_section(record):
 
 @each_tabled
 def test_model_has_a_reference_table(record):
-    """tests/reference/KEY.csv, or one of which its script says that it is of this model; asperity laws have the former."""
+    """reference/KEY.csv, or one of which its script says that it is of this model; asperity laws have the former."""
     tables = make_tables.reference_tables(record)
-    assert tables, f"{record.key}: tests/reference/{record.key}.csv is missing, or the line of it in the script that makes it"
+    assert tables, f"{record.key}: reference/{record.key}.csv is missing, or the line of it in the script that makes it"
     if record.kind == "asperity":
-        assert f"{record.key}.csv" in tables, f"{record.key}: tests/reference/{record.key}.csv is missing"
+        assert f"{record.key}.csv" in tables, f"{record.key}: reference/{record.key}.csv is missing"
 
 
 def test_every_reference_table_says_where_it_comes_from():
     """In one script, which writes it and exists; and no script speaks of a table that does not."""
-    folder = ROOT / "tests" / "reference"
+    folder = ROOT / "reference"
     assert sorted(table for _, table in MADE) == sorted(path.name for path in folder.glob("*.csv"))
     for script, table in MADE:
         code = (folder / script).read_text(encoding="utf-8").split('"""', 2)[2]

@@ -7,8 +7,8 @@ import tomllib
 import pytest
 from pages import ROOT, blocks, make_tables, pages, refreshed, run, sandbox
 
+from stiction.case.read import parse_case
 from stiction.engine.summation import _COUNTS
-from stiction.studies.case.read import parse_case
 
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 PAGES = [pytest.param(page, id=page.name) for page in pages()]

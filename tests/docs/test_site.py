@@ -14,8 +14,8 @@ from typer.testing import CliRunner
 
 import stiction as st
 from stiction import cli
-from stiction.laws.registry import KINDS, of_kind, records
-from stiction.studies.case.read import json_schema
+from stiction.case.read import json_schema
+from stiction.records.registry import KINDS, of_kind, records
 
 matplotlib.use("Agg")
 sys.path[:0] = [str(ROOT / "docs" / "site"), str(ROOT / "docs")]
@@ -37,7 +37,7 @@ PAGE = PurePosixPath("docs/theory.md")
 
 def test_pages_of_docs_stand_at_the_root():
     assert place_of(PAGE) == PurePosixPath("theory.md")
-    assert place_of(PurePosixPath("tests/reference/hertz.csv")) == PurePosixPath("project/tests/reference/hertz.csv")
+    assert place_of(PurePosixPath("reference/hertz.csv")) == PurePosixPath("project/reference/hertz.csv")
 
 
 @pytest.mark.parametrize(
@@ -45,7 +45,7 @@ def test_pages_of_docs_stand_at_the_root():
     [
         ("[a](trust.md#in-numbers)", "[a](trust.md#in-numbers)", ["docs/trust.md"]),
         ("[a](../CONTRIBUTING.md)", "[a](project/CONTRIBUTING.md)", ["CONTRIBUTING.md"]),
-        ("[`a`](../tests/reference/hertz.csv)", "[`a`](project/tests/reference/hertz.csv)", ["tests/reference/hertz.csv"]),
+        ("[`a`](../reference/hertz.csv)", "[`a`](project/reference/hertz.csv)", ["reference/hertz.csv"]),
         ("![a](film_errors.svg)", "![a](film_errors.svg)", ["docs/film_errors.svg"]),
         ("[a](../README.md)", "[a](index.md)", ["README.md"]),
         ("[a](../validation/)", "a", []),

@@ -8,7 +8,7 @@ import matplotlib
 import pytest
 from pages import ROOT
 
-from stiction.laws.registry import RoughSurface, of_kind
+from stiction.records.registry import RoughSurface, of_kind
 
 matplotlib.use("Agg")
 sys.path[:0] = [str(ROOT / "docs" / "site"), str(ROOT / "benchmarks")]

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from threadpoolctl import ThreadpoolController
 
-from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.curves import _solved
 from stiction.engine.one_thread import on_one_thread
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.curves import _solved
 
 
 def threads():

@@ -41,7 +41,7 @@ def distribution(key, shape):
 @pytest.mark.usefixtures("always_grid")
 @pytest.mark.parametrize("way", (scattered, on_grid))
 def test_truncated_moments_of_every_distribution(way):
-    """tests/reference/greenwood_williamson_1966.csv: F_n(h) at 30 digits. 1e-10 of each, whatever its size."""
+    """reference/greenwood_williamson_1966.csv: F_n(h) at 30 digits. 1e-10 of each, whatever its size."""
     rows = read("greenwood_williamson_1966.csv")
     seen = 0
     for key, shape in sorted({(row["heights"], row["shape"]) for row in rows}):

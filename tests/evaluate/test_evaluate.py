@@ -43,7 +43,7 @@ def one_grid(h, laws, reading):
 @pytest.mark.parametrize(("reading", "coated"), KINDS)
 @pytest.mark.parametrize("table", TABLES)
 def test_reference_values(table, reading, coated, way, always_grid):
-    """160 rows of an independent table, 376 of tests/reference (see its README): 1e-10."""
+    """160 rows of an independent table, 376 of reference (see its README): 1e-10."""
     rows, h, laws = rows_of(table, reading, coated)
     found = way(h, laws, reading)
     sizes = {"load": np.abs(column(rows, "abs_load"))} if "abs_load" in rows[0] else {}

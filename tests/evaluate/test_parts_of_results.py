@@ -24,7 +24,7 @@ def upper(power, low, high=math.inf):
     return gamma(power + 1.0) * (gammaincc(power + 1.0, low) - end)
 
 
-# ---- the 2015 model against tests/reference/parts.csv
+# ---- the 2015 model against reference/parts.csv
 
 
 def of_row(row):

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from stiction.case.measurements import read_measurements
 from stiction.quantities.errors import InputError
-from stiction.studies.fit.measurements import read_measurements
 
 CASE = {
     "contact": {
@@ -92,7 +92,7 @@ def test_what_was_measured_without_a_load(read):
             "line 2, friction_coefficient_error: 1e-12; allowed: 2e-11 or more, 1e-10 of the largest value",
         ),
         ("load [N],load [mN],friction_coefficient\n1,1,0.2\n", "'load \\[N\\]'; allowed: each column once"),
-        ("load [N],contact_area_error [m^2],friction_coefficient\n1,1,0.2\n", "a column contact_area beside it"),
+        ("load [N],contact_area_error [m^2],friction_coefficient\n1,1,0.2\n", "together with a column contact_area"),
         ("load [N],friction_coefficient\n", "at least one measured value"),
     ],
 )

@@ -6,8 +6,8 @@ from numpy.testing import assert_allclose
 
 import stiction as st
 from stiction.laws.ageing import berthoud_1999
-from stiction.laws.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, incompatibility, of_kind
 from stiction.quantities.errors import InputError
+from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, incompatibility, of_kind
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import column, columns_of_groups, groups, random_groups, random_others, read

@@ -10,8 +10,8 @@ from stiction.engine.summation import scattered
 from stiction.laws.asperity import hertz
 from stiction.laws.contamination import independent_junctions
 from stiction.laws.joining import Law
-from stiction.laws.registry import AsperityLaw, TangentialLaw, incompatibility, of_kind
 from stiction.quantities.errors import InputError
+from stiction.records.registry import AsperityLaw, TangentialLaw, incompatibility, of_kind
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import column, columns_of_groups, groups, random_groups, random_others, read

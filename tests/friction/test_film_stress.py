@@ -7,13 +7,13 @@ import pytest
 from numpy.testing import assert_allclose
 
 import stiction as st
-from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.first_yield import at_interface, first_yield
-from stiction.contact.layered.stresses import Stresses, cartesian
-from stiction.contact.layered.waves import CoatedBody
 from stiction.laws.tangential.shared.hamilton_field import stress
 from stiction.laws.validity import doubts_of
 from stiction.quantities.errors import InputError
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.first_yield import at_interface, first_yield
+from stiction.solvers.layered.stresses import Stresses, cartesian
+from stiction.solvers.layered.waves import CoatedBody
 
 STEEL = {"youngs_modulus": 210e9, "poissons_ratio": 0.3, "hardness": 7e9}
 RIGID = {"youngs_modulus": 1e18, "poissons_ratio": 0.3, "hardness": 1e13}
@@ -97,7 +97,7 @@ def test_groups_and_nothing_that_touches():
 
 def test_refused():
     contact = coated({"youngs_modulus": 20e9, "poissons_ratio": 0.3, "hardness": 5e9}, 400e-9, "150 MPa")
-    with pytest.raises(InputError, match="a contact with a film"):
+    with pytest.raises(InputError, match="a film with its material and thickness"):
         st.film_stresses(st.Indices(theta=1, lam=1), separation=1)
     with pytest.raises(InputError, match="film: 'sequential'; allowed: layered"):
         st.film_stresses(contact, load="1 N", film="sequential", **LAWS)

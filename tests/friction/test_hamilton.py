@@ -18,10 +18,10 @@ from stiction.engine.heights import gaussian
 from stiction.engine.summation import QUANTITIES, scattered
 from stiction.laws.asperity import chang_etsion_bogy_1987, hertz
 from stiction.laws.joining import Law
-from stiction.laws.registry import TangentialLaw, of_kind
 from stiction.laws.tangential import hamilton_1983 as law
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
 from stiction.laws.tangential.shared.hamilton_field import dragged, first_yield, pressed, stress, von_mises
+from stiction.records.registry import TangentialLaw, of_kind
 from tables import column, groups, read
 
 NAMES = ("xx", "yy", "zz", "xy", "yz", "xz")

@@ -10,7 +10,7 @@ from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.joining import Law, Weights, with_kinks, within
 from stiction.laws.piece import TangentialResistance
-from stiction.laws.registry import TangentialLaw
+from stiction.records.registry import TangentialLaw
 from tables import groups
 
 W, U = 1.69, 1.3  # w = u^2: load u^3 and area u^2 of Hertz

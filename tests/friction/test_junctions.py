@@ -15,9 +15,9 @@ import stiction as st
 from stiction.engine.heights import height_distribution
 from stiction.laws.asperity import hertz, zhao_maietta_chang_2000
 from stiction.laws.joining import coordinates, normal_states
-from stiction.laws.registry import YIELDED, AsperityLaw, TangentialLaw, find, incompatibility, of_kind, resolve_options
 from stiction.laws.tangential import junction_growth, tabor_1959
 from stiction.laws.tangential.shared.junctions import where_pressure_is
+from stiction.records.registry import YIELDED, AsperityLaw, TangentialLaw, find, incompatibility, of_kind, resolve_options
 from stiction.solving.choice import Choice
 from stiction.solving.chosen import look_up
 from stiction.solving.problem import problem_of

@@ -9,21 +9,21 @@ from numpy.testing import assert_allclose
 from scipy.interpolate import CubicSpline
 
 import stiction as st
-from stiction.contact.layered.bodies import bodies_of
-from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.first_yield import ANGLES, PLACES, norms
-from stiction.contact.layered.shear import shear_compliance
-from stiction.contact.layered.stresses import Stresses
-from stiction.contact.layered.waves import CoatedBody
 from stiction.engine import summation
 from stiction.engine.heights import gaussian
 from stiction.engine.summation import scattered
 from stiction.laws.film.layered import elastic
 from stiction.laws.joining import Law, states
-from stiction.laws.registry import AsperityLaw, TangentialLaw, find, resolve_options
 from stiction.laws.tangential.hamilton_1983 import shear_at_yield
 from stiction.laws.tangential.shared.coated_strength import _norms_at
 from stiction.quantities.errors import InputError
+from stiction.records.registry import AsperityLaw, TangentialLaw, find, resolve_options
+from stiction.solvers.layered.bodies import bodies_of
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.first_yield import ANGLES, PLACES, norms
+from stiction.solvers.layered.shear import shear_compliance
+from stiction.solvers.layered.stresses import Stresses
+from stiction.solvers.layered.waves import CoatedBody
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import REFERENCE, groups

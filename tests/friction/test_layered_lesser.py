@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from stiction.contact.layered.compliance import Layer
-from stiction.contact.layered.stresses import Stresses, cartesian
-from stiction.contact.layered.waves import CoatedBody
 from stiction.engine import summation
 from stiction.engine.heights import gaussian
 from stiction.engine.summation import scattered
 from stiction.laws.film.layered import elastic
 from stiction.laws.joining import Law, states
-from stiction.laws.registry import AsperityLaw, TangentialLaw, find, resolve_options
 from stiction.laws.tangential.shared.hamilton_field import von_mises
+from stiction.records.registry import AsperityLaw, TangentialLaw, find, resolve_options
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.stresses import Stresses, cartesian
+from stiction.solvers.layered.waves import CoatedBody
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 from tables import groups

@@ -15,8 +15,8 @@ from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
 from stiction.laws.presliding.mindlin_1949 import force, loss_share, slip_share, stiffness
 from stiction.laws.presliding.shared.partial_slip import _slipping
-from stiction.laws.registry import AsperityLaw, TangentialLaw, find
 from stiction.quantities.errors import InputError
+from stiction.records.registry import AsperityLaw, TangentialLaw, find
 
 PLAIN = "greenwood_williamson_1966"
 COULOMB = {"model": PLAIN, "tangential": "briscoe_tabor_1978"}  # of no strength without pressure: T = f P

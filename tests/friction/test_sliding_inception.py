@@ -19,7 +19,6 @@ from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz, jkr
 from stiction.laws.piece import NormalPiece
 from stiction.laws.presliding import mindlin_1949
-from stiction.laws.registry import TangentialLaw, of_kind, resolve_options
 from stiction.laws.tangential import (
     bowden_tabor_1943,
     briscoe_tabor_1978,
@@ -32,6 +31,7 @@ from stiction.laws.tangential import (
 )
 from stiction.laws.tangential.shared.zero_load import zero_load
 from stiction.quantities.errors import InputError
+from stiction.records.registry import TangentialLaw, of_kind, resolve_options
 from tables import column, groups, random_groups, read
 
 LAWS = list(of_kind(TangentialLaw).values())
@@ -325,7 +325,7 @@ def test_broken_powers_start_at_first_touch(law):
 
 
 def test_presliding():
-    """tests/reference/mindlin_1949.csv, from dimensional inputs; and force and displacement are inverse."""
+    """reference/mindlin_1949.csv, from dimensional inputs; and force and displacement are inverse."""
     rows = read("mindlin_1949.csv")
     names = ("area", "load", "mu", "K_beta", "force", "stiffness", "displacement")
     for x, P, mu, K_beta, T, stiffness, moved in zip(*(column(rows, name) for name in names), strict=True):

@@ -1,4 +1,4 @@
-"""Tangential resistance of one asperity: printed tables and tests/reference/asperity.csv.
+"""Tangential resistance of one asperity: printed tables and reference/asperity.csv.
 
 Sections C, D name the compendium of published models this project works from; "theory" is docs/theory.md.
 """
@@ -110,7 +110,7 @@ def test_a_tension_that_yields_by_itself_leaves_nothing():
 
 @pytest.mark.parametrize("formulation", ("corrected", "published"))
 def test_slip_and_yield(formulation):
-    """tests/reference/asperity.csv: both resistances, and which of them the asperity is said to have."""
+    """reference/asperity.csv: both resistances, and which of them the asperity is said to have."""
     rows = [row for row in ROWS if row["formulation"] == formulation]
     groups = groups_of([row | {"n_E": ""} for row in rows])
     x, P, slip_limited, yield_limited = (column(rows, name) for name in ("x", "load", "slip", "yield"))

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from stiction.contact.finishes import finish_names
 from stiction.contact.interfaces import interface
 from stiction.contact.materials import material_names
+from stiction.surfaces.finishes import finish_names
 
 FOLDER = Path(__file__).parents[2] / "validation" / "contacts"
 

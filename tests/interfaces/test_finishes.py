@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from stiction.contact.finishes import NUMBERS, Finish, finish, finish_names, finishes
-from stiction.laws.sources import bibliography
 from stiction.quantities.errors import InputError
+from stiction.records.sources import bibliography
+from stiction.surfaces.finishes import NUMBERS, Finish, finish, finish_names, finishes
 
 FINISHES = {"polished", "lapped", "ground", "turned", "milled", "blasted", "wafer", "sputtered film", "worn", "as deposited"}
 

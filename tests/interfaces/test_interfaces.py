@@ -11,10 +11,11 @@ from typer.testing import CliRunner
 
 import stiction as st
 from stiction import cli
-from stiction.contact.interfaces import GRADES, Interface, interface, interface_names, interface_weights, interfaces
+from stiction.contact.interfaces import Interface, interface, interface_names, interface_weights, interfaces
 from stiction.contact.materials import MATERIAL_CLASSES, class_of, material_names
-from stiction.laws.sources import bibliography
+from stiction.quantities.data_files import GRADES
 from stiction.quantities.errors import InputError
+from stiction.records.sources import bibliography
 
 STATES = {
     "clean metal", "oxidised metal", "boundary lubricant", "monolayer", "dry polymer", "elastomer", "ceramic",
@@ -202,6 +203,13 @@ def test_the_command_prints_every_state_within_80_columns():
     assert rows.keys() >= STATES and all(letter in text for letter in GRADES)
     assert " ".join(rows["layered solid"].split()) == "layered solid 25 MPa 10 to 70 MPa A 0.01 0.001 to 0.1 B"
     assert " ".join(rows["elastomer"].split()) == "elastomer 400 kPa 150 kPa to 1 MPa B none"
+
+
+def test_the_command_says_how_a_case_and_python_state_it():
+    for words, name in ((), "oxidised metal"), (("DLC dry",), "DLC dry"):
+        text = shown(*words)
+        assert f'interface = "{name}"' in text and f'st.Contact(..., interface="{name}")' in text
+        assert all(len(line) <= 80 for line in text.splitlines())
 
 
 def test_the_command_says_of_a_state_where_it_must_not_be_used():

@@ -8,13 +8,13 @@ from scipy.stats import norm
 
 import stiction as st
 from cases import SILICON_ON_SILICON
+from stiction.case.read import parse_case
 from stiction.laws.validity import doubts_of
 from stiction.report.comparison_doubts import said_of_liquid
 from stiction.report.comparison_rows import at_load_rows, comparison
 from stiction.report.report_sections import comparison_lines
 from stiction.report.tables import comparison_summary, comparison_table
-from stiction.studies.case.read import parse_case
-from stiction.studies.comparison.findings import find_out
+from stiction.studies.findings import find_out
 
 
 def humid(humidity):

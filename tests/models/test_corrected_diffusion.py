@@ -1,6 +1,6 @@
 """Persson's theory with a corrected diffusion, and surfaces that attract weakly, against independent solutions and limits.
 
-Tables: tests/reference/make_corrected_diffusion.py.
+Tables: reference/make_corrected_diffusion.py.
 """
 
 import json
@@ -124,7 +124,7 @@ def test_a_sticky_surface_has_no_area():
     assert np.isnan(found["contact_area"].values).tolist() == [False, True]
     (sticks,) = (one for one in json.loads(found.attrs["doubts"]) if one["quantity"] == "stickiness_ratio")
     assert sticks["kind"] == "impossible" and sticks["outside"] == 1
-    assert sticks["least"] == pytest.approx(0.21305189015310966, rel=1e-12)  # tests/reference/pastewka_robbins_2014.csv
+    assert sticks["least"] == pytest.approx(0.21305189015310966, rel=1e-12)  # reference/pastewka_robbins_2014.csv
 
 
 def test_a_sticky_surface_alone_is_refused():

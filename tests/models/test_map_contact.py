@@ -12,14 +12,14 @@ from typer.testing import CliRunner
 import stiction as st
 from stiction import cli
 from stiction.laws.validity import doubts_of
+from stiction.solvers.boundary_elements import kept
+from stiction.solvers.boundary_elements.adhesive import solve_adhesive
+from stiction.solvers.boundary_elements.bodies import Bodies
+from stiction.solvers.boundary_elements.compliance import Compliance, Film
+from stiction.solvers.boundary_elements.curve import curve_of_map
+from stiction.solvers.boundary_elements.solve import solve_map
+from stiction.solvers.boundary_elements.telling import telling
 from stiction.solving.choice import Choice
-from stiction.surfaces.boundary_elements import kept
-from stiction.surfaces.boundary_elements.adhesive import solve_adhesive
-from stiction.surfaces.boundary_elements.bodies import Bodies
-from stiction.surfaces.boundary_elements.compliance import Compliance, Film
-from stiction.surfaces.boundary_elements.curve import curve_of_map
-from stiction.surfaces.boundary_elements.solve import solve_map
-from stiction.surfaces.boundary_elements.telling import telling
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import filter_period, level
@@ -27,7 +27,11 @@ from stiction.surfaces.targets import SelfAffine
 from tables import read
 
 SIDE, POINTS = 20e-6, 64
-BODIES = {"first": "hardened_steel_52100", "second": "silver", "interfacial_shear_strength": 20e6}
+BODIES = {
+    "first": "hardened_steel_52100",
+    "second": st.material("silver", hardness=251e6),
+    "interfacial_shear_strength": 20e6,
+}
 ELASTIC = {"youngs_modulus": 2e9, "poissons_ratio": 0.4, "hardness": 1e12}
 FILM = {"youngs_modulus": 4e9, "poissons_ratio": 0.3, "hardness": 1e12}
 MODEL = "boundary_elements"
@@ -258,7 +262,7 @@ def test_maps_that_cannot_be_solved_get_a_line(rough):
 def test_memory_is_asked_for_before_a_map_is_made_or_solved(contact, monkeypatch):
     with pytest.raises(st.InputError, match="100000 x 100000 points"):
         st.gaussian_surface((100_000, 100_000), (1e-3, 1e-3), SelfAffine(0.8, 1e-4, 1e-6, 1e-7), 1)
-    monkeypatch.setattr("stiction.surfaces.boundary_elements.memory.available_memory", lambda: 10**5)
+    monkeypatch.setattr("stiction.surfaces.memory.available_memory", lambda: 10**5)
     with pytest.raises(st.InputError, match="64 x 64 points"):
         st.solve(contact, load="1 mN", model=MODEL)
 

@@ -1,4 +1,4 @@
-"""n-point asperities: on profiles made by hand, against simulated profiles (tests/reference/make_n_point.py), and in limits."""
+"""n-point asperities: on profiles made by hand, against simulated profiles (reference/make_n_point.py), and in limits."""
 
 import math
 

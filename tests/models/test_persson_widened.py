@@ -9,8 +9,8 @@ import stiction as st
 from stiction.contact.indices import Groups, Indices
 from stiction.laws.rough_surface import persson_2001, persson_widened
 from stiction.quantities.errors import InputError
-from stiction.surfaces.boundary_elements.map_area import map_area
-from stiction.surfaces.boundary_elements.solve import solve_map
+from stiction.solvers.boundary_elements.map_area import map_area
+from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.surfaces.generate import gaussian_surface, with_slope
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.targets import SelfAffine

@@ -1,7 +1,7 @@
 """Rough-surface models against independent integrals, printed tables and limits.
 
 Sections 0, C and E name the compendium of published models this project works from; "theory" is docs/theory.md. The tables in
-tests/reference are described there.
+reference are described there.
 """
 
 import math
@@ -61,7 +61,7 @@ DISTRIBUTIONS = {
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("key", DISTRIBUTIONS)
 def test_greenwood_williamson(key, way):
-    """Count F_0, area F_1 and load F_(3/2) of tests/reference/greenwood_williamson_1966.csv."""
+    """Count F_0, area F_1 and load F_(3/2) of reference/greenwood_williamson_1966.csv."""
     for place, n in ((0, "0"), (2, "1"), (1, "1.5")):
         rows = F_rows(key, n)
         assert len(rows) == 21
@@ -115,7 +115,7 @@ def test_empirical_heights():
 
 @pytest.mark.parametrize("way", WAYS)
 def test_rough_dmt(way):
-    """tests/reference/rough_dmt.csv; the load against the sum of its two terms."""
+    """reference/rough_dmt.csv; the load against the sum of its two terms."""
     rows = read("rough_dmt.csv")
     h, theta, load, area, count = (column(rows, name) for name in ("h", "theta", "load", "area", "touching_asperities"))
     found = sums(rough_dmt, groups(theta), h, way)[0]
@@ -129,7 +129,7 @@ def tension(h, theta):
 
 
 def test_fuller_tabor_pull_off():
-    """tests/reference/fuller_tabor_1975.csv: the largest tension over N times (3/2) pi gamma R, and where."""
+    """reference/fuller_tabor_1975.csv: the largest tension over N times (3/2) pi gamma R, and where."""
     rows = read("fuller_tabor_1975.csv")
     assert len(rows) == 13
     for theta, largest, at in zip(*(column(rows, name) for name in ("theta", "largest_tension", "h")), strict=True):
@@ -162,7 +162,7 @@ def test_fuller_tabor_starts_and_ends():
 
 @pytest.mark.parametrize("way", WAYS)
 def test_unloading(way):
-    """tests/reference/unloading.csv: the corrected bare surface, asperities attached until they snap off."""
+    """reference/unloading.csv: the corrected bare surface, asperities attached until they snap off."""
     rows = read("unloading.csv")
     found = sums(soft_coating_2015, groups_of([row | {"n_E": ""} for row in rows]), column(rows, "h"), way, branch="unloading")
     count, load, area, slip_limited, yield_limited = found.sum(axis=0).T
@@ -180,7 +180,7 @@ def ceb_groups(psi, nu=0.3):
 
 @pytest.mark.parametrize("way", WAYS)
 def test_chang_etsion_bogy(way):
-    """tests/reference/chang_etsion_bogy.csv: over N P_c, N pi R w_c and N P_c, P_c = w_c^(3/2)."""
+    """reference/chang_etsion_bogy.csv: over N P_c, N pi R w_c and N P_c, P_c = w_c^(3/2)."""
     rows = read("chang_etsion_bogy.csv")
     psi = column(rows, "psi")
     count, load, area, slip_limited, yield_limited = (
@@ -217,7 +217,7 @@ GROUPS_OF_ASPERITIES = {  # column prefix in parts.csv -> labels of the regimes 
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("coated", (False, True))
 def test_parts(coated, way):
-    """tests/reference/parts.csv: the same sums by what answers (body), how (state) and what limits friction."""
+    """reference/parts.csv: the same sums by what answers (body), how (state) and what limits friction."""
     rows = [row for row in read("parts.csv") if bool(row["n_E"]) == coated]
     assert len(rows) == (6 if coated else 5)
     given, h = groups_of(rows), column(rows, "h")

@@ -1,6 +1,6 @@
 """Theories of Gaussian rough surfaces against sums straight from the covariances, finite differences and limits.
 
-Tables: tests/reference/make_spectral.py. kappa = A E* h' / (A0 p), the ratio of area to load, tells the theories apart.
+Tables: reference/make_spectral.py. kappa = A E* h' / (A0 p), the ratio of area to load, tells the theories apart.
 """
 
 import math

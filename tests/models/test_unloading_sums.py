@@ -12,8 +12,8 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import stiction as st
-from stiction.laws.registry import AsperityLaw, of_kind
 from stiction.quantities.errors import InputError
+from stiction.records.registry import AsperityLaw, of_kind
 
 THETA, LAM, NU, HARDNESS_TO_YIELD = 40.0, 3.0, 0.3, 2.8
 GROUPS = {"theta": THETA, "lam": LAM, "nu": NU, "sharpness": 0.01, "tabor_parameter": 6.0, "shear_strength": 0.1}

@@ -10,7 +10,7 @@ from scipy.optimize import minimize_scalar
 
 import stiction as st
 from stiction.engine.heights import height_distribution
-from stiction.laws.registry import AsperityLaw, of_kind
+from stiction.records.registry import AsperityLaw, of_kind
 from tables import column, read
 
 
@@ -21,7 +21,7 @@ def unload(contact, pressed_to, **more):
 @pytest.mark.parametrize("pressed_to", (-4.9, -9.0))
 @pytest.mark.parametrize("row", read("fuller_tabor_1975.csv")[3:], ids=lambda row: f"{row['inverse_delta_c']}")
 def test_the_largest_tension_of_surfaces_pressed_deep(row, pressed_to):
-    """tests/reference/pull_off.csv, of asperities on the branch of unloading: all that can still hold had touched. Where it is
+    """reference/pull_off.csv, of asperities on the branch of unloading: all that can still hold had touched. Where it is
     largest as little as 1e-6 of the contact area is left."""
     theta, largest, h = column([row], "theta")[0], column([row], "largest_tension")[0], column([row], "h")[0]
     found = unload(st.Indices(theta=theta, lam=1.0), pressed_to)

@@ -32,7 +32,7 @@ def cited(text: str) -> set[str]:
     return set(re.findall(r"@(\w+)", text))
 
 
-OWN, KNOWN = entries(FOLDER / "paper.bib"), entries(ROOT / "src" / "stiction" / "laws" / "sources.bib")
+OWN, KNOWN = entries(FOLDER / "paper.bib"), entries(ROOT / "src" / "stiction" / "records" / "sources.bib")
 
 
 def test_its_numbers_are_computed():

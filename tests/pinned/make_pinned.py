@@ -3,7 +3,7 @@
     python tests/pinned/make_pinned.py
 
 They show that nothing has changed, never that anything is right: they come from the code that they test. What is right is held
-by tests/reference. Renew them only where a change of numbers is meant, say so in the commit, and read the difference.
+by reference. Renew them only where a change of numbers is meant, say so in the commit, and read the difference.
 
 A row is what was asked, as JSON with every argument of the call; the quantity; where in the result it is; its value, as `repr`
 writes it; and the size against which a difference is judged, see `_sizes`. Texts and refusals have none: they are equal or not.

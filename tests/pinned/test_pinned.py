@@ -1,7 +1,7 @@
 """Results are what they were before the code was rearranged.
 
 These numbers come from the code that they test. They show only that nothing has changed, not that anything is right: that is
-held by tests/reference, by closed forms and by the contract over the registry. Where a number is meant to change, renew them
+held by reference, by closed forms and by the contract over the registry. Where a number is meant to change, renew them
 on purpose, with
 
     python tests/pinned/make_pinned.py

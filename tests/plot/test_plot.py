@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from collisions import collisions
+from stiction.case.read import read_case
 from stiction.contact.contact import Contact, Indices, Roughness
 from stiction.report import pictures as plot
 from stiction.report.film_pictures import film_figure
 from stiction.solving.solve import solve
-from stiction.studies.case.read import read_case
-from stiction.studies.case.results import film_of_case
+from stiction.studies.case_results import film_of_case
 from stiction.studies.paper import figures as figures
 from stiction.studies.paper.claims import claim_map
 from stiction.studies.stresses.film_section import film_section

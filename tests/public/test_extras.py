@@ -80,10 +80,11 @@ load = ["0.1 N"]
     ("words", "pictures"),
     [
         (("compare", CASE), "compare.png, spread.png"),
-        (("run", BARE, "--asperity", "jkr", "--sliding"), "sliding.png"),
+        (("run", BARE, "--model", "greenwood_williamson_1966", "--sliding"), "sliding.png"),
         (("film", CASE), "film.png"),
         (("surface", "scan.npy", "--size", "40 um", "--unit", "m"), "map.png, spectrum.png, asperities.png, fan.png"),
-        (("run", "scan.toml"), "curve.png, band.png"),
+        (("run", "scan.toml"), "curve.png"),
+        (("run", "scan.toml", "--model", "soft_coating_2015"), "curve.png, band.png"),
     ],
 )
 def test_commands_write_all_but_pictures(tmp_path, words, pictures):

@@ -5,25 +5,19 @@ import tomllib
 import pytest
 from typer.testing import CliRunner
 
+from cases import SILICON_CASE
 from report.page import Page
 from stiction.cli import app
 from stiction.web.asked import Question, solved
 from stiction.web.words import remarks
 
-CASE = """
-[contact]
-first = "silicon"
-second = "silicon"
-nominal_area = "0.01 mm^2"
-interfacial_shear_strength = "100 MPa"
+CASE = (
+    SILICON_CASE
+    + """
 waiting_time = "100 s"
 strengthening = 0.02
 cut_off_time = "1 s"
 strength_variation = 0.5
-[contact.roughness]
-asperity_height_deviation = "10 nm"
-asperity_radius = "1 um"
-asperity_density = "1e13 1/m^2"
 [contact.liquid]
 relative_humidity = 0.6
 contact_angle_first = "10 deg"
@@ -34,6 +28,7 @@ load = "1 mN"
 model = "greenwood_williamson_1966"
 presliding = "mindlin_1949"
 """
+)
 LAWS = {
     "asperity": "hertz",
     "tangential": "bowden_tabor_1943",

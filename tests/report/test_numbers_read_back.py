@@ -80,7 +80,7 @@ def test_run(run):
 
 
 def test_compare(run):
-    lines, out = run("compare", "--load", "2 N")
+    lines, out = run("compare", "--all", "--load", "2 N")
     printed = next(line for line in lines if line[:1] == ["persson_2001"])
     assert float(printed[2]) == pytest.approx(mu(2.0), rel=5.1e-4) and printed[4] == "µm²"
     assert float(printed[3]) == pytest.approx(1e12 * area(2.0), rel=5.1e-3)

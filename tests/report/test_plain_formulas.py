@@ -4,8 +4,8 @@ import pytest
 from typer.testing import CliRunner
 
 from stiction import cli
-from stiction.laws.overview import models
 from stiction.report.plain_formulas import as_code, as_text, formula
+from stiction.solving.overview import models
 
 
 @pytest.mark.parametrize(

@@ -16,11 +16,11 @@ import stiction as st
 from cases import STEEL_ON_STEEL
 from report.page import Page
 from stiction.cli import app
-from stiction.laws.sources import bibliography
 from stiction.quantities.errors import InputError
+from stiction.records.sources import bibliography
 from stiction.report import html_report
 from stiction.report.html_report import as_html, case_as_html, write_report
-from stiction.studies.comparison.findings import find_out
+from stiction.studies.findings import find_out
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 # Without a working load nothing is compared: the quickest report there is.
@@ -33,11 +33,36 @@ SCRIPT = "<script>alert(1)</script>"
 
 @pytest.fixture(scope="module", params=EXAMPLES, ids=lambda path: path.stem)
 def reported(request, tmp_path_factory):
-    """An example, what its report says as data, and its page."""
-    path = tmp_path_factory.mktemp("report") / "report.html"
-    record = write_report(request.param, path)
+    """An example whose model is named, what its report says as data, and its page."""
+    folder = tmp_path_factory.mktemp("report")
+    case, path = folder / request.param.name, folder / "report.html"
+    case.write_text(named_model(request.param.read_text(encoding="utf-8")), encoding="utf-8")
+    record = write_report(case, path)
     html = path.read_text(encoding="utf-8")
-    return request.param, record, html, Page(html)
+    return case, record, html, Page(html)
+
+
+def named_model(text):
+    """The case, by the model of its friction where it names none: of a prediction there is a test of its own."""
+    if re.search(r"^model = ", text, re.MULTILINE) or "[indices]" in text:
+        return text
+    if "[contact.coating]" in text and "interface = " in text:
+        return text.replace("[solve]\n", '[solve]\nmodel = "rough_on_film"\n')
+    model = "greenwood_williamson_1966" if re.search("^interfac", text, re.MULTILINE) else "soft_coating_2015"
+    return text.replace("[solve]\n", f'[solve]\nmodel = "{model}"\n')
+
+
+def test_without_a_model_the_prediction_answers(tmp_path):
+    """Headline, table and JSON have the median and interval that `predict` gives."""
+    case = small(tmp_path, STEEL_ON_STEEL + '[solve]\nload = ["0.1 N", "1 N", "10 N"]\n')
+    record = write_report(case, tmp_path / "report.html")
+    found = st.predict(case, load="1 N")
+    assert record["answer"]["friction_coefficient"] == pytest.approx(found.friction_coefficient.item(), rel=1e-9)
+    text = " ".join(Page((tmp_path / "report.html").read_text(encoding="utf-8")).text.split())
+    low, high = (
+        f"{float(f'{found[name].item():.2g}'):g}" for name in ("friction_coefficient_low", "friction_coefficient_high")
+    )
+    assert f"90% interval {low} to {high}" in text and found.attrs["regime"] in text
 
 
 def small(folder, text=SEVERAL, name="case.toml"):
@@ -88,7 +113,13 @@ def test_it_says_what_solve_and_compare_say(reported):
     )
     for name in best["model"].values:
         assert str(name) in page.text
-    for word in ("Question.", record["question"], record["answer"], f"stiction {st.__version__}", f"numpy {np.__version__}"):
+    for word in (
+        "Question.",
+        record["question"],
+        record["answer_in_words"],
+        f"stiction {st.__version__}",
+        f"numpy {np.__version__}",
+    ):
         assert " ".join(word.split()) in page.text
 
 
@@ -129,7 +160,7 @@ def test_what_is_uncertain_is_in_the_answer(reported):
     case, found = st.read_case(path), record["spreads"]["inputs"]
     if not case.uncertain:
         assert np.isnan(found["low"]) and "No input of the case is uncertain" in page.text
-        assert "the case states no errors of its inputs" in record["answer"]
+        assert "the case states no errors of its inputs" in record["answer_in_words"]
         return
     alone = st.solve_case(replace(case, separation=None, load=np.array([record["working_load"]])))
     ends = alone["friction_coefficient_quantile"].values[[0, -1], 0]
@@ -196,7 +227,7 @@ def test_a_case_that_does_not_press_says_so(tmp_path):
     )
     record = write_report(small(tmp_path, text), tmp_path / "report.html")
     page = Page((tmp_path / "report.html").read_text(encoding="utf-8"))
-    assert record["friction_coefficient"] is None and "nothing presses" in record["answer"]
+    assert record["friction_coefficient"] is None and "nothing presses" in record["answer_in_words"]
     assert "μ is not defined" in page.text and "Models are not compared: nothing presses" in page.text
 
 

@@ -6,6 +6,7 @@ import xarray
 from rich.text import Text
 
 import stiction as st
+from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
 from stiction.report.comparison_doubts import doubts, doubts_with_meanings
@@ -16,9 +17,8 @@ from stiction.report.sensitivity_tables import sensitivity_notes
 from stiction.report.several_pictures import several_figure
 from stiction.report.uncertainty_pictures import spread_figure
 from stiction.report.uncertainty_tables import uncertain_notes
-from stiction.studies.case.read import parse_case
-from stiction.studies.case.results import film_of_case
-from stiction.studies.comparison.findings import find_out
+from stiction.studies.case_results import film_of_case
+from stiction.studies.findings import find_out
 from stiction.studies.uncertainty.spreads import with_spreads
 from stiction.web.first import first_case
 
@@ -93,7 +93,9 @@ def test_doubts_of_a_comparison_explain_their_symbols():
 
 def test_stresses_in_films_of_several_thicknesses_are_refused_in_a_line_that_says_what_to_do():
     case = parse_case(_case(["100 nm", "200 nm"]))
-    with pytest.raises(InputError, match=r"coating\.thickness: 2 numbers, .* to .*; allowed: one, .* a case for each"):
+    with pytest.raises(
+        InputError, match=r"coating\.thickness: 2 numbers, .* to .*; allowed: a single value; .* one contact per case"
+    ):
         film_of_case(case, case.choice)
 
 

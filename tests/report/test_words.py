@@ -4,11 +4,11 @@ import re
 
 import pytest
 
-from stiction.laws.overview import entries
-from stiction.laws.sources import bibliography
+from stiction.records.sources import bibliography
 from stiction.report.honest_digits import rounded
 from stiction.report.html_words import formula
 from stiction.report.printed_sources import in_letters, printed
+from stiction.solving.overview import entries
 
 
 @pytest.mark.parametrize(

@@ -10,10 +10,10 @@ from typer.testing import CliRunner
 
 from cases import BARE
 from stiction import cli
+from stiction.case.read import json_schema, parse_case
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
-from stiction.studies.case.read import json_schema, parse_case
-from stiction.studies.case.results import compare_case, solve_case
+from stiction.studies.case_results import compare_case, solve_case
 
 
 def case(changes, **solved):

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from stiction.case.read import parse_case
 from stiction.report.several_pictures import several_figure
 from stiction.report.several_tables import several_table
-from stiction.studies.case.read import parse_case
-from stiction.studies.case.results import solve_case
+from stiction.studies.case_results import solve_case
 
 
 def solved(indices, load=(0.001, 0.01), **more):

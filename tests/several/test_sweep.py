@@ -16,10 +16,10 @@ import xarray
 from typer.testing import CliRunner
 
 from stiction import cli
+from stiction.case.read import case_of
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
 from stiction.studies import evaluate_many
-from stiction.studies.case.read import case_of
 from stiction.studies.sweep import guards as sweep_guards
 from stiction.studies.sweep import plan as sweep_plan
 from stiction.studies.sweep import store as sweep_store

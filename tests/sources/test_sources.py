@@ -6,8 +6,8 @@ from importlib.resources import files
 
 import pytest
 
-from stiction.laws.sources import Source, bibliography, bibtex
 from stiction.quantities.errors import InputError
+from stiction.records.sources import Source, bibliography, bibtex
 
 REQUIRED = {
     "article": {"author", "title", "journal", "year"},
@@ -38,7 +38,7 @@ def balanced(text: str) -> bool:
 
 
 def test_file_holds_nothing_but_unique_entries_in_order():
-    text = files("stiction.laws").joinpath("sources.bib").read_text(encoding="utf-8")
+    text = files("stiction.records").joinpath("sources.bib").read_text(encoding="utf-8")
     written = re.findall(r"^@\w+\{([^,\s]+),", text, re.MULTILINE)
     assert written == list(ENTRIES) == sorted(set(written))
     for entry in ENTRIES.values():

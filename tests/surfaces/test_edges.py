@@ -7,9 +7,9 @@ import pytest
 from comparing import near
 from scipy import stats
 
-from stiction.laws.finding import asperities
 from stiction.quantities.errors import InputError
 from stiction.studies.scans.resolution import resolution_study
+from stiction.surfaces.finding import asperities
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.johnson import johnson

@@ -10,9 +10,10 @@ from scipy import integrate
 
 import stiction as st
 from stiction import InputError
-from stiction.laws.finding import asperities, methods
+from stiction.report.method_pictures import resolution_figure
 from stiction.solving.choice import Choice
 from stiction.studies.scans.resolution import default_cutoffs, resolution_study, thinned
+from stiction.surfaces.finding import asperities, methods
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import filter_band
@@ -232,3 +233,14 @@ def test_theories_of_the_surface_take_the_moments_after_every_method(surface):
     expected = st.solve(sheared.model_copy(update={"roughness": rough}), load="10 mN", **choice.arguments())
     assert found["mu"].values.ravel() == near([float(expected["friction_coefficient"])] * 2, rel=1e-9)
     assert found["R"].values.ravel()[0] == near(seen.radius, rel=1e-12) != found["R"].values.ravel()[1]
+
+
+def test_labels_of_cutoffs_do_not_touch():
+    """Drawn as `surface` does: the boxes of the labels below each panel are apart."""
+    surface = gaussian_surface((128, 128), (1e-5, 1e-5), SelfAffine(0.8, 2.5e-6, 1.6e-7, 1e-8), seed=3)
+    figure = resolution_figure(resolution_study(surface), "made")
+    figure.canvas.draw()
+    for axes in figure.axes:
+        boxes = [label.get_window_extent() for label in axes.get_xticklabels() if label.get_text()]
+        assert len(boxes) > 2
+        assert all(left.x1 + 4 < right.x0 for left, right in itertools.pairwise(boxes))

@@ -9,7 +9,6 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 
 from stiction.contact.contact import Contact, Roughness
-from stiction.laws.finding import asperities
 from stiction.quantities.errors import InputError
 from stiction.report.surface_pictures import (
     asperity_figure,
@@ -21,6 +20,7 @@ from stiction.report.surface_pictures import (
 from stiction.solving.method_spread import with_method_spread
 from stiction.solving.solve import solve
 from stiction.surfaces.asperity_set import Asperities
+from stiction.surfaces.finding import asperities
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import level
 from stiction.surfaces.read import read_scan

@@ -2,13 +2,16 @@
 
 import contextlib
 import json
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 import xarray
 
 import stiction as st
-from stiction.studies.scans.analysis import prepared_period
+from stiction.surfaces.finding import methods
+from stiction.surfaces.prepare import prepared_period
 
 SIZE = 20e-6
 SPECTRUM = st.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=0.6e-6, deviation=30e-9)
@@ -191,3 +194,14 @@ def test_a_period_whose_ends_do_not_meet_is_told(scan):
     row = np.linspace(0.0, 1.0, 128)
     for tilt in (row[:, None], row):
         assert "do not meet" in prepared_period(scan.with_heights(scan.heights + 1e-6 * tilt, "tilted")).history[-1]
+
+
+def test_a_contact_reads_scans_without_the_package():
+    """The room of contacts asks the room of surfaces below it: no name of `stiction` has to be used before."""
+    program = (
+        "import numpy as np; from stiction.contact.contact import Contact; x = np.random.default_rng(1).normal(size=(64, 64));"
+        "one = Contact(first='copper', second='copper', nominal_area=1e-10, roughness=(1e-9 * x, '10 um'));"
+        "print(one.roughness.measured.method)"
+    )
+    done = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
+    assert done.stdout.strip() in methods()

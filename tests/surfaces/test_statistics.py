@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from comparing import AREAS, PROFILES, near
 
-from stiction.laws.finding import asperities
 from stiction.quantities.errors import InputError
+from stiction.surfaces.finding import asperities
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spectrum import power_spectrum
-from stiction.surfaces.statistics import combine, moments_by_differences, moments_by_spectrum, statistics
+from stiction.surfaces.statistics import moments_by_differences, moments_by_spectrum, statistics
 from stiction.surfaces.targets import GaussianCorrelation, SelfAffine
-from stiction.surfaces.theory.moments import Moments
+from stiction.surfaces.theory.moments import Moments, combine
 
 PITCH = (3e-9, 2e-9)  # y, x
 AMPLITUDE = 5e-10

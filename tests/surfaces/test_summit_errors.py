@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from stiction.laws.finding import asperities
+from stiction.surfaces.finding import asperities
 from stiction.surfaces.gaussian_asperities import combine
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap

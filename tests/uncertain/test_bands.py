@@ -14,14 +14,14 @@ from typer.testing import CliRunner
 
 import stiction as st
 from stiction import cli
+from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
 from stiction.report.pictures import curve_figure
 from stiction.report.uncertainty_pictures import COLOURS, spread_figure, uncertainty_figure
 from stiction.report.uncertainty_tables import band_lines
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
-from stiction.studies.case.read import parse_case
-from stiction.studies.case.results import compare_case, solve_case
+from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.uncertainty import bands, drawing
 from stiction.studies.uncertainty.bands import levels, quantiles
 from stiction.studies.uncertainty.drawing import Variant, draw, scrambled
@@ -228,6 +228,21 @@ def compared():
     content = {"contact": ADHESIVE, "solve": {"load": "1 N"}, "uncertainty": {"count": 64}}
     with np.errstate(all="raise", under="ignore"):
         return compare_case(parse_case(content), 1.0)
+
+
+def test_the_short_comparison_draws_no_band_of_a_model(tmp_path, monkeypatch):
+    """The short answer shows no band of a model; --json shows each of them."""
+    drawn = []
+
+    def kept(data, *given):
+        drawn.append(given)
+        return data
+
+    monkeypatch.setattr("stiction.studies.case_results.with_bands_of_models", kept)
+    path = tmp_path / "case.toml"
+    path.write_text(TEXT, encoding="utf-8")
+    assert CliRunner().invoke(cli.app, ["compare", str(path), "--ranges"]).exit_code == 0 and not drawn
+    assert CliRunner().invoke(cli.app, ["compare", str(path), "--ranges", "--json"]).exit_code == 0 and len(drawn) == 1
 
 
 def test_every_model_has_a_band(compared):

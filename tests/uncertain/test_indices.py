@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from stiction.studies.uncertainty import indices_of_variance
-from stiction.studies.uncertainty.indices_of_variance import PARTS, effects, points_of_indices, sobol_indices, trajectories
+from stiction.studies.sensitivity import indices_of_variance
+from stiction.studies.sensitivity.indices_of_variance import PARTS, effects, points_of_indices, sobol_indices, trajectories
 
 
 def ishigami(u, a=7.0, b=0.1):

@@ -18,7 +18,7 @@ from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.sensitivity_pictures import sensitivity_figure
 from stiction.report.sensitivity_tables import elasticities_table, indices_table
-from stiction.studies.case.results import solve_case
+from stiction.studies.case_results import solve_case
 
 S_TAU, S_R = np.log(2.0), 0.5 * np.log(1.5)  # deviations of ln mu by its two inputs
 
@@ -227,8 +227,8 @@ def test_the_command_writes_its_files_and_json(tmp_path):
 
 def test_the_error_of_an_elasticity_is_what_the_extrapolation_changes():
     """ln y = 2 s + 7 s^3, s = ln x: the narrower difference is off by 7 (width/2)^2, the extrapolated one by nothing."""
+    from stiction.studies.sensitivity.elasticities import _STENCIL, _WIDTH, _slopes
     from stiction.studies.uncertainty.drawing import Draws
-    from stiction.studies.uncertainty.elasticities import _STENCIL, _WIDTH, _slopes
 
     y = np.exp(2.0 * _STENCIL + 7.0 * _STENCIL**3)
     slope, error = _slopes(Draws(4, {"y": y}, {"y": ()}), "y", 1)
@@ -236,8 +236,8 @@ def test_the_error_of_an_elasticity_is_what_the_extrapolation_changes():
 
 
 def test_numbers_are_those_that_were_given():
-    from stiction.studies.case.read import parse_case
-    from stiction.studies.uncertainty.elasticities import numbers_of
+    from stiction.case.read import parse_case
+    from stiction.studies.sensitivity.elasticities import numbers_of
 
     assert set(numbers_of(parse_case({"indices": {"theta": 40, "lam": 10}, "solve": {"load": [0.01]}}))) == {"theta", "lam"}
     of_presets = numbers_of(parse_case({"contact": {**ADHESIVE, "first": "silver", "second": "gold"}, "solve": SOLVE}))
@@ -245,7 +245,7 @@ def test_numbers_are_those_that_were_given():
 
 
 def test_more_points_are_more_trajectories(monkeypatch):
-    from stiction.studies.uncertainty import sensitivity
+    from stiction.studies.sensitivity import run as sensitivity
 
     asked, drawn = [], sensitivity.trajectories
     monkeypatch.setattr(sensitivity, "trajectories", lambda *given: asked.append(given) or drawn(*given))
@@ -255,7 +255,7 @@ def test_more_points_are_more_trajectories(monkeypatch):
 
 
 def test_every_method_with_every_model_is_drawn_by_its_weight():
-    from stiction.studies.uncertainty.sensitivity import METHOD_INPUT, MODEL_INPUT, _Variation
+    from stiction.studies.sensitivity.run import METHOD_INPUT, MODEL_INPUT, _Variation
 
     models, weights = ["a", "b", "c"], np.array([0.5, 0.3, 0.2])
     variation = _Variation(["x"], ["first", "second"], models, weights, [])
@@ -269,7 +269,7 @@ def test_every_method_with_every_model_is_drawn_by_its_weight():
 def test_the_working_load_is_among_the_nine(at):
     from dataclasses import dataclass
 
-    from stiction.studies.uncertainty.sensitivity import _at_few_loads
+    from stiction.studies.sensitivity.run import _at_few_loads
 
     @dataclass
     class Loads:

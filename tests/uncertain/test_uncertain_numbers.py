@@ -9,11 +9,11 @@ import pytest
 import scipy.stats
 
 from cases import BARE
+from stiction.case.read import case_of, json_schema, parse_case, read_case
+from stiction.case.text import as_toml
+from stiction.case.uncertain import expanded, read_distribution
 from stiction.quantities.errors import InputError
-from stiction.studies.case.read import case_of, json_schema, parse_case, read_case
-from stiction.studies.case.results import solve_case
-from stiction.studies.case.text import as_toml
-from stiction.studies.case.uncertain import expanded, read_distribution
+from stiction.studies.case_results import solve_case
 from stiction.studies.sweep.plan import make_plan
 
 SHARES = np.array([0.02, 0.3, 0.5, 0.8, 0.99])

@@ -6,23 +6,17 @@ import tomllib
 import pytest
 from typer.testing import CliRunner
 
+from cases import SILICON_CASE
+from stiction.case.text import show_exactly
 from stiction.cli import app
 from stiction.contact.liquid import Liquid
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show, to_si
-from stiction.studies.case.text import show_exactly
 
 WATER = {"relative_humidity": 0.6, "temperature": "20 degC"}
-CASE = """
-[contact]
-first = "silicon"
-second = "silicon"
-nominal_area = "0.01 mm^2"
-interfacial_shear_strength = "100 MPa"
-[contact.roughness]
-asperity_height_deviation = "10 nm"
-asperity_radius = "1 um"
-asperity_density = "1e13 1/m^2"
+CASE = (
+    SILICON_CASE
+    + """
 [contact.liquid]
 relative_humidity = 0.6
 contact_angle_first = "110 deg"
@@ -37,6 +31,7 @@ effort = 1
 [design.choose]
 liquid.contact_angle_second = ["35 deg", "62.5 deg"]
 """
+)
 
 
 @pytest.mark.parametrize("degrees", [0.0, 10.0, 35.0, 62.5, 110.0, 179.0])

@@ -33,8 +33,8 @@ def test_rockwell_numbers_are_those_of_the_printed_table(rockwell, vickers):
     [
         ("70 HRC", "20 to 68 HRC"),
         ("10 HRC", "20 to 68 HRC"),
-        ("200 HB", "Vickers or Rockwell C"),
-        ("90 HRB", "Vickers or Rockwell C"),
+        ("300 HK", "Vickers, Brinell or Rockwell C"),
+        ("90 HRB", "Vickers, Brinell or Rockwell C"),
         ("-5 HV", ">= 1000 Pa"),
     ],
 )

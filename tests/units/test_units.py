@@ -197,7 +197,7 @@ def test_error_is_one_line_and_can_be_pickled():
 
 def test_slow_libraries_are_not_imported_before_they_are_needed():
     slow = {"pint", "xarray", "scipy", "matplotlib"}
-    code = f"import stiction.studies.case.read, sys; print(sorted({slow} & set(sys.modules)))"
+    code = f"import stiction.case.read, sys; print(sorted({slow} & set(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
-from stiction.studies.case.text import as_toml
 from stiction.web.address import files_named, packed, refuse_other_files, unpacked
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))

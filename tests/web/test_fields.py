@@ -6,14 +6,13 @@ from stiction.contact.contact import Contact, Indices, Roughness
 from stiction.contact.materials import Material
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
-from stiction.web.fields import MaterialPart, Number, as_written, dropped, got, parts_of, placed
+from stiction.web.fields import as_written, dropped, got, numbers_of, parts_of, placed
 from stiction.web.first import first_case
 
 
 def _numbers(tables):
     for part in parts_of(tables):
-        for one in part.fields:
-            yield from one.numbers if isinstance(one, MaterialPart) else [one] if isinstance(one, Number) else []
+        yield from numbers_of(part)
 
 
 @pytest.mark.parametrize(

@@ -6,15 +6,19 @@ import math
 import sys
 from collections.abc import Awaitable, Callable
 from contextlib import asynccontextmanager
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 from nicegui import ui
 from nicegui.testing import User, user_simulation
 
+import stiction as st
+from cases import of_one_model
 from stiction.web.address import packed
 from stiction.web.first import first_case
 
+EXAMPLE = Path(__file__).parents[2] / "examples" / "silver_on_steel.toml"
 MAIN = Path(__file__).parent / "simulated.py"
 # Libraries of the server warn of each other.
 pytestmark = pytest.mark.filterwarnings("default")
@@ -70,16 +74,66 @@ def _mu(user: User) -> str:
     return next(text for text in _texts(user) if text.startswith("mu "))
 
 
+def _predicted(tables) -> str:
+    """What the page has to say of the prediction of a case."""
+    found = st.predict(tables)
+    return f"mu = {float(found['friction_coefficient'].sel(load=found.attrs['working_load'])):.2g}"
+
+
 @in_a_loop
-async def test_the_first_screen_shows_an_answer_with_its_doubts():
+async def test_the_first_screen_shows_the_prediction():
     async with _page() as user:
+        assert _mu(user) == _predicted(EXAMPLE) and _labelled(user, ui.select, "model").value == "recommended"
+        said = _texts(user)
+        rows = dict(pairwise(said))
+        found = st.predict(EXAMPLE)
+        assert rows["state"] == found.attrs["regime"] and rows["next"] == found.attrs["next_step"]
+        assert rows["warning"] == found.attrs["warnings"][0] and rows["uncertainty from"].startswith("interface strength ")
+        assert found.attrs["next_step"].capitalize() in said  # below the menu of the interface, which is not stated
+
+
+@in_a_loop
+async def test_an_interface_or_a_strength_is_stated():
+    async with _page() as user:
+        menu = _labelled(user, ui.select, "interface")
+        assert menu.value == "not stated" and "soft-metal film" in menu.options and "ice" not in menu.options
+        menu.set_value("soft-metal film")
+        tables = first_case()
+        tables["contact"]["interface"] = "soft-metal film"
+        await _until(user, lambda: _mu(user) == _predicted(tables))
+        assert not any(text.startswith("State the interface") for text in _texts(user))
+        _labelled(user, ui.select, "interface").set_value("a stated strength")
+        strength = "shear strength of the interface at no pressure tau_0"
+        await _until(user, lambda: any(one.props.get("aria-label") == strength for one in _elements(user, ui.input)))
+        _input(user, strength).set_value("20 MPa")
+        tables["contact"] = first_case()["contact"] | {"interfacial_shear_strength": "20 MPa"}
+        await _until(user, lambda: _mu(user) == _predicted(tables))
+
+
+@in_a_loop
+async def test_a_surface_is_known_by_its_finish():
+    async with _page() as user:
+        _labelled(user, ui.select, "the surface is known by").set_value("its finish and Sq or Ra")
+        await _until(user, lambda: any(one.props.get("aria-label") == "finish" for one in _elements(user, ui.select)))
+        _labelled(user, ui.select, "finish").set_value("polished")
+        tables = first_case()
+        tables["contact"]["roughness"] = {"finish": "polished"}
+        await _until(user, lambda: _mu(user) == _predicted(tables))
+        _labelled(user, ui.select, "the surface is known by").set_value("sigma, R and N")
+        await _until(user, lambda: _mu(user) == _predicted(EXAMPLE))
+        assert _labelled(user, ui.select, "kind of surface").value == "not stated"
+
+
+@in_a_loop
+async def test_a_named_model_answers_alone_with_its_doubts():
+    async with _page(packed(of_one_model())) as user:
         assert _mu(user) == "mu ≈ 0.046"
         assert any("claimed is" in text and text.startswith("Leaves out what matters here") for text in _texts(user))
 
 
 @in_a_loop
 async def test_a_knob_that_moves_changes_the_number():
-    async with _page() as user:
+    async with _page(packed(of_one_model())) as user:
         before = _mu(user)
         _input(user, "work of adhesion gamma").set_value("0.3 J/m^2")
         await _until(user, lambda: _mu(user) != before)
@@ -87,7 +141,7 @@ async def test_a_knob_that_moves_changes_the_number():
 
 @in_a_loop
 async def test_a_film_that_is_switched_off_and_on_keeps_its_numbers_and_the_title_follows():
-    async with _page() as user:
+    async with _page(packed(of_one_model())) as user:
         steel, silver = "hardened steel 52100 on hardened steel 52100", first_case()["title"]
         assert silver in _texts(user) and _mu(user) == "mu ≈ 0.046"
         _labelled(user, ui.switch, "there is a coating").set_value(False)
@@ -102,7 +156,7 @@ async def test_a_film_that_is_switched_off_and_on_keeps_its_numbers_and_the_titl
 
 @in_a_loop
 async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays():
-    async with _page() as user:
+    async with _page(packed(of_one_model())) as user:
         before, field = _mu(user), _input(user, "asperity tip radius R")
         field.set_value("50")
         await _until(user, lambda: field.error)
@@ -114,7 +168,7 @@ async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays(
 
 @in_a_loop
 async def test_the_address_holds_the_case():
-    tables = first_case()
+    tables = of_one_model()
     tables["contact"]["work_of_adhesion"] = "0.3 J/m^2"
     async with _page(packed(tables)) as user:
         assert _input(user, "work of adhesion gamma").value == "0.3 J/m^2" and _mu(user) != "mu ≈ 0.046"
@@ -123,7 +177,7 @@ async def test_the_address_holds_the_case():
 @in_a_loop
 async def test_an_address_that_holds_nothing_is_told_and_the_first_case_shown():
     async with _page("garbage") as user:
-        assert _mu(user) == "mu ≈ 0.046"
+        assert _mu(user) == _predicted(EXAMPLE)
         assert any(text.startswith("The address was not used: address: 'garbage'") for text in _texts(user))
 
 
@@ -200,9 +254,10 @@ async def test_what_one_visitor_does_no_other_sees():
     import httpx
     from nicegui import core
 
-    async with _page() as one:
+    state = packed(of_one_model())
+    async with _page(state) as one:
         other = User(httpx.AsyncClient(transport=httpx.ASGITransport(core.app), base_url="http://test"))
-        await other.open("/")
+        await other.open(f"/?s={state}")
         before = _mu(one)
         _input(other, "work of adhesion gamma").set_value("0.1 J/m^2")
         await _until(other, lambda: _mu(other) != before)

@@ -14,11 +14,12 @@ from matplotlib.figure import Figure
 
 import stiction as st
 import stiction.web
+from cases import of_one_model
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
-from stiction.studies.comparison.findings import find_out
+from stiction.studies.findings import find_out
 from stiction.web.asked import Question, solved
-from stiction.web.charts import chart, curve_chart, line
+from stiction.web.charts import chart, curve_chart, line, prediction_chart
 from stiction.web.downloads import report_of
 from stiction.web.first import first_case
 from stiction.web.fitting import fitted
@@ -30,7 +31,7 @@ from stiction.web.working import Progress
 
 @pytest.fixture(scope="module")
 def answer():
-    return solved(Question(first_case()))
+    return solved(Question(of_one_model()))
 
 
 def test_laws_are_imported_before_the_server_answers():
@@ -184,8 +185,22 @@ def test_a_chart_has_symbols_on_its_axes_and_the_number_at_its_mark(answer):
     assert float(st.solve(case.subject, load=f"{load!r} N")["friction_coefficient"]) == pytest.approx(mu, rel=1e-9)
 
 
+@pytest.mark.parametrize("name", ["friction_coefficient", "friction_force", "contact_area"])
+def test_a_chart_of_a_prediction_has_its_band_and_an_axis_name_that_fits_a_telephone(name):
+    case = first_case() | {"solve": {"load": ["1 N", "10 N", "3 N"]}}
+    found = solved(Question(case)).data
+    options = prediction_chart(found, name, False)
+    median, low, high, band, mark = options["series"]
+    ends = st.predict(first_case(), load="10 N")
+    drawn = [one["data"][2][1] for one in (low, median, high)]
+    assert drawn == pytest.approx([float(ends[name + end]) for end in ("_low", "", "_high")], rel=1e-9)
+    assert [x for x, _ in median["data"]] == [1.0, 3.0, 10.0] and mark["data"][0][0] == 10.0
+    assert str(high["data"][1][1]) in band[":renderItem"] and "90% interval" in options["legend"]["data"]
+    assert 6.5 * len(options["yAxis"]["name"]) < 200  # pixels of letters, and of the axis
+
+
 def test_digits_are_those_that_the_draws_leave():
-    tables = first_case()
+    tables = of_one_model()
     tables["contact"]["work_of_adhesion"] = {"median": "1 J/m^2", "factor": 3}
     tables["uncertainty"] = {"count": 64}
     answer = solved(Question(tables))

@@ -1,5 +1,6 @@
 """The page and the command line say the same, to the last digit: the case file that the page gives away is run."""
 
+import json
 import tomllib
 from pathlib import Path
 
@@ -8,10 +9,12 @@ import pytest
 import xarray
 from typer.testing import CliRunner
 
+import stiction as st
+from stiction.case.text import as_toml
 from stiction.cli import app
-from stiction.studies.case.text import as_toml
 from stiction.web.asked import Question, compared, solved
 from stiction.web.downloads import KINDS, content
+from stiction.web.words import headline
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
@@ -47,6 +50,27 @@ def test_the_models_are_compared_as_on_the_command_line(path, tmp_path):
     load = float(np.max(solved(question).data["load"]))
     found = compared(question, load, lambda text: iter)
     xarray.testing.assert_equal(found.data, compare_case(read_case(path), load=load))
+
+
+@pytest.mark.parametrize("name", ["silver_on_steel", "soft_film"])
+def test_the_prediction_of_the_page_is_that_of_python_and_of_the_command_line(name):
+    path = ROOT / "examples" / f"{name}.toml"
+    page = solved(Question(tomllib.loads(path.read_text(encoding="utf-8")), path.parent))
+    found = st.predict(path)
+    mu = float(found["friction_coefficient"].sel(load=found.attrs["working_load"]))
+    number, where = headline(page, page.middle())
+    assert number == f"mu = {mu:.2g}"
+    said = json.loads(CliRunner().invoke(app, ["run", str(path), "--json"]).output)["answer"]
+    assert number == f"mu = {said['friction_coefficient']:.2g}"
+    assert where.startswith("90% interval {:.2g} to {:.2g}, at ".format(*said["interval"]))
+
+
+def test_a_case_of_separations_that_names_the_recommended_model_is_predicted():
+    tables = tomllib.loads((ROOT / "examples" / "silver_on_steel.toml").read_text(encoding="utf-8"))
+    named = solved(Question({**tables, "solve": {**tables["solve"], "model": "recommended"}}))
+    assert named.error is None and named.prediction is not None
+    expected = st.predict(tables)["friction_coefficient"].values
+    np.testing.assert_array_equal(named.data["friction_coefficient"].values, expected)
 
 
 def test_pictures_are_pictures():

@@ -11,7 +11,7 @@ from math import pi
 from pathlib import Path
 
 import stiction as st
-from stiction.contact.finishes import finish
+from stiction.surfaces.finishes import finish
 
 HERE = Path(__file__).parent
 

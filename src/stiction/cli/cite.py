@@ -14,6 +14,6 @@ def cite(
     ] = None,
 ) -> None:
     """BibTeX of models, film laws and entries of the bibliography."""
-    from stiction.laws.overview import cite as bibtex_of
+    from stiction.solving.overview import cite as bibtex_of
 
     print(bibtex_of(keys or None), end="")

@@ -13,10 +13,11 @@ def compare(
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact.")],
     load: Annotated[str | None, typer.Option(help='Working load, e.g. "1 N"; default: the middle one of the case.')] = None,
     out: Out = None,
+    every: Annotated[bool, typer.Option("--all", help="Show every model in its own row, with its notes.")] = False,
     ranges: Ranges = None,
     json: Json = False,
 ) -> None:
-    """Every applicable model on one contact: friction of each, their spread at the working load, and which to trust.
+    """The answer for one contact, and what every applicable model says of it, those that say the same in one row.
 
     A contact that states an interfacial_shear_strength gets a friction coefficient from models of contact only, too.
     With --out: compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4), compare.png and spread.png: what is due to
@@ -25,13 +26,15 @@ def compare(
     the middle one of the case is not, the nearest that is stands in, and without any there are only curves.
     """
     with busy("Reading the case"):
-        from stiction.studies.case.read import read_case
-        from stiction.studies.case.results import compare_case
+        from stiction.case.read import read_case
+        from stiction.studies.case_results import compare_case
         from stiction.studies.comparison.compare import working_load
+        from stiction.studies.prediction.predict import prediction_of
 
         chosen = read_case(case, ranges=ranges)
         at = working_load(chosen, load)
-    data = compare_case(chosen, at, bar).assign_attrs(case_file=str(case))
+    bands = every or json or out is not None  # the short answer has no band of a model, and they take longest
+    data = compare_case(chosen, at, bar, bands).assign_attrs(case_file=str(case))
     from stiction.report.views.comparison import comparison_view
 
-    present(comparison_view(chosen, data), out, json)
+    present(comparison_view(chosen, data, prediction_of(chosen, at), every), out, json)

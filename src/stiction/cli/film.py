@@ -44,13 +44,13 @@ def film(
     section.nc and film.png, the section under the asperity. The options of a model or a law may be given too.
     """
     with busy("Reading the case"):
-        from stiction.studies.case.read import read_case
+        from stiction.case.read import read_case
 
         chosen = read_case(case)
         chosen = chosen if load is None else chosen.at_load(load)
     laws = {"model": model, "asperity": asperity, "tangential": tangential, "film": "layered"}
     with solving():
-        from stiction.studies.case.results import film_of_case
+        from stiction.studies.case_results import film_of_case
 
         data = film_of_case(chosen, chosen.choice.with_changes(laws, options_of_records(context)))
     from stiction.report.views.film import film_view

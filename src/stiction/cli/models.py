@@ -18,7 +18,7 @@ def models(
 ) -> None:
     """Every model and law: key, kind, provenance grade, source, range of validity; what is missing where there is none.
     With KEY also its assumptions, equations and check numbers."""
-    from stiction.laws.overview import models as all_models
+    from stiction.solving.overview import models as all_models
 
     rows = all_models(keys or None)
     if json:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import wrap
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -149,7 +150,7 @@ def options_of_records(context: typer.Context) -> dict[str, str]:
 
 def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
     """The options of records among the words of a command line, by name, and the other words; own: the command's options."""
-    from stiction.laws.registry import all_options
+    from stiction.records.registry import all_options
 
     known = {f"--{name.replace('_', '-')}": (name, values) for name, values in all_options().items()}
     found, rest, left = {}, [], iter(words)
@@ -170,7 +171,7 @@ def keys_of(kind: str) -> Callable[[str], list[str]]:
     """What completes a word on the command line to the keys of the records of a kind, by its keyword in `solve`."""
 
     def complete(incomplete: str) -> list[str]:
-        from stiction.laws.registry import KINDS, of_kind
+        from stiction.records.registry import KINDS, of_kind
 
         known = [key for one in KINDS if one.keyword == kind for key in of_kind(one)]
         return [key for key in [*known, *(["none"] if kind == "tangential" else [])] if key.startswith(incomplete)]
@@ -180,7 +181,7 @@ def keys_of(kind: str) -> Callable[[str], list[str]]:
 
 def every_key(incomplete: str) -> list[str]:
     """What completes a word to the key of any record."""
-    from stiction.laws.registry import records
+    from stiction.records.registry import records
 
     return [one.key for one in records() if one.key.startswith(incomplete)]
 
@@ -219,6 +220,7 @@ Tangential = Annotated[
     typer.Option(help="Tangential law in place of its own; none: contact only.", autocompletion=keys_of("tangential")),
 ]
 AllRows = Annotated[bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")]
+Details = Annotated[bool, typer.Option("--details", help="Print all that the answer rests on.")]
 Reading = Annotated[str | None, typer.Option(help="corrected (default), or published: the 2015 paper to the letter.")]
 
 
@@ -336,7 +338,7 @@ def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
         yield
         return
     from stiction.engine.compiling import telling
-    from stiction.surfaces.boundary_elements.telling import telling as telling_steps
+    from stiction.solvers.boundary_elements.telling import telling as telling_steps
 
     with (
         telling(lambda done: line.say(f"{text}: compiling kernels, once per installation ({done} done)")),
@@ -375,6 +377,8 @@ def written(folder: Path, names) -> None:
 
     undrawn = undrawn_of(names)
     there = [name for name in names if name not in undrawn]
-    console().print(f"written to {folder}: {', '.join(there)}", highlight=False, markup=False, soft_wrap=True)
+    terminal = console()
+    said = wrap(f"written to {folder}: {', '.join(there)}", terminal.width, break_long_words=False, break_on_hyphens=False)
+    terminal.print("\n".join(said), highlight=False, markup=False, soft_wrap=True)
     if undrawn:
         print(f"stiction: not drawn without matplotlib: {', '.join(undrawn)}; {how_to_install('matplotlib')}", file=sys.stderr)

@@ -1,6 +1,7 @@
 """`stiction run`: one case, solved."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,6 +10,7 @@ import typer
 from stiction.cli.program import (
     AllRows,
     Asperity,
+    Details,
     Json,
     Load,
     Out,
@@ -28,7 +30,8 @@ from stiction.quantities.table import QUANTITIES
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case.read import Case
+    from stiction.case.read import Case
+    from stiction.report.view import View
 
 # Inputs of the Python interface that no case file has.
 _NOT_IN_CASES = ("interfacial_energy", "equilibrium_distance")
@@ -72,21 +75,24 @@ def run(
     ] = 1.0,
     load: Load = None,
     all_rows: AllRows = False,
+    details: Details = False,
     ranges: Ranges = None,
     json: Json = False,
 ) -> None:
-    """Solve a case: friction coefficient, contact area and load along a curve.
+    """Answer a case: its friction coefficient with an interval, and what the interval comes from.
 
-    The table shows about twelve of the points, --all-rows every one.
-    With --out: curve.csv (with comments after #), curve.nc (netCDF4) and curve.png. What is given here overrides the case file;
-    the options of a model or a law may be given too, such as --reading published: stiction models KEY names them.
+    Where neither the command nor the case names a model or a law, all that is known is drawn together (st.predict). With a
+    model, that model is solved: friction coefficient, contact area and load along a curve, of which the table shows about
+    twelve points, --all-rows every one. With --out: curve.csv (with comments after #), curve.nc (netCDF4) and curve.png. What
+    is given here overrides the case file; the options of a model or a law may be given too, such as --reading published:
+    stiction models KEY names them.
     Any number of the contact may be several, a list or {start, stop, count, spacing}: then the picture and the table show mu
     against it. Where numbers are uncertain, "0.5 +/- 0.1 GPa", {low, high}, {median, factor} or {samples}, or numbers of
     materials vary within their --ranges, mu has a band, with the error of its sampling, drawn in uncertainty.png. Where the
     case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
     """
     with busy("Reading the case"):
-        from stiction.studies.case.read import read_case
+        from stiction.case.read import read_case
 
         chosen = read_case(case, ranges=ranges)
         chosen = chosen if load is None else chosen.at_load(load)
@@ -107,22 +113,42 @@ def run(
 
         present(sliding_view(chosen, _slide(chosen, laws, options_of_records(context), kept)), out, json)
         return
-    data = _solve(chosen, laws, options_of_records(context))
+    options = options_of_records(context)
+    if _is_predicted(chosen, laws, options):
+        present(_predicted(chosen, str(case), details), out, json)
+        return
+    data = _solve(chosen, laws, options)
     chosen = chosen.with_surface_moments(data.attrs["model"])
     from stiction.report.views.run import run_view
 
     present(run_view(chosen, data, all_rows), out, json)
 
 
+def _is_predicted(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str]) -> bool:
+    from stiction.studies.prediction.predict import is_predicted
+
+    return is_predicted(replace(case, choice=case.choice.with_changes(laws, options)))
+
+
+def _predicted(case: "Case", file: str, details: bool) -> "View":
+    with solving():
+        from stiction.studies.prediction.predict import predict
+
+        data = predict(case)
+    from stiction.report.views.prediction import prediction_view
+
+    return prediction_view(case, data, file, details)
+
+
 def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str]) -> "xarray.Dataset":
     with solving():
-        from stiction.studies.case.results import solve_case
+        from stiction.studies.case_results import solve_case
 
         return solve_case(case, case.choice.with_changes(laws, options))
 
 
 def _slide(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str], kept: float) -> "xarray.Dataset":
     with solving():
-        from stiction.studies.case.results import slide_case
+        from stiction.studies.case_results import slide_case
 
         return slide_case(case, case.choice.with_changes(laws, options), kept)

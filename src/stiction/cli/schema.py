@@ -13,8 +13,8 @@ from stiction.quantities.errors import InputError
 @app.command()
 def schema(out: Annotated[Path | None, typer.Option(help="File to write to; else it is printed.")] = None) -> None:
     """JSON schema of a case file, for editors that complete and check TOML."""
+    from stiction.case.read import json_schema
     from stiction.report.files import as_json
-    from stiction.studies.case.read import json_schema
 
     if out is None:
         print_json(json_schema())

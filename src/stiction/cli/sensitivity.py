@@ -16,7 +16,7 @@ def sensitivity(
         str | None,
         typer.Option(
             metavar="NAMES",
-            help="Models among which is drawn, with commas between, or: none, for that of the case alone. Default: those that "
+            help="Models to draw from, separated by commas, or: none, for the model of the case alone. Default: those that "
             "compare recommends, by their weights.",
         ),
     ] = None,
@@ -32,8 +32,8 @@ def sensitivity(
     case, or with --ranges, within the ranges of their materials.
     """
     with busy("Reading the case"):
-        from stiction.studies.case.read import read_case
-        from stiction.studies.uncertainty.sensitivity import sensitivity as studied
+        from stiction.case.read import read_case
+        from stiction.studies.sensitivity.run import sensitivity as studied
 
         chosen = read_case(case, ranges=ranges)
     names = None if models is None else [] if models.strip() == "none" else [one.strip() for one in models.split(",")]

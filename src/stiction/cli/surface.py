@@ -12,7 +12,7 @@ from stiction.quantities.errors import InputError
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case.read import Case
+    from stiction.case.read import Case
     from stiction.studies.scans.map_contact import ContactOfMap
     from stiction.surfaces.heightmap import HeightMap
 
@@ -43,10 +43,11 @@ def surface(
     periodic: Annotated[
         bool, typer.Option("--periodic", help="One period of a surface without end: no form is taken off.")
     ] = False,
+    details: Annotated[bool, typer.Option("--details", help="Also moments, and every way of finding asperities.")] = False,
     out: Out = None,
     json: Json = False,
 ) -> None:
-    """A measured surface: heights, slopes, curvatures, spectrum, and asperities by every method.
+    """A measured surface: heights, kind, asperities, and the lines of a case file that use it.
 
     With --contact, its contact with a flat, solved at every point: real area, separation, stiffness.
     With --out: map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study (how sigma, R and N,
@@ -58,7 +59,8 @@ def surface(
     pressures = _pressures(contact, hardness)
     given = {"size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel}
     with busy("Reading the scan"):
-        from stiction.studies.scans.analysis import analyse, prepared, prepared_period
+        from stiction.studies.scans.analysis import analyse
+        from stiction.surfaces.prepare import prepared, prepared_period
         from stiction.surfaces.read import read_scan
 
         chosen, at = _chosen(case, load)
@@ -70,7 +72,11 @@ def surface(
     resolution = _resolution(analysis.surface, chosen, at) if out is not None else None
     from stiction.report.views.surface import surface_view
 
-    present(surface_view(analysis, solved, resolution), out, json)
+    steps = {"form": form, "spikes": spikes, "fill": fill, "shortest": shortest, "longest": longest}
+    body = {"file": file.as_posix(), **given, "periodic": periodic or None}
+    table = {name: value for name, value in steps.items() if value is not None and (name, value) != ("form", 1)}
+    case_table = {"first": {name: value for name, value in body.items() if value is not None}} | table
+    present(surface_view(analysis, case_table, solved, resolution, details), out, json)
 
 
 def _pressures(contact: str | None, hardness: float | None) -> list[float]:
@@ -98,8 +104,8 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
         if load is not None:
             raise InputError("--load", load, "together with --case: it is the load of that")
         return None, None
+    from stiction.case.read import read_case
     from stiction.contact.contact import Contact
-    from stiction.studies.case.read import read_case
     from stiction.studies.comparison.compare import working_load
 
     chosen = read_case(case)

@@ -6,8 +6,7 @@ from typing import Annotated
 
 import typer
 
-from stiction.cli.output import print_json
-from stiction.cli.program import Json, app, busy, console, folder
+from stiction.cli.program import Json, app, busy, folder, present
 
 
 @app.command()
@@ -46,20 +45,9 @@ def sweep(
         _stderr().print(stopped, style="bold", highlight=False, markup=False, soft_wrap=True)
         raise
     seconds = perf_counter() - begun
-    doubts = store.doubts()
-    if json:
-        here = {"points": store.plan.size, "computed_now": shown.computed, "seconds": seconds, "doubts": doubts}
-        print_json({"store": str(out), "dims": {**store.plan.dims}, "blocks": store.plan.blocks, **here})
-        return
-    from rich.text import Text
+    from stiction.report.views.sweep import sweep_view
 
-    terminal = console()
-    rate = f", {shown.computed / seconds:.3g} points/s" if shown.computed else ""
-    terminal.print(f"{store.plan.size} points, {shown.computed} of them computed now in {seconds:.3g} s{rate}", highlight=False)
-    for text, count in doubts.items():
-        terminal.print(Text(f"doubtful in {count} points: {text}", style="yellow"))
-    opened = f"xarray.open_zarr({str(out)!r}, consolidated=False)"
-    terminal.print(f"stored in {out}: {opened}", highlight=False, markup=False, soft_wrap=True)
+    present(sweep_view(store, out, shown.computed, seconds), None, json)
 
 
 class _Shown:

@@ -1,13 +1,14 @@
 """A film on one body or on both."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import BeforeValidator, Field
 
 from stiction.contact.materials import Material, as_material
 from stiction.quantities.inputs import Input, Number, OptionalNumber
 
-__all__ = ["Body", "Coating"]
+__all__ = ["Body", "Coating", "softer_in_words"]
 
 Body = Annotated[Material, BeforeValidator(as_material, json_schema_input_type=str | Material)]
 
@@ -30,3 +31,13 @@ class Coating(Input):
     bodies: Literal["both", "first", "second"] = "both"
     work_of_adhesion: OptionalNumber = None
     friction_constant: OptionalNumber = None
+
+
+def softer_in_words(film: Material, counterbody: Material, bare: Any) -> str:
+    """Say that the counterbody yields before the film; bare: the hardness of the bodies without their film [Pa]."""
+    ratio = counterbody.hardness / bare
+    n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
+    return (
+        f"the counterbody {counterbody.name} is softer than the film {film.name} and yields first: where they meet its "
+        f"hardness counts ({n_H}), and the hardness of the film changes nothing"
+    )

@@ -6,24 +6,25 @@ from typing import Any
 import numpy as np
 from pydantic import Field, model_validator
 
-from stiction.contact.coating import Body, Coating
+from stiction.contact.coating import Body, Coating, softer_in_words
 from stiction.contact.indices import Indices, plain_number
+from stiction.contact.interfaces import State, check_interface
 from stiction.contact.liquid import Liquid
 from stiction.contact.materials import Material, as_material
 from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
-from stiction.contact.roughness import Rough, Roughness
 from stiction.contact.size_effect import at_radius, size_ratio
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, named_by
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.inputs import Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
+from stiction.surfaces.measured import Rough
+from stiction.surfaces.roughness import Roughness
 
 __all__ = ["Body", "Coating", "Contact", "Indices", "Liquid", "Roughness", "work_of_adhesion"]
 
-# Equilibrium distance of two surfaces for the Tabor parameter. Of the order of an atomic spacing; 0.3 nm is
-# a customary round value, written down from memory and not taken from one source.
+# Equilibrium distance of two surfaces for the Tabor parameter: an atomic spacing, a customary round value, from memory.
 EQUILIBRIUM_DISTANCE = 0.3e-9
 
 
@@ -41,8 +42,9 @@ class Contact(Subject):
     that need it say so. nominal_area: on which the load rests. coating: Coating, or dict of its numbers; left out, there is
     no film. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that has no
     yield_stress. interfacial_shear_strength, pressure_coefficient: what a square metre of real contact resists, and how that
-    grows with the pressure; tangential laws that shear an interface need the first. peeling: the share of the tangential
-    energy release that peels an adhesive asperity; left out, 1 (Savkoor and Briggs: all).
+    grows with the pressure; tangential laws that shear an interface need the first. interface: in place of these two, the name
+    of a state (`stiction interfaces` lists them), a table of its numbers or an Interface: results take its medians.
+    peeling: the share of the tangential energy release that peels an adhesive asperity; left out, 1 (Savkoor and Briggs: all).
     liquid: Liquid, or dict of its numbers: its vapour condenses between asperities, and the menisci pull. waiting_time,
     cut_off_time, strengthening: how the interface strengthens at rest, as measured. strength_variation: how its strength
     varies from junction to junction.
@@ -59,6 +61,9 @@ class Contact(Subject):
     hardness_to_yield: OptionalNumber = None
     interfacial_shear_strength: OptionalNumber = None
     pressure_coefficient: OptionalNumber = None
+    interface: State | None = Field(
+        None, description="the name of a state, see `stiction interfaces`, or a table of its numbers"
+    )
     peeling: OptionalNumber = None
     liquid: Liquid | None = None
     strength_variation: OptionalNumber = None
@@ -70,6 +75,8 @@ class Contact(Subject):
     def _dimensions_agree(self):
         self.check_dimensions()
         self._check_adhesion()
+        if self.interface is not None:
+            check_interface(self, self.interface, *self.touching)
         rest = ("waiting_time", "cut_off_time", "strengthening")
         left_out = [name for name in rest if getattr(self, name) is None]
         if 0 < len(left_out) < len(rest):
@@ -109,6 +116,7 @@ class Contact(Subject):
     def _groups(self) -> dict[str, Any]:
         bare = self._bare
         sigma, radius = self._sigma, self._radius
+        strength, coefficient = self.interface_at()
         groups = self._adhesion(bare) | {
             "nu": bare.nu,
             "hardness_to_yield": bare.k if self.hardness_to_yield is None else self.hardness_to_yield,
@@ -116,7 +124,7 @@ class Contact(Subject):
             "sharpness": (sigma / radius) ** 0.5,
             "roughness_parameter": self.roughness.asperity_density * radius * sigma,
             "nominal_width": self.nominal_area**0.5 / sigma,
-            "pressure_coefficient": self.pressure_coefficient,
+            "pressure_coefficient": coefficient,
             "peeling": self.peeling,
             "hardening": bare.hardening,
             "waiting": None if self.cut_off_time is None else self.waiting_time / self.cut_off_time,
@@ -126,8 +134,8 @@ class Contact(Subject):
         if self.liquid is not None:
             groups["meniscus_index"] = bare.K * sigma**1.5 / (self.liquid.work * radius**0.5)
             groups["meniscus_height"] = self.liquid.height / sigma
-        if self.interfacial_shear_strength is not None:
-            groups["shear_strength"] = self.interfacial_shear_strength / bare.hardness
+        if strength is not None:
+            groups["shear_strength"] = strength / bare.hardness
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
@@ -190,6 +198,11 @@ class Contact(Subject):
         for body in ("first", "second"):
             found |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
         found |= {} if self.liquid is None else {"liquid": "meniscus_index"}
+        if self.interface is not None:
+            slope = self.interface.pressure_coefficient is not None
+            found |= {"interface": "shear_strength"} | (
+                {"interface.pressure_coefficient": "pressure_coefficient"} if slope else {}
+            )
         if self.coating is None:
             return found
         film = self.coating.material
@@ -198,7 +211,7 @@ class Contact(Subject):
         return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
 
     def remarks(self) -> list[str]:
-        return [*self._of_size(), *self._of_film()]
+        return [*self._of_size(), *self._of_film(), *self.roughness.notes()]
 
     def _of_size(self) -> list[str]:
         """How hard asperities find bodies whose hardness depends on the size."""
@@ -211,24 +224,25 @@ class Contact(Subject):
                 found.append(f"asperities find {body.name} {much} as large imprints do (Nix and Gao 1998)")
         return list(dict.fromkeys(found))
 
-    def _of_film(self) -> list[str]:
+    @property
+    def softer_counterbody(self) -> tuple[Material, Material] | None:
+        """Return the film and the body that meets it where that is softer, of sweeps anywhere; else None."""
         if self.coating is None or self.coating.bodies == "both":
-            return []
-        bodies = self.coating.material, self._against_film(self.coating)
-        film, other = (at_radius(body, self._radius) for body in bodies)
-        below = np.asarray(other.hardness) < np.asarray(film.hardness)  # of sweeps, anywhere, as far as they can be lined up
-        if not (below.any() if below.shape else bool(below)):
-            return []
-        ratio = other.hardness / self._bare.hardness
-        n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
-        return [
-            f"the counterbody {other.name} is softer than the film {film.name} and yields first: where they meet its hardness "
-            f"counts ({n_H}), and the hardness of the film changes nothing"
-        ]
+            return None
+        film, other = (at_radius(body, self._radius) for body in (self.coating.material, self._against_film(self.coating)))
+        return (film, other) if (np.asarray(other.hardness) < np.asarray(film.hardness)).any() else None
+
+    def _of_film(self) -> list[str]:
+        softer = self.softer_counterbody
+        return [] if softer is None else [softer_in_words(*softer, self._bare.hardness)]
 
     def notes(self) -> list[str]:
         found = [] if self.measured is None else [f"roughness measured, by {self.measured.method}"]
         return [*found, *self.remarks()]
+
+    @property
+    def surface_kind(self) -> str | None:
+        return self.roughness.surface_kind
 
     @property
     def measured(self) -> Any:
@@ -242,7 +256,7 @@ class Contact(Subject):
         return self if self.measured is None else self.replace(roughness=self.roughness.as_numbers())
 
     def with_surface_moments(self) -> "Contact":
-        surface = self.roughness.surface
+        surface = self.roughness.of_surface()
         return self if surface is None else self.model_copy(update={"roughness": surface})
 
     def all_groups(self) -> dict[str, Any]:
@@ -262,12 +276,9 @@ class Contact(Subject):
         if not isinstance(entry, str):
             if name == "mean_separation":
                 return plain_number(entry, where) * self.roughness.asperity_height_deviation
-            wanted = f"{QUANTITIES[name].meaning}, {QUANTITIES[name].wanted}"
-            raise InputError(where, entry, f"text with a unit: {wanted}")
-        try:
+            raise InputError(where, entry, QUANTITIES[name].as_text)
+        with field_named(where):
             return to_si(entry, name)
-        except InputError as error:
-            raise InputError(where, error.value, error.allowed) from None
 
     def show(self, value: float, name: str, digits: int = 6) -> str:
         return show(value, name, digits)
@@ -292,9 +303,25 @@ class Contact(Subject):
         return 0.75 * self._bare.K
 
     @property
+    def touching(self) -> tuple[Material, Material]:
+        """The two bodies whose surfaces meet: in place of a coated body its film."""
+        return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
+
+    def interface_at(self, level: Any = 0.5) -> tuple[Any, Any]:
+        """Return tau_0 [Pa], not capped, and the pressure coefficient of the interface; None for one that is not known.
+
+        level: quantile levels of the state of the interface, 0.5 for its medians; stated numbers are the same at every level. A
+        strength over hardness or shear modulus is over that of the softer of the bodies that touch, as hard as asperities find
+        it. Raises InputError for a level that is not between 0 and 1.
+        """
+        if self.interface is None:
+            return self.interfacial_shear_strength, self.pressure_coefficient
+        return self.interface.at(level, *(at_radius(body, self._radius) for body in self.touching))
+
+    @property
     def interface_strength(self):
-        """Return interfacial_shear_strength [Pa], capped at the shear strength of the weaker surface; None if not stated."""
-        if self.interfacial_shear_strength is None:
+        """Return tau_0 of the interface [Pa], capped at the shear strength of the weaker surface; None if not stated."""
+        if self.interface_at()[0] is None:
             return None
         return self.indices().interface_strength * self._bare.hardness
 

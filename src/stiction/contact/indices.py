@@ -105,8 +105,9 @@ class Indices(Subject):
         missing = "lam" if self.lam is None and self.theta is not None else "theta"
         if self.hardness_group is not None:
             raise InputError("hardness_group", self.hardness_group, f"nothing where {given[0]} is given: it follows from both")
-        wanted = f"{QUANTITIES[missing].meaning}, {QUANTITIES[missing].wanted}"
-        raise InputError(missing, None, f"{wanted}; or hardness_group in place of theta and lam where nothing adheres")
+        raise InputError(
+            missing, None, f"{QUANTITIES[missing].described}; or hardness_group in place of theta and lam where nothing adheres"
+        )
 
     @model_validator(mode="after")
     def _film_is_whole(self):

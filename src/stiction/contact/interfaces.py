@@ -2,27 +2,24 @@
 
 from collections.abc import Iterable
 from functools import cache
-from typing import Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
-from stiction.contact.data_files import read_tables
-from stiction.contact.lognormal import lognormal_quantile
-from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of
-from stiction.contact.ranges import Ranges, check_ranges, range_in_words
-from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input, OptionalNumber, nearest
+from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of, notes_left
+from stiction.contact.pair import choose, first_is_softer
+from stiction.quantities.data_files import read_tables
+from stiction.quantities.errors import InputError, field_named
+from stiction.quantities.inputs import Input, OptionalNumber, as_text, nearest
+from stiction.quantities.lognormal import lognormal_quantile
+from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.table import QUANTITIES
 
-__all__ = ["GRADES", "STRENGTHS", "Interface", "interface", "interface_names", "interface_weights", "interfaces"]
-
-# What the grade of a number says of where it comes from.
-GRADES = {
-    "A": "measured on such an interface or surface; the printed number was read",
-    "B": "derived from printed numbers that were read; the spread is a judgement",
-    "C": "from memory, not checked against a page",
-}
+__all__ = [
+    "STRENGTHS", "Interface", "State", "allowed_interfaces", "check_interface", "interface", "interface_names",
+    "interface_weights", "interfaces",
+]  # fmt: skip
 
 # How the strength of a state may be given: as a stress, over the hardness, or over the shear modulus of the softer body.
 STRENGTHS = ("interfacial_shear_strength", "shear_strength", "strength_over_shear_modulus")
@@ -34,13 +31,13 @@ class Interface(Input):
     One of the three strengths is given, its median; of a strength over hardness or shear modulus, these are those of the softer
     body (of the film, where one meets the other body). pressure_coefficient: its median; left out, the strength does not depend
     on the pressure. range: 5 and 95 % quantiles; a number without a range is certain. source, grade: of each number, see
-    GRADES. pairs: prior weight for each pair of material classes, "metal, ceramic" or "polymer, any"; 0: only if it is stated.
-    only_with: materials of which one must be there. not_for: where the state must not be used.
+    data_files.GRADES. pairs: prior weight for each pair of material classes, "metal, ceramic" or "polymer, any"; 0: only if it
+    is stated. only_with: materials of which one must be there. not_for: where the state must not be used.
 
     Nothing here is capped by the strength of the bodies. Raises InputError.
     """
 
-    name: str = "unnamed"
+    name: str = Field(default="unnamed", description="what to call it")
     interfacial_shear_strength: OptionalNumber = None
     shear_strength: OptionalNumber = None
     strength_over_shear_modulus: OptionalNumber = None
@@ -86,6 +83,14 @@ class Interface(Input):
         """Return alpha at quantile levels between 0 and 1; 0 where the state has none. Raises InputError."""
         return self._quantile("pressure_coefficient", level)
 
+    def at(self, level: Any, first: Material, second: Material) -> tuple[Any, Any]:
+        """Return tau_0 [Pa] and alpha (None where there is none) between two bodies at quantile levels. Raises InputError."""
+        softer = first_is_softer(first, second)
+        hardness = choose(softer, first.hardness, second.hardness)
+        modulus = choose(softer, first.shear_modulus, second.shear_modulus)
+        slope = None if self.pressure_coefficient is None else self.pressure_coefficient_at(level)
+        return self.strength_at(level, hardness, modulus), slope
+
     def allows(self, first: Material, second: Material) -> bool:
         """Whether the state may be stated for two bodies; a state without pairs, as users give it, for any."""
         return not self.pairs or self.weight_of(first, second) is not None
@@ -95,11 +100,28 @@ class Interface(Input):
         texts = [f"{name}: {text} (grade {self.grade.get(name, 'C')})" for name, text in self.source.items()]
         return [*texts, *([f"not for: {self.not_for}"] if self.not_for else [])]
 
-    def _quantile(self, name: str, level: Any) -> np.ndarray:
+    def replace(self, **changes: Any) -> Self:
+        """Return a state with these fields in place of its own; a number that is replaced loses source, grade and range. Raises
+        InputError."""
+        kept = {field: grade for field, grade in self.grade.items() if field not in changes}
+        return super().replace(**{"grade": kept} | changes | notes_left(self.source, self.range, changes))
+
+    def listed(self) -> list[tuple[str, str]]:
+        """Return name and numbers, each with its 90 % range, as text."""
+        rows = [("name", self.name)]
+        for name in (self.strength, "pressure_coefficient"):
+            if getattr(self, name) is not None:
+                ends = f", 90 % within {range_in_words(*self.range[name], name)}" if name in self.range else ""
+                rows.append((name, as_text(getattr(self, name), name) + ends))
+        return rows
+
+    def _quantile(self, name: str, level: Any) -> Any:
         median = getattr(self, name)
-        if not median:
+        if median is None:
             return np.zeros(np.shape(level))
-        return lognormal_quantile(level, median, *self.range.get(name, (median, median)))
+        if name not in self.range:
+            return median * lognormal_quantile(level, 1.0, 1.0, 1.0)
+        return lognormal_quantile(level, median, *self.range[name])
 
     def weight_of(self, first: Material, second: Material) -> float | None:
         """Return the prior weight for two bodies, None where the state is not allowed."""
@@ -119,6 +141,22 @@ def interface(name: str, /) -> Interface:
     if not isinstance(name, str) or name not in _states():
         raise InputError("interface", name, "a state: " + nearest(name, interface_names()))
     return _states()[name]
+
+
+def allowed_interfaces(first: Material, second: Material) -> list[str]:
+    """Return the names of the states that may be stated for two bodies, in alphabetical order."""
+    return [name for name in interface_names() if interface(name).allows(first, second)]
+
+
+def check_interface(contact: Input, state: Interface, first: Material, second: Material) -> None:
+    """Raise InputError for a state beside numbers of the interface of a contact, or one that the bodies do not allow."""
+    stated = ("interfacial_shear_strength", "pressure_coefficient")
+    for name in (name for name in stated if getattr(contact, name) is not None):
+        allowed = f"nothing where {name} is stated: leave out interface to keep the number, or {name} to keep the state"
+        raise InputError("interface", state.name, allowed)
+    if not state.allows(first, second):
+        allowed = f"{', '.join(allowed_interfaces(first, second))}: what {first.name} and {second.name} allow"
+        raise InputError("interface", state.name, allowed)
 
 
 def interface_weights(first: Material, second: Material) -> dict[str, float]:
@@ -167,4 +205,18 @@ def _number(state: Interface, name: str) -> dict[str, Any] | None:
 
 @cache
 def _states() -> dict[str, Interface]:
-    return {name: Interface(name=name, **table) for name, table in read_tables("interface_data", "interfaces").items()}
+    return {
+        name: Interface(name=name, **table) for name, table in read_tables("contact", "interface_data", "interfaces").items()
+    }
+
+
+def _as_interface(value: Any) -> Any:
+    """Return the state of this name; leave records and tables to the checks of the record."""
+    if isinstance(value, Interface | dict | None):
+        return value
+    with field_named(""):
+        return interface(value)
+
+
+# A field that holds a state: its name, a table of its numbers, or an Interface.
+State = Annotated[Interface, BeforeValidator(_as_interface, json_schema_input_type=str | Interface)]

@@ -7,13 +7,13 @@ from typing import Any, Literal, NamedTuple, Self, get_args
 import numpy as np
 from pydantic import Field, model_validator
 
-from stiction.contact.data_files import read_tables
-from stiction.contact.ranges import Ranges, check_ranges, range_in_words
+from stiction.quantities.data_files import read_tables
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber, nearest
+from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.units import to_si
 
-__all__ = ["MATERIAL_CLASSES", "Material", "class_of", "material", "material_names", "preset_name", "symbols_of"]
+__all__ = ["MATERIAL_CLASSES", "Material", "class_of", "material", "material_names", "notes_left", "preset_name", "symbols_of"]
 
 # What decides which states an interface may be in, the class that rules a pair first.
 MaterialClass = Literal["ice", "elastomer", "polymer", "layered solid", "carbon film", "soft metal", "metal", "ceramic"]
@@ -54,7 +54,7 @@ class Material(Input):
     def replace(self, **changes: Any) -> Self:
         """Another material, with these fields in place of its own; what is replaced loses its source and its range. Raises
         InputError."""
-        return super().replace(**changes | _notes_left(self.source, self.range, changes))
+        return super().replace(**changes | notes_left(self.source, self.range, changes))
 
     @property
     def shear_modulus(self):
@@ -103,7 +103,7 @@ def material(name: str, /, **changes) -> Material:
     name = preset_name(name)
     preset = _presets()[name]
     own = {"name": name, "material_class": preset.material_class, **preset.numbers}
-    return Material(**own | changes | _notes_left(preset.source, preset.range, changes))
+    return Material(**own | changes | notes_left(preset.source, preset.range, changes))
 
 
 def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) -> str:
@@ -132,8 +132,8 @@ def symbols_of(name: str) -> tuple[str, ...]:
     return tuple(symbol for symbol in _presets()[name].symbols if every.count(symbol) == 1)
 
 
-def _notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Source and range of a changed material: its own wherever nothing is changed, and what the changes say."""
+def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Return source and range of a changed record: its own wherever nothing is changed, and what the changes say."""
     if isinstance(source, Mapping):
         source = {field: text for field, text in source.items() if field not in changes}
     given = changes.get("range", {})
@@ -179,7 +179,7 @@ class _Preset(NamedTuple):
 def _presets() -> dict[str, _Preset]:
     """Every preset, read from all files of material_data/."""
     presets: dict[str, _Preset] = {}
-    for name, data in read_tables("material_data", "materials").items():
+    for name, data in read_tables("contact", "material_data", "materials").items():
         notes, ends = data.pop("source", {}), data.pop("range", {})
         symbols, group = tuple(data.pop("symbols", ())), data.pop("material_class")
         presets[name] = _Preset(data, {field: notes.get(field, "") for field in data}, ends, symbols, group)

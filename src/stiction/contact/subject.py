@@ -75,6 +75,11 @@ class Subject(Input):
         return "gaussian", {}
 
     @property
+    def surface_kind(self) -> str | None:
+        """The kind of surface that is stated, one of finishes.SURFACE_KINDS; else None."""
+        return None
+
+    @property
     def measured(self) -> Any:
         """What scans say of the roughness, where it was measured; else None."""
         return None

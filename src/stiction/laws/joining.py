@@ -12,7 +12,7 @@ from stiction.engine.bisection import up_to
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import AsperityLaw, TangentialLaw, select_options
+from stiction.records.registry import AsperityLaw, TangentialLaw, select_options
 
 # Nearer to an end of a piece than this, relative to it, a kink is at the end.
 _AT_END = 4e-15

@@ -3,8 +3,8 @@
 from math import inf
 
 from stiction.contact.subject import Subject
-from stiction.laws.claims import Validity
 from stiction.laws.validity import doubts_about
+from stiction.records.claims import Validity
 
 __all__ = ["OUT_OF_PROPORTION", "questions"]
 

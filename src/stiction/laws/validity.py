@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.subject import Subject
-from stiction.laws.claims import KINDS_OF_DOUBT, Validity, range_in_words
 from stiction.quantities.table import QUANTITIES
+from stiction.records.claims import KINDS_OF_DOUBT, Validity, range_in_words
 
 if TYPE_CHECKING:
     import xarray

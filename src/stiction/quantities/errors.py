@@ -2,9 +2,10 @@
 
 import difflib
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 
-__all__ = ["InWords", "InputDoubt", "InputError", "nearest"]
+__all__ = ["InWords", "InputDoubt", "InputError", "field_below", "field_named", "nearest"]
 
 _LONGEST = 80  # of a longer value the two ends are shown: of a path, the end says most
 
@@ -43,6 +44,24 @@ class InputError(ValueError):
     def __str__(self) -> str:
         field, allowed = (re.sub(r"\s+", " ", text) for text in (self.field, self.allowed))
         return "; ".join(filter(None, [f"{field}: {_short(self.value)}", f"allowed: {allowed}", self.hint]))
+
+
+@contextmanager
+def field_named(name: str) -> Iterator[None]:
+    """Give the field of an InputError raised inside this name; "" where the record around it knows the full path."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(name, error.value, error.allowed) from None
+
+
+@contextmanager
+def field_below(place: str) -> Iterator[None]:
+    """Put the place of a table before the field of an InputError raised inside."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(f"{place}.{error.field}".rstrip("."), error.value, error.allowed) from None
 
 
 def nearest(word, known: Iterable[str]) -> str:

@@ -3,6 +3,10 @@
 A Vickers number is the force in kgf over the facets' area in mm^2 (ISO 6507-1); the mean pressure is the force over the
 projected area, which is sin(136 deg / 2) of it: 1 HV is 9.80665 MPa / sin 68 deg = 10.577 MPa (ISO 14577-1: HV = 0.0945 H_IT).
 
+A Brinell number is the force in kgf over the area in mm^2 of the cap that a ball of diameter D leaves (ISO 6506-1). An imprint
+of diameter d = 0.24 to 0.60 D puts the mean pressure 1.5 to 11 % above the number; d = 0.375 D is taken, where the edge of the
+ball is as steep as the Vickers pyramid: 1 HB is 10.178 MPa.
+
 Rockwell C has no such definition: HV = (223 HRC + 14500) / (100 - HRC), a formula in common use whose origin is not known here,
 goes through the printed table for steels that are not austenitic (ASTM E140, table 1) to 1.4 % from 35 to 68 HRC. Grade B.
 """
@@ -15,6 +19,8 @@ from stiction.quantities.errors import InputError
 __all__ = ["from_hardness_test"]
 
 VICKERS = 9.80665e6 / math.sin(math.radians(68.0))  # Pa
+_IMPRINT = 0.375  # d/D
+BRINELL = 9.80665e6 * 2.0 * (1.0 - math.sqrt(1.0 - _IMPRINT**2)) / _IMPRINT**2  # Pa
 _SOFTEST, _HARDEST = 20.0, 68.0  # HRC, of the table
 _SCALE = re.compile(r"HV(?:\s*/?\s*\d+(?:\.\d+)?)?|HRC|HRB|HRA|HB[WS]?|HK", re.IGNORECASE)
 
@@ -27,8 +33,10 @@ def from_hardness_test(number: float, unit: str, text: str) -> float | None:
     scale = unit.upper()
     if scale.startswith("HV"):
         return number * VICKERS
+    if scale.startswith("HB"):
+        return number * BRINELL
     if scale == "HRC":
         if not _SOFTEST <= number <= _HARDEST:
             raise InputError("hardness", text, f'{_SOFTEST:g} to {_HARDEST:g} HRC, or another scale: "7 GPa", "700 HV"')
         return (223.0 * number + 14500.0) / (100.0 - number) * VICKERS
-    raise InputError("hardness", text, 'pressure, Vickers or Rockwell C: "7 GPa", "700 HV", "60 HRC"')
+    raise InputError("hardness", text, 'pressure, Vickers, Brinell or Rockwell C: "7 GPa", "700 HV", "200 HB", "60 HRC"')

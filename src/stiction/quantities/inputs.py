@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
 from typing import Annotated, Any, Self
 
 import numpy as np
@@ -10,12 +9,12 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, ValidationError, Va
 
 from stiction.quantities import html
 from stiction.quantities.dimensions import coordinates
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError, field_named, nearest
 from stiction.quantities.foreign import is_series
 from stiction.quantities.table import QUANTITIES, Quantity
 from stiction.quantities.units import from_series, show, to_si
 
-__all__ = ["Input", "Number", "OptionalNumber", "floats", "nearest", "require_callable", "unnamed"]
+__all__ = ["Input", "Number", "OptionalNumber", "as_text", "floats", "nearest", "require_callable"]
 
 
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
@@ -30,18 +29,9 @@ def floats(value: Any, field: str, allowed: str) -> np.ndarray:
         raise InputError(field, value, allowed) from None
 
 
-@contextmanager
-def unnamed():
-    """Take the name off an InputError raised inside: the record around it knows the full path."""
-    try:
-        yield
-    except InputError as error:
-        raise InputError("", error.value, error.allowed) from None
-
-
 def _number(value, info: ValidationInfo):
     name = str(info.field_name)
-    with unnamed():
+    with field_named(""):
         number = to_si(from_series(value, name) if is_series(value) else value, name)
     if isinstance(number, np.ndarray):
         raise InputError(
@@ -164,7 +154,7 @@ class Input(BaseModel):
             if isinstance(value, Input):
                 rows += [(f"{name}.{inner}", text) for inner, text in value.listed()]
             elif name in QUANTITIES and value is not None:
-                rows.append((name, _as_text(value, name)))
+                rows.append((name, as_text(value, name)))
             elif isinstance(value, str) and name not in _SAID_BY_NOTES:
                 rows.append((name, value))
             elif isinstance(value, dict) and name not in _SAID_BY_NOTES:
@@ -191,7 +181,8 @@ class Input(BaseModel):
         coordinates(self.arrays())
 
 
-def _as_text(value: Any, name: str) -> str:
+def as_text(value: Any, name: str) -> str:
+    """Return a number of the named quantity, or the ends of an array, with the unit."""
     if not hasattr(value, "dims"):
         return show(value, name)
     ends = [show(float(end), name) for end in (value.min(), value.max())]
@@ -245,5 +236,5 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
 
 def _wanted(name: str, cls: type[Input]) -> str:
     if name in QUANTITIES:
-        return f"{QUANTITIES[name].meaning}, {QUANTITIES[name].wanted}"
+        return QUANTITIES[name].described
     return cls.model_fields[name].description or "required"

@@ -60,6 +60,16 @@ class Quantity:
         return f'{self.allowed}, e.g. "{self.example}"' if self.unit and self.example else self.allowed
 
     @property
+    def described(self) -> str:
+        """Return the meaning with what is wanted."""
+        return f"{self.meaning}, {self.wanted}"
+
+    @property
+    def as_text(self) -> str:
+        """Return what a case file must have: text with a unit."""
+        return f"text with a unit: {self.described}"
+
+    @property
     def scale(self) -> str:
         """What results of a whole contact are scaled by (contact.subject.Scales): the SI unit, or "count" of asperities."""
         return "count" if self.normalised_by == COUNT else self.unit

@@ -47,6 +47,7 @@ SHORT = {
     "rms_height": "rms height",
     "yield_strain": "yield strain",
     "pressure_over_body_below": "pressure, of body below",
+    "pressure_over_punching": "pressure over punching",
     "elastic_over_adhesion": "elastic over adhesion",
     "strength_over_shear_modulus": "shear strength over G",
     "strength_over_bodies": "strength over bodies",

@@ -121,7 +121,7 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
      "square root of the nominal area over sigma"),
     ("shear_strength", "tau_0/H", r"\tau_0/H", "", _NOT_NEGATIVE, "0.1",
      "interfacial shear strength at no pressure over hardness"),
-    ("strength_over_shear_modulus", "tau_0/G", r"\tau_0/G", "", _NOT_NEGATIVE, "",
+    ("strength_over_shear_modulus", "tau_0/G", r"\tau_0/G", "", _NOT_NEGATIVE, "0.02",
      "interfacial shear strength at no pressure over the shear modulus of the softer body"),
     ("pressure_coefficient", "alpha", r"\alpha", "", _NOT_NEGATIVE, "0.05",
      "rise of the interfacial shear strength with pressure"),
@@ -140,7 +140,8 @@ _INPUTS = [  # name, symbol, latex, unit, bounds, example, meaning
     ("contact_resistance", "R_c", r"R_\mathrm{c}", "ohm", _POSITIVE, "", "electrical resistance of the contact"),
     # of a measured surface; no example either
     ("scan_size", "L", "L", "m", _POSITIVE, "", "size of a scan, or another length along it"),
-    ("rms_height", "Sq", r"S_\mathrm{q}", "m", _POSITIVE, "", "root mean square height of a surface"),
+    ("rms_height", "Sq", r"S_\mathrm{q}", "m", _POSITIVE, "0.2 um", "root mean square height of a surface"),
+    ("mean_height", "Ra", r"R_\mathrm{a}", "m", _POSITIVE, "0.16 um", "arithmetic mean height"),
 ]
 
 _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form is divided by, meaning
@@ -217,6 +218,8 @@ _OUTPUTS = [  # name, symbol, latex, unit, bounds, what its dimensionless form i
     ("yield_strain", "Y/E*", r"Y/E^*", "", _NOT_NEGATIVE, "", "yield stress of the softer body over the contact modulus"),
     ("pressure_over_body_below", "P/(A H_b)", r"P/(AH_\mathrm{b})", "", _NOT_NEGATIVE, "",
      "mean pressure in contacts on a hard film over what the body below carries at their radius over its thickness"),
+    ("pressure_over_punching", "P/(A p_c)", r"P/(Ap_\mathrm{c})", "", _NOT_NEGATIVE, "",
+     "mean pressure in contacts on a hard film over the largest that does not punch the film through"),
     ("grown_area_ratio", "A_s/A", r"A_\mathrm{s}/A", "", _NOT_NEGATIVE, "",
      "contact area grown under shear over that before (Tabor 1959)"),
     ("touching_share", "n/(N A_n)", r"n/(NA_\mathrm{n})", "", _SHARE, "", "share of the asperities that touch"),

@@ -11,7 +11,7 @@ from stiction.studies.comparison.recommendation import LIQUID
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["doubts", "doubts_of_model", "doubts_with_meanings", "said_of_liquid"]
+__all__ = ["doubts", "doubts_of_model", "doubts_with_meanings", "over_models", "said_of_liquid"]
 
 
 def doubts_of_model(one: "xarray.Dataset") -> list[str]:
@@ -32,6 +32,12 @@ def doubts_with_meanings(data: "xarray.Dataset") -> list[str]:
         one.rule: f"{QUANTITIES[one.quantity].meaning} ({QUANTITIES[one.quantity].symbol})" for one in every if one.quantity
     }
     return [f"{meant[rule]} {rule[rule.index('is not') :]}" if rule in meant else rule for rule in doubts(data)]
+
+
+def over_models(data: "xarray.Dataset") -> str:
+    """Say which models the range of mu spans, and how many impossible ones it leaves out."""
+    impossible = data.attrs["impossible_models"]
+    return f"over all possible models ({impossible} impossible left out)" if impossible else "over all models"
 
 
 def said_of_liquid(data: "xarray.Dataset") -> str:

@@ -68,6 +68,16 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
     )
 
 
+def recommended_record(data: "xarray.Dataset") -> dict[str, Any] | None:
+    """Return the answer of normalised numbers, of which nothing is predicted: what the recommended model says, with the ends
+    between which two thirds of the weight of the models are."""
+    name = data.attrs.get("recommended", "none")
+    if name == "none":
+        return None
+    mu = data["friction_coefficient_at_load"].sel(model=name).item()
+    return {"friction_coefficient": mu, "interval": list(data.attrs["recommended_range"]), "level": 2.0 / 3.0}
+
+
 def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
     """What one model says of every way to find asperities in a measured surface, at the working load."""
     name = "friction_coefficient_at_load"

@@ -8,6 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.number_table import number_table
 from stiction.report.tables import shown
 
 if TYPE_CHECKING:
@@ -32,9 +33,7 @@ def design_table(data: "xarray.Dataset", along: str) -> Table:
     if along == "design":
         numbers = np.arange(min(data.sizes[along], _ROWS))
     shown_columns = [name for name in columns if name not in ("broken", "violated")]
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for name in shown_columns:
-        table.add_column(_head(name), justify="right")
+    table = number_table(map(_head, shown_columns), wrap=True)
     for at in numbers:
         table.add_row(*(_cell(name, data[columns[name]].values[at]) for name in shown_columns))
     return table
@@ -69,6 +68,8 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
         yield Text(f"of what is uncertain ({used['uncertain']}) wishes and limits hold for 95 %")
     for words in filter(None, used["missed"].split("\n")):
         yield Text(f"objective missed: {words}; widen the ranges or choose another number", style="bold yellow")
+    if used["other_model"]:
+        yield Text(used["other_model"], style="bold yellow")
     if used["verdict"]:
         yield Text(used["verdict"], style="bold yellow")
     for at in range(min(data.sizes["design"], _ROWS)):

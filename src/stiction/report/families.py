@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stiction.laws.registry import YIELDED
+from stiction.records.registry import YIELDED
 
 if TYPE_CHECKING:
     import xarray

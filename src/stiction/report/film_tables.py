@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from rich.table import Table
-from rich.text import Text
 
+from stiction.report.number_table import number_table
 from stiction.report.tables import shown
 
 if TYPE_CHECKING:
@@ -31,10 +31,8 @@ def film_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     """About twelve points of a result of `film_stresses`, or all; every number with its unit where it has one."""
     count = max(data["load"].size, 1)
     chosen = np.unique(np.linspace(0, count - 1, count if all_rows else min(count, _ROWS)).round().astype(int))
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
     names = [name for name in _HEADS if name in data]
-    for name in names:
-        table.add_column(Text(_HEADS[name]), justify="right", no_wrap=True)
+    table = number_table(_HEADS[name] for name in names)
     columns = [np.broadcast_to(np.ravel(data[name].values), count)[chosen] for name in names]
     for cells in zip(*columns, strict=True):
         table.add_row(*(_cell(value, data[name]) for value, name in zip(cells, names, strict=True)))

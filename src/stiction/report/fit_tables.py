@@ -8,6 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.quantities.units import show
+from stiction.report.number_table import number_table
 
 if TYPE_CHECKING:
     import xarray
@@ -21,9 +22,8 @@ def _quantity(name: str) -> str:
 
 def parameter_table(data: "xarray.Dataset") -> Table:
     """A row for each free number: its best value, and its interval."""
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for head in ("free", "best", "95 % from", "to", "searched"):
-        table.add_column(head, justify="left" if head == "free" else "right", no_wrap=head != "free")
+    table = number_table(("best", "95 % from", "to", "searched"), "free")
+    table.columns[0].no_wrap = False
     for at, name in enumerate(data["parameter"].values.tolist()):
         one, quantity = data.isel(parameter=at), _quantity(name)
         value, low, high, least, most = (
@@ -52,10 +52,8 @@ def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 def evidence_table(data: "xarray.Dataset") -> Table:
     """Models by what the data say for them."""
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
     left = "chi_square" if "chi_square" in data else "scatter"
-    for head in ("model", left.replace("_", " "), "AICc", "weight", data["left_out"].attrs["long_name"]):
-        table.add_column(head, justify="left" if head == "model" else "right")
+    table = number_table([left.replace("_", " "), "AICc", "weight", data["left_out"].attrs["long_name"]], "model", wrap=True)
     for at, name in enumerate(data["model"].values.tolist()):
         one = data.isel(model=at)
         if str(one["why_not"].values):

@@ -11,29 +11,30 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from stiction.laws.overview import entries
+from stiction.case.read import Case, as_case
+from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import require
 from stiction.quantities.paths import require_place
+from stiction.quantities.progress import Progress, silent
 from stiction.report import report_sections as say
+from stiction.report.answer import answer_record
 from stiction.report.honest_digits import rounded
 from stiction.report.html_tables import FORMULAS
 from stiction.report.html_words import breakable, formula
 from stiction.report.printed_sources import printed
 from stiction.report.report_answer import answer_in_words, beside_headline, best_of, doubts_here, headline, question, spreads
 from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
-from stiction.studies.case.read import Case, as_case
-from stiction.studies.case.text import as_toml
-from stiction.studies.comparison.findings import Findings, find_out, text_of_file
+from stiction.solving.overview import entries
+from stiction.studies.findings import Findings, find_out, text_of_file
 
 __all__ = ["as_html", "case_as_html", "check_place", "report_record", "write_html", "write_report"]
 
 _SUFFIXES = (".html", ".htm")
-Progress = Callable[[str], Callable[[Iterable], Iterable]]
 
 
 def write_report(
-    case: Any, path: Any, *, load: Any = None, ranges: bool | None = None, progress: Progress = lambda text: iter
+    case: Any, path: Any, *, load: Any = None, ranges: bool | None = None, progress: Progress = silent
 ) -> dict[str, Any]:
     """A report of a case as one file of HTML: question, answer with its doubt, inputs with their sources, pictures, all models
     compared, uncertainty, validity, measured surfaces, citations, versions, and the case to run it again.
@@ -56,12 +57,12 @@ def write_report(
     return report_record(findings)
 
 
-def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progress = lambda text: iter) -> str:
+def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progress = silent) -> str:
     """The page of a case that was read from this text. Raises InputError."""
     return as_html(find_out(case, text, progress=progress), name, say.command(name, None, None), progress)
 
 
-def as_html(findings: Findings, name: str, again: str, progress: Progress = lambda text: iter) -> str:
+def as_html(findings: Findings, name: str, again: str, progress: Progress = silent) -> str:
     """The page; name: of the case file; again: the command line that makes it. The same findings give the same text but for the
     date."""
     import jinja2
@@ -138,7 +139,8 @@ def report_record(findings: Findings) -> dict[str, Any]:
     return {
         "title": findings.case.title,
         "question": question(findings),
-        "answer": answer_in_words(findings),
+        "answer": None if findings.prediction is None else answer_record(findings.prediction),
+        "answer_in_words": answer_in_words(findings),
         "model": data.attrs["model"],
         "grade": data.attrs["grade"],
         "working_load": findings.answer.load,

@@ -9,7 +9,8 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from stiction.contact.interfaces import GRADES, interfaces
+from stiction.contact.interfaces import interfaces
+from stiction.quantities.data_files import GRADES
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 
@@ -45,7 +46,11 @@ def interfaces_table() -> Group:
         table.add_row(row["name"], *cells)
     letters = [Text(f"{letter}: {meaning}") for letter, meaning in GRADES.items()]
     meaning = Text("Strength tau_0 + alpha p; H, G: hardness, shear modulus of the softer body")
-    return Group(table, meaning, *letters)
+    return Group(table, meaning, *letters, _how_to_state("oxidised metal"))
+
+
+def _how_to_state(name: str) -> Text:
+    return Text(f'In a case, under [contact]: interface = "{name}"\nIn Python: st.Contact(..., interface="{name}")')
 
 
 def interface_in_full(name: str) -> Group:
@@ -60,5 +65,5 @@ def interface_in_full(name: str) -> Group:
         ]
     with_one = f"; one body of {' or '.join(row['only_with'])}" if row["only_with"] else ""
     lines.append(Text(f"allowed between: {'; '.join(row['pairs'])}{with_one}"))
-    lines.append(Text(f"not for: {row['not_for']}"))
+    lines += [Text(f"not for: {row['not_for']}"), _how_to_state(name)]
     return Group(*lines)

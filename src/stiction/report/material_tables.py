@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.contact.materials import Material, material, material_names, symbols_of
-from stiction.contact.ranges import range_in_words
+from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 

@@ -124,7 +124,7 @@ def _places(cutoffs: np.ndarray) -> np.ndarray:
     return np.where(cutoffs > 0.0, cutoffs, 0.5 * others.min() if others.size else 1.0)
 
 
-def _apart(places: np.ndarray, gap: float = 0.08) -> list[float]:
+def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
     """Those of the ascending places that are apart by this part of the axis, so that their labels have room."""
     at = np.log(places / places[0])
     kept = [0]

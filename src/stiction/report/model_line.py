@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from stiction.laws.registry import GRADES
+from stiction.records.registry import GRADES
 from stiction.solving.choice import LAWS
 
 __all__ = ["grade_line", "model_line"]

@@ -5,9 +5,9 @@ Results stay datasets of xarray, whose own view folds their attributes away, and
 
 from typing import TYPE_CHECKING
 
-from stiction.laws.registry import GRADES
 from stiction.laws.validity import doubts_of
 from stiction.quantities import html
+from stiction.records.registry import GRADES
 from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:

@@ -7,10 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter, LogFormatter
 
-from stiction.laws.finding import methods
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, finish
+from stiction.surfaces.finding import methods
 
 __all__ = ["along", "look_of", "plain", "scale", "unit_for"]
 

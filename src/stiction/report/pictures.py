@@ -336,7 +336,7 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
                 axes.axhline(0.125, color=colour, linewidth=0.9, linestyle=style)
             axes.plot(here["theta"], here["lam"], marker="*", color=RED, markeredgecolor="white", markersize=12)
             if row == 0:
-                axes.set_title(f"({claim.key}) {_wrapped(claim.says)}", fontsize=9)
+                axes.set_title(f"({claim.key}) {textwrap.fill(claim.says, 36)}", fontsize=9)
             if column == 0:
                 axes.set_ylabel(f"{in_words(reading)}\nplastic adhesion index $\\lambda$")
             if row == len(READINGS) - 1:
@@ -349,7 +349,3 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
         fontsize=10,
     )
     return figure
-
-
-def _wrapped(text: str, width: int = 36) -> str:
-    return "\n".join(textwrap.wrap(text, width))

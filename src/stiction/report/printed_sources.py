@@ -5,8 +5,8 @@ import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from stiction.laws.overview import entries
-from stiction.laws.sources import ENTRY
+from stiction.records.sources import ENTRY
+from stiction.solving.overview import entries
 
 __all__ = ["Printed", "in_letters", "printed"]
 

@@ -8,12 +8,13 @@ import numpy as np
 from stiction.contact.contact import Contact
 from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
+from stiction.report import answer
 from stiction.report.honest_digits import rounded
 from stiction.report.report_inputs import plain_name, with_powers
 from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
 from stiction.report.tables import shown
 from stiction.report.uncertainty_tables import MEANINGS
-from stiction.studies.comparison.findings import Findings
+from stiction.studies.findings import Findings
 
 if TYPE_CHECKING:
     import xarray
@@ -112,6 +113,8 @@ def _load_in_words(findings: Findings) -> str:
 
 def headline(findings: Findings) -> str:
     """The number, with as many digits as its doubt leaves it; the ends of several."""
+    if findings.prediction is not None:
+        return answer.headline(findings.prediction).replace("mu", "μ", 1)
     data, here = findings.answer.data, findings.answer.here
     name = shown_quantity(data)
     if here is not None:
@@ -131,7 +134,7 @@ def headline(findings: Findings) -> str:
 def beside_headline(findings: Findings) -> str:
     """What the recommended model says, where it is another one; "" where it is not."""
     best, here = best_of(findings), findings.answer.here
-    if best is None or here is None or _MU not in here:
+    if findings.prediction is not None or best is None or here is None or _MU not in here:
         return ""
     mu = float(best[f"{_MU}_at_load"])
     if abs(mu - float(here[_MU])) <= 1e-9 * abs(mu):
@@ -154,6 +157,8 @@ def _ends(values: "xarray.DataArray") -> tuple[float, float]:
 
 def answer_in_words(findings: Findings) -> str:
     """One sentence with its doubt, and one more where another model is recommended."""
+    if findings.prediction is not None:
+        return f"{answer.headline(findings.prediction)}. {findings.prediction.attrs['regime']}"
     data, here = findings.answer.data, findings.answer.here
     model = data.attrs["model"]
     if here is None:

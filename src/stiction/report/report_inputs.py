@@ -4,11 +4,11 @@ from typing import Any
 
 from stiction.contact.contact import Contact
 from stiction.contact.materials import Material
-from stiction.contact.ranges import range_in_words
+from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.report.html_tables import Table
 from stiction.report.tables import group_in_words
-from stiction.studies.comparison.findings import Findings, places_in
+from stiction.studies.findings import Findings, places_in
 
 __all__ = ["groups_of_groups", "groups_of_inputs", "plain_name", "with_powers"]
 

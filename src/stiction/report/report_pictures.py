@@ -12,7 +12,7 @@ from stiction.report.inline_pictures import inline
 from stiction.report.pictures import panel_of_curve, panels
 from stiction.report.report_answer import value_in_words
 from stiction.report.several_tables import shown_quantity
-from stiction.studies.comparison.findings import Findings
+from stiction.studies.findings import Findings
 
 if TYPE_CHECKING:
     import xarray
@@ -128,7 +128,7 @@ def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
     families = dict.fromkeys(str(one) for one in told["family_of_curve"].values if one)
     for at, family in enumerate(families):
         mine = np.flatnonzero(told["family_of_curve"].values == family)
-        some = told.isel(model=mine).assign_attrs(reason="why is said above")
+        some = told.isel(model=mine).assign_attrs(reason="reason above")
         caption = f"Friction against load by every model, {family}; faint where a model is outside its range."
         yield _picture(partial(comparison_figure, some, " "), f"compared{at}", caption, wide=True)
 

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.laws.claims import KINDS_OF_DOUBT
-from stiction.laws.sources import bibliography
 from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
+from stiction.records.claims import KINDS_OF_DOUBT
+from stiction.records.sources import bibliography
+from stiction.report.answer import answer_lines
 from stiction.report.comparison_doubts import doubts_with_meanings, said_of_liquid
 from stiction.report.families import said_of_plastic_junctions
 from stiction.report.html_tables import Table, of_printed
@@ -23,15 +24,13 @@ from stiction.report.report_answer import Spread, best_of, doubts_here, spreads,
 from stiction.report.report_inputs import groups_of_inputs, with_powers
 from stiction.report.tables import comparison_table, curve_table, run_notes
 from stiction.report.uncertainty_tables import draws_in_words, in_draws, with_meaning
-from stiction.studies.comparison.findings import Findings
+from stiction.studies.findings import Findings
 
 if TYPE_CHECKING:
-    import xarray
+    from stiction.case.uncertain import Uncertain
 
-    from stiction.studies.case.uncertain import Uncertain
-
-__all__ = ["compared", "comparison_lines", "curve_rows", "doubt_table", "here_table", "model_lines", "notes", "scan_parts",
-           "spread_table_of", "uncertainty_lines", "versions"]  # fmt: skip
+__all__ = ["answer_table", "compared", "comparison_lines", "curve_rows", "doubt_table", "here_table", "model_lines", "notes",
+           "scan_parts", "spread_table_of", "uncertainty_lines", "versions"]  # fmt: skip
 
 _RESULTS = ("friction_coefficient", "friction_force", "contact_area", "area_fraction", "nominal_pressure", "mean_separation",
             "touching_asperities", "pull_off_force")  # fmt: skip
@@ -40,6 +39,11 @@ _PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotli
 
 def _doubt_in_words(doubt: Doubt) -> str:
     return letters(f"{KINDS_OF_DOUBT[doubt.kind].capitalize()}: {doubt}")
+
+
+def answer_table(findings: Findings) -> Table:
+    """Return the rows of the prediction."""
+    return Table("What the number rests on", ["", ""], [list(row) for row in answer_lines(findings.prediction)])
 
 
 def here_table(findings: Findings) -> Table | None:
@@ -111,14 +115,9 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
     lines += [f"{line}." for line in used["criteria"].splitlines()]
     return {
         "lines": [letters(one) for one in lines],
-        "doubts": _numbered_doubts(told),
+        "doubts": [letters(one) for one in doubts_with_meanings(told)],
         "left_out": used["left_out"].splitlines(),
     }
-
-
-def _numbered_doubts(told: "xarray.Dataset") -> list[str]:
-    """The doubts of the table, in its order, with what their symbols mean."""
-    return [letters(one) for one in doubts_with_meanings(told)]
 
 
 def spread_table_of(findings: Findings) -> Table | None:

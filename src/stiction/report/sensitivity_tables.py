@@ -10,6 +10,7 @@ from rich.text import Text
 
 from stiction.laws.validity import doubts_of
 from stiction.report.model_line import model_line
+from stiction.report.number_table import number_table
 from stiction.report.several_tables import of_point, points_dimension
 from stiction.report.uncertainty_tables import draws_in_words, in_draws
 from stiction.solving.pointwise import WHY_NOT
@@ -59,11 +60,8 @@ def indices_table(data: "xarray.Dataset") -> Table:
     """Sobol indices and Morris effects of friction (or the first result there is) at the working load, and of the others the
     total indices; the most important input first."""
     one, (first, *others) = at_working_load(data), results_of(data, "total_order")
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column(f"{of_point(data, working_place(data))}\n", no_wrap=True)
     heads = [f"{_HEADS[first]}\ntotal", "\n95 %", "\nfirst", "\neffect", *(f"{_HEADS[name]}\ntotal" for name in others)]
-    for head in heads:
-        table.add_column(head, justify="right", no_wrap=True)
+    table = number_table(heads, f"{of_point(data, working_place(data))}\n")
     for at in ranked(one, first, "total_order", "input"):
         row = one.isel(input=int(at))
         low, high = (float(row[f"{first}_total_order_{end}"]) for end in ("low", "high"))
@@ -81,10 +79,7 @@ def _share(row: "xarray.Dataset", name: str) -> str:
 def elasticities_table(data: "xarray.Dataset") -> Table:
     """d ln y/d ln x of every number of the contact at the working load, the largest of friction first."""
     one, names = at_working_load(data), results_of(data, "elasticity")
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("1 % more of", no_wrap=True)
-    for name in names:
-        table.add_column(f"{_HEADS[name]}, %", justify="right")
+    table = number_table((f"{_HEADS[name]}, %" for name in names), "1 % more of")
     for at in ranked(one, names[0], "elasticity", "number") if names else []:
         row = one.isel(number=int(at))
         table.add_row(str(row["number"].item()), *(_signed(float(row[f"{name}_elasticity"])) for name in names))

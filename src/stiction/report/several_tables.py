@@ -4,9 +4,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from rich.table import Table
-from rich.text import Text
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.number_table import number_table
 from stiction.report.tables import shown
 
 if TYPE_CHECKING:
@@ -78,12 +78,8 @@ def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     each = max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
     most = data[name].size if all_rows else _ROWS if len(dims) == 1 else each
     picked = [some(data.sizes[dim], most) for dim in dims]
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for dim in dims:
-        for one in coordinates_along(data, dim):
-            table.add_column(Text(_head(one)), justify="right", no_wrap=True)
-    for at in columns:
-        table.add_column(Text(f"{_HEADS[name]} at\n{of_point(data, at)}"), justify="right", no_wrap=True)
+    heads = [_head(one) for dim in dims for one in coordinates_along(data, dim)]
+    table = number_table([*heads, *(f"{_HEADS[name]} at\n{of_point(data, at)}" for at in columns)])
     values = data[name].transpose(*dims, *([points] if points else []))
     for places in np.ndindex(*(len(one) for one in picked)):
         row = [int(one[at]) for one, at in zip(picked, places, strict=True)]

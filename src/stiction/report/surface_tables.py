@@ -1,11 +1,16 @@
 """What the command line prints of scans: rich tables and text."""
 
-from typing import TYPE_CHECKING
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.table import Table
 from rich.text import Text
 
+from stiction.case.text import inline
+from stiction.quantities.units import show
+from stiction.report.number_table import number_table
 from stiction.report.tables import facts, shown
 from stiction.studies.scans.analysis import Analysis
 from stiction.surfaces.heightmap import HeightMap
@@ -16,7 +21,7 @@ if TYPE_CHECKING:
     import xarray
 
     from stiction.studies.scans.map_contact import ContactOfMap
-    from stiction.studies.scans.measured import Measured
+    from stiction.surfaces.measured import Measured
 
 
 def surface_summary(analysis: Analysis) -> Table:
@@ -51,6 +56,69 @@ def surface_summary(analysis: Analysis) -> Table:
             ("", _moments(analysis.by_spectrum)),
         ]
     )  # fmt: skip
+
+
+def surface_in_short(analysis: Analysis) -> Table:
+    """Return the scan, its heights, with the kind of surface, and its asperities in a line each."""
+    surface, found = analysis.surface, analysis.statistics
+    rows, columns = surface.heights.shape
+    y, x = (shown(length, "scan_size", 3) for length in surface.size)
+    size = f"{x}, {columns} points" if surface.is_profile else f"{x} x {y}, {columns} x {rows} points"
+    slope = found.slope_x if surface.is_profile else found.slope
+    missing = f", {_missing(surface)} missing" if surface.missing else ""
+    spikes = f"{analysis.spikes} points stand out: mask them with --spikes {SUSPICIOUS:g}" if analysis.spikes else ""
+    kind = analysis.kind or "not found"
+    heights = f"Sq {shown(found.Sq, 'scan_size', 3)}, skewness {found.Ssk:.2g}, rms slope {slope:.2g}; kind: {kind}"
+    return facts(
+        [
+            ("Scan", f"{size}{missing}"),
+            ("Heights", heights),
+            ("Spikes", spikes),
+            ("Asperities", _in_short(analysis)),
+        ]
+    )  # fmt: skip
+
+
+def _in_short(analysis: Analysis) -> str:
+    each = analysis.asperities
+    if not each:
+        return "none found: see --details"
+    radii = [one.radius for one in each.values()]
+    ends = [shown(end, "asperity_radius", 2) for end in (min(radii), max(radii))]
+    return f"by {analysis.standing}; R {ends[0]} to {ends[1]} by {len(each)} ways of finding them"
+
+
+def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
+    """Return the lines of a case file that use this surface: the scan itself, and its asperities as numbers.
+
+    case_table: the roughness of a case file that reads the scan again.
+    """
+    numbers = asperity_numbers(analysis)
+    lines = ["Use this in a case:", *_lines(case_table, "the scan itself")]
+    lines += _lines(numbers, "or its asperities") if numbers else []
+    return [Text(line, no_wrap=True) for line in lines]
+
+
+def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
+    """Return the roughness of a case file with the asperities that stand for the surface; empty where none were found.
+
+    Heights that no formula describes are Gaussian here.
+    """
+    if not analysis.standing:
+        return {}
+    one, heights = analysis.asperities[analysis.standing], analysis.heights[analysis.standing]
+    parameters = {name: float(f"{value:.3g}") for name, value in heights.parameters.items() if heights.name == "weibull"}
+    return {
+        "asperity_height_deviation": show(one.deviation, "asperity_height_deviation", 3).replace("µ", "u"),
+        "asperity_radius": show(one.radius, "asperity_radius", 3).replace("µ", "u"),
+        "asperity_density": f"{one.density:.3g} 1/m^2",
+        **({"height_distribution": "weibull", "height_parameters": parameters} if parameters else {}),
+        **({} if analysis.kind is None else {"kind": analysis.kind}),
+    }
+
+
+def _lines(table: Mapping[str, Any], comment: str) -> list[str]:
+    return [f"[contact.roughness]  # {comment}", *(f"{key} = {inline(value)}" for key, value in table.items())]
 
 
 def _missing(surface: HeightMap) -> str:
@@ -132,11 +200,7 @@ def map_notes(data: "xarray.Dataset") -> list[Text]:
 
 def contact_table(contact: "ContactOfMap") -> Table:
     """The contact of a map: a row for each nominal pressure."""
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for head in contact.columns:
-        for before in (" in ", " load", "/(", "/Sq"):
-            head = head.replace(before, f"\n{before.lstrip()}")
-        table.add_column(head, justify="right")
+    table = number_table((re.sub(r" (?=in |load)|(?=/\(|/Sq)", "\n", head) for head in contact.columns), wrap=True)
     for row in zip(*contact.columns.values(), strict=True):
         table.add_row(*map(_number, row))
     return table
@@ -155,11 +219,7 @@ def contact_notes(contact: "ContactOfMap") -> list[Text]:
 
 
 def _table(*more: str) -> Table:
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
-    table.add_column("method", no_wrap=True)
-    for head in ("sigma", "R", "N\n1/m²", "N R\nsigma", *more):
-        table.add_column(head, justify="right", no_wrap=True)
-    return table
+    return number_table(("sigma", "R", "N\n1/m²", "N R\nsigma", *more), "method", gap=1)
 
 
 def _cells(deviation: float, radius: float, density: float) -> list[str]:

@@ -11,23 +11,24 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.contact.contact import Contact
-from stiction.laws.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
 from stiction.laws.validity import doubts_of
 from stiction.quantities.short_names import SHORT
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_with_meanings, said_of_liquid
+from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
+from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_with_meanings, over_models, said_of_liquid
 from stiction.report.comparison_rows import run_command
 from stiction.report.families import said_of_plastic_junctions
 from stiction.report.model_line import grade_line, model_line
+from stiction.report.number_table import number_table
 from stiction.report.plain_formulas import as_text
-from stiction.solving.film_errors import in_words, read_film_errors
+from stiction.solving.accuracy.film_errors import in_words, read_film_errors
 from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case.read import Case
+    from stiction.case.read import Case
 
 _NOTED: tuple[type[Record], ...] = (RoughSurface, AsperityLaw, TangentialLaw, FilmLaw)
 _ROWS = 12
@@ -50,11 +51,11 @@ def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[s
     chosen = _chosen_rows(data["load"].size, all_rows)
     names = [name for name in heads if name in data]
     columns = [_column(data[name], name, chosen) for name in names]
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
     units = any(unit for unit, _ in columns)
-    for name, (unit, _) in zip(names, columns, strict=True):
-        head = f"{heads[name]}\n" + (f"[{unit}]" if unit else "") if units else heads[name]
-        table.add_column(Text(head), justify="right", no_wrap=True)
+    table = number_table(
+        f"{heads[name]}\n" + (f"[{unit}]" if unit else "") if units else heads[name]
+        for name, (unit, _) in zip(names, columns, strict=True)
+    )
     for cells in zip(*(cells for _, cells in columns), strict=True):
         table.add_row(*cells)
     return table
@@ -288,7 +289,7 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
     if "working_load" in used:
         plain = data["load"].attrs.get("units", "1") == "1"
         load = f"{used['working_load']:.4g}" if plain else shown(used["working_load"], "load")
-        lines.append(Text(f"working load {load}: mu {_range(used['spread'])} over all models, {_within(data)}"))
+        lines.append(Text(f"working load {load}: mu {_range(used['spread'])} {over_models(data)}, {_within(data)}"))
         lines += [Text(said) for said in (said_of_plastic_junctions(data), said_of_liquid(data)) if said]
         lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
         if used["recommended"] in data["model"]:

@@ -9,6 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.number_table import number_table
 from stiction.report.several_tables import of_point, points_dimension, shown_quantity, some, varied
 from stiction.report.whole_keys import WholeKeys
 
@@ -35,9 +36,7 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
     if f"{name}_quantile" not in data:
         return Text(f"{name} does not vary with what is uncertain", style="dim")
     dim, several = points_dimension(data), varied(data)
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for head in ("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "sampling\nerror"):
-        table.add_column(head, justify="right", no_wrap=True)
+    table = number_table(("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "sampling\nerror"))
     # Where numbers are several, of each the first: the files have them all.
     whole = data.isel({one: 0 for one in several})
     for at in some(data.sizes[dim] if dim else 1, _ROWS):
@@ -91,9 +90,7 @@ def in_draws(share: float, text: str) -> str:
 def spread_table(data: "xarray.Dataset") -> Table:
     """What friction at the working load differs by, each apart."""
     coverage = data.attrs.get("coverage", 0.9)
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for head, side in (("mu differs by", "left"), ("from", "right"), ("to", "right"), ("a factor", "right")):
-        table.add_column(head, justify="right" if side == "right" else "left", no_wrap=True)
+    table = number_table(("from", "to", "a factor"), "mu differs by")
     for name in data["spread"].values:
         one = data.sel(spread=name)
         cells = [_short(float(one[f"spread_{end}"]), 3) for end in ("low", "high", "factor")]
@@ -107,10 +104,8 @@ def models_band_table(data: "xarray.Dataset") -> Table:
     """Quantiles of every model over what is uncertain, at the working load."""
     name = "friction_coefficient_at_load"
     told = [0, data.sizes["quantile"] // 2, -1]  # the ends and the median
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("over what is uncertain", no_wrap=True)
-    for head in ("nominal", *(f"{share:.0%}" for share in data["quantile"].values[told]), "sampling\nerror"):
-        table.add_column(head, justify="right", no_wrap=True)
+    levels = (f"{share:.0%}" for share in data["quantile"].values[told])
+    table = number_table(("nominal", *levels, "sampling\nerror"), "over what is uncertain")
     for at in np.argsort(data[name].values):
         one = data.isel(model=int(at))
         band, error = one[f"{name}_quantile"].values, one[f"{name}_quantile_error"].values

@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject
-from stiction.laws.registry import (
+from stiction.quantities.errors import InputError
+from stiction.records.registry import (
     AsperityLaw,
-    Contamination,
     FilmLaw,
     RoughSurface,
     TangentialLaw,
@@ -15,15 +15,10 @@ from stiction.laws.registry import (
     friction_incompatibility,
     of_kind,
 )
-from stiction.quantities.errors import InputError
 from stiction.solving.choice import LAWS, Choice
 
 # Greenwood & Williamson's sum takes any asperity law, and this film law any of them.
 _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
-# The law of menisci that takes any asperity law.
-_MENISCI = "equilibrium_meniscus"
-_AGEING = "berthoud_1999"
-_JUNCTIONS = "independent_junctions"
 # The asperity law under laws of junctions that grow: one that flows, and of which solved surfaces measured a small error.
 _FLOWS = "zhao_maietta_chang_2000"
 # Of a map that is solved at some loads in a few seconds.
@@ -133,39 +128,6 @@ def with_interface(choice: Choice, groups: Groups) -> Choice:
     if choice.tangential is not None or find(choice.model_key, RoughSurface).tangential != "none":
         return choice
     return replace(choice, tangential=law_of_the_interface(groups))
-
-
-def with_menisci(choice: Choice, groups: Groups) -> Choice:
-    """The choice with the law of menisci that suits every asperity law, where the contact states a liquid, none was named, and
-    the model is a sum over asperities."""
-    if choice.meniscus is not None or groups.meniscus_index is None or not find(choice.model_key, RoughSurface).asperity:
-        return choice
-    return replace(choice, meniscus=_MENISCI)
-
-
-def with_ageing(choice: Choice, groups: Groups) -> Choice:
-    """The choice with the law of strengthening at rest, where the contact states how long that was, none was named, and the
-    strength of the interface is what is sheared."""
-    of_map = find(choice.model_key, RoughSurface).of_map is not None
-    if choice.ageing is not None or groups.waiting is None or of_map or not _shears_an_area(choice):
-        return choice
-    return replace(choice, ageing=_AGEING)
-
-
-def with_contamination(choice: Choice, groups: Groups) -> Choice:
-    """The choice with the spread by single junctions, where the contact states how they vary, none was named, the strength of
-    the interface is what is sheared, and a sum without a film knows them."""
-    asperity = find(choice.model_key, RoughSurface).asperity
-    known = all(groups.knows(name) for name in find(_JUNCTIONS, Contamination).needs) and not groups.has_film
-    if choice.contamination is not None or not known or not asperity or not _shears_an_area(choice):
-        return choice
-    return replace(choice, contamination=_JUNCTIONS)
-
-
-def _shears_an_area(choice: Choice) -> bool:
-    """Whether the tangential law, of the choice or of its model, has a strength of the interface on the contact area."""
-    key = choice.tangential or find(choice.model_key, RoughSurface).tangential
-    return key != "none" and find(key, TangentialLaw).of_area
 
 
 def law_of_the_interface(groups: Groups) -> str:

@@ -1,18 +1,17 @@
 """The laws that are to answer: a choice looked up in the registry, with the reason where its parts do not suit each other."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from typing import Any
 
+from stiction.contact.indices import Groups
 from stiction.laws.joining import Law
-from stiction.laws.registry import (
+from stiction.quantities.errors import InputError
+from stiction.records.registry import (
     JUNCTIONS,
     NO_JUNCTIONS,
-    Ageing,
     AsperityLaw,
-    Contamination,
     FilmLaw,
-    Meniscus,
-    Presliding,
     Record,
     RoughSurface,
     TangentialLaw,
@@ -21,7 +20,7 @@ from stiction.laws.registry import (
     incompatibility,
     resolve_options,
 )
-from stiction.quantities.errors import InputError
+from stiction.solving.additions import ADDITIONS, added
 from stiction.solving.choice import Choice
 
 
@@ -30,21 +29,17 @@ class Chosen:
     """A model with its laws and all their options.
 
     asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
-    ignored: what was chosen too and has nothing to answer for. meniscus: None where no law of menisci
-    pulls; ageing: None where nothing strengthens at rest; contamination: None where no spread is asked; dry: whether menisci
-    were left out by name.
+    ignored: what was chosen too and has nothing to answer for. additions: the other laws of the contact, by keyword, see
+    `additions.ADDITIONS`. dry: whether menisci were left out by name.
     """
 
     model: RoughSurface
     asperity: AsperityLaw | None
     tangential: TangentialLaw | None
     film: FilmLaw | None
-    presliding: Presliding | None
     options: Mapping[str, str]
     ignored: tuple[str, ...] = ()
-    meniscus: Meniscus | None = None
-    ageing: Ageing | None = None
-    contamination: Contamination | None = None
+    additions: Mapping[str, Any] = field(default_factory=dict)
     dry: bool = False
 
     @property
@@ -65,33 +60,36 @@ class Chosen:
         """The same with another value of an option."""
         return replace(self, options={**self.options, name: value})
 
+    def without(self, keyword: str, **changes: Any) -> "Chosen":
+        """Return the same without an addition, and with other changes."""
+        return replace(self, additions={name: law for name, law in self.additions.items() if name != keyword}, **changes)
+
     def records(self) -> list[Record]:
         """The records of all that answers, each with the parts that its options bring into it."""
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
-        interface = self.presliding, self.meniscus, self.ageing, self.contamination
-        laws = [one for one in (self.model, asperity, self.tangential, self.film, *interface) if one is not None]
+        laws = [one for one in (self.model, asperity, self.tangential, self.film, *self.additions.values()) if one is not None]
         return [record for one in laws for record in (one, *one.parts(self.options))]
 
 
-def look_up(choice: Choice, coated: bool) -> Chosen:
-    """The laws of a choice, for a contact with a film or without one.
+def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chosen:
+    """Return the laws of a choice, for a contact with a film or without one; groups: what it states, which may ask for more.
 
     Raises InputError for keys that are not known, for options that none of the laws has, and where laws do not suit each other.
     """
     model = find(choice.model_key, RoughSurface)
-    presliding = find(choice.presliding, Presliding) if choice.presliding else None
-    tangential = _tangential(choice.tangential or model.tangential)
+    key = choice.tangential or model.tangential
+    tangential = None if key == "none" else find(key, TangentialLaw)
     if not model.asperity:
         _refuse_parts(choice, model, tangential, coated and model.of_map is None)
         options, ignored = _options(choice, model, tangential), _ignored(choice, coated)
-        ageing, dry = _ageing(choice, model, tangential), choice.meniscus == "none"
-        return Chosen(model, None, tangential, None, None, options, ignored, ageing=ageing, dry=dry)
+        additions = _additions(choice, groups, model, tangential, None)
+        return Chosen(model, None, tangential, None, options, ignored, additions, choice.meniscus == "none")
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
-    meniscus = None if choice.meniscus in (None, "none") else find(choice.meniscus, Meniscus)
+    additions = _additions(choice, groups, model, tangential, film)
     if choice.film and not coated:
         find(choice.film, FilmLaw)  # one that is known waits for a contact with a film; one that nobody knows is refused
-    for one in (tangential, film, meniscus):
+    for one in (tangential, film, additions.get("meniscus")):
         if one is not None and (reason := incompatibility(one, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)
             raise InputError(field, value, f"laws that go together: {reason}")
@@ -100,9 +98,13 @@ def look_up(choice: Choice, coated: bool) -> Chosen:
         raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
     options = _options(choice, model, asperity, tangential, film)
     _refuse_junctions(film, tangential, options)
-    ageing, ignored = _ageing(choice, model, tangential), _ignored(choice, coated)
-    varies = _contamination(choice, tangential, film)
-    return Chosen(model, asperity, tangential, film, presliding, options, ignored, meniscus, ageing, varies)
+    return Chosen(model, asperity, tangential, film, options, _ignored(choice, coated), additions)
+
+
+def _additions(choice: Choice, groups: Groups | None, *laws: Any) -> dict[str, Any]:
+    """Return the laws beside model, tangential law and film, by keyword."""
+    found = {keyword: added(keyword, getattr(choice, keyword), groups, *laws) for keyword in ADDITIONS}
+    return {keyword: law for keyword, law in found.items() if law is not None}
 
 
 def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, options: Mapping[str, str]) -> None:
@@ -123,41 +125,6 @@ def _options(choice: Choice, *laws: Record | None) -> dict[str, str]:
     return resolve_options([one for one in laws if one is not None], choice.options)
 
 
-def _ageing(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None) -> Ageing | None:
-    """The law of strengthening at rest; InputError where no strength of the interface is sheared that could grow."""
-    if choice.ageing in (None, "none"):
-        return None
-    found = find(choice.ageing, Ageing)
-    if model.of_map is not None:
-        raise InputError("ageing", found.key, f"none: {model.key} limits the shear of points, which do not wait")
-    if tangential is None or not tangential.of_area:
-        without = "there is no tangential law" if tangential is None else f"{tangential.key} is none that goes with the area"
-        raise InputError(
-            "ageing", found.key, f"none, or a tangential law whose force is a strength of the interface on the area: {without}"
-        )
-    return found
-
-
-def _contamination(choice: Choice, tangential: TangentialLaw | None, film: FilmLaw | None) -> Contamination | None:
-    """The law of junctions that differ; InputError where no strength of the interface is sheared, or a film is."""
-    if choice.contamination in (None, "none"):
-        return None
-    found = find(choice.contamination, Contamination)
-    if film is not None:
-        raise InputError(
-            "contamination", found.key, f"none: how a junction is shared by film and substrate ({film.key}) is not known"
-        )
-    if tangential is None or not tangential.of_area:
-        raise InputError(
-            "contamination", found.key, "none, or a tangential law whose force is a strength of the interface on the area"
-        )
-    return found
-
-
-def _tangential(key: str) -> TangentialLaw | None:
-    return None if key == "none" else find(key, TangentialLaw)
-
-
 def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
     brought = [key for value, key in model.film_by_option.items() if value in choice.options.values()]
     if brought:
@@ -166,7 +133,9 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
         return find(brought[0], FilmLaw)
     key = choice.film or model.default_film
     if not key:
-        raise InputError("model", model.key, "a model that knows films, or a film law beside it; this contact has a film")
+        raise InputError(
+            "model", model.key, "a model of coated contacts, or a model with a film law, because the contact has a film"
+        )
     film = find(key, FilmLaw)
     if not film.interchangeable:
         raise InputError("film", key, "another film law; this one belongs to one reading of its model")
@@ -176,19 +145,13 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
     """InputError for what a theory in closed form cannot be combined with."""
     if coated and not model.on_film:
-        raise InputError("model", model.key, "a sum over asperities, which this model is not: this contact has a film")
+        raise InputError("model", model.key, "an asperity model, because the contact has a film")
     if model.on_film and not coated:
         raise InputError("model", model.key, "another model: this one is of surfaces with a film, and this contact has none")
     if coated and choice.film:
         raise InputError("film", choice.film, f"nothing: {model.key} has its own")
     if choice.asperity:
         raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
-    if choice.presliding:
-        raise InputError("presliding", choice.presliding, f"nothing: {model.key} knows no single asperities")
-    if choice.contamination not in (None, "none"):
-        raise InputError("contamination", choice.contamination, f"none: {model.key} knows no single junctions")
-    if choice.meniscus not in (None, "none"):
-        raise InputError("meniscus", choice.meniscus, f"none: {model.key} knows no single asperities for a liquid to bridge")
     if model.of_map is not None and choice.film:
         raise InputError("film", choice.film, f"nothing: {model.key} solves the film of the contact itself")
     if tangential is not None and not tangential.interfacial:

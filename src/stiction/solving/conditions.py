@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from stiction.laws.claims import Validity
 from stiction.laws.meniscus.equilibrium_meniscus import KELVIN
 from stiction.laws.proportion import OUT_OF_PROPORTION
 from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.quantities.dimensions import aligned
+from stiction.records.claims import Validity
 from stiction.solving.on_map import OnMap
 from stiction.solving.problem import Problem, lost_in_rounding
 from stiction.solving.state import state_of
@@ -44,7 +44,11 @@ def _does_not_adhere(problem: Problem) -> bool:
 
 def leaves_out_liquid(problem: Problem) -> bool:
     """Return whether the contact has a liquid that its model does not know."""
-    return problem.groups.meniscus_index is not None and problem.chosen.meniscus is None and not _solves_menisci(problem)
+    return (
+        problem.groups.meniscus_index is not None
+        and "meniscus" not in problem.chosen.additions
+        and not _solves_menisci(problem)
+    )
 
 
 def _solves_menisci(problem: Problem) -> bool:
@@ -83,6 +87,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
      _does_not_grow),
     (Validity("pressure_over_body_below", 0.0, 1.05, "the body below a hard film yields: mu is too low", "effect"), _any),
     (Validity("pressure_over_body_below", 0.0, 0.8, "the body below yields: its film may crack, and mu rise"), _any),
+    (Validity("pressure_over_punching", 0.0, 1.1, "the film would be punched through: mu is too low", "impossible"), _any),
     (Validity("film_plasticity_index", 0.0, 0.6, "asperities are taken as elastic, and the film, or what it meets, yields",
               "effect"), _elastic_on_a_film),
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),

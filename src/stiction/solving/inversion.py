@@ -10,9 +10,9 @@ import numpy as np
 from stiction.engine.at_loads import NO_TENSION, NOTHING, starts
 from stiction.engine.blocks import blocks
 from stiction.engine.heights import gaussian_density
-from stiction.engine.regime import MENISCUS
 from stiction.engine.summation import FARTHEST
 from stiction.quantities.errors import InputError
+from stiction.solving.laplace import pull_and_bound
 from stiction.solving.problem import LOAD, ClosedForm, Problem, Sum
 
 # Separations searched first, the last far beyond any model's claim; and on, where heights or adhesion reach farther, by
@@ -149,9 +149,8 @@ def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
     bound = np.zeros(where.size, dtype=bool)
     pulled = np.flatnonzero(np.isfinite(where))
     if problem.most_pull is not None and pulled.size:
-        alone = [at for at, regime in enumerate(problem.regimes) if regime.state == MENISCUS]
-        pull = -problem.sums(where[pulled], pulled)[alone, ..., LOAD].sum(axis=0)
-        bound[pulled] = pull >= problem.most_pull[pulled] * (1.0 - _LEFT)
+        pull, most = pull_and_bound(problem.sums(where[pulled], pulled), problem.regimes, problem.most_pull[:, pulled])
+        bound[pulled] = pull >= most * (1.0 - _LEFT)
     return bound
 
 

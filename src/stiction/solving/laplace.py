@@ -1,4 +1,4 @@
-"""The most that a liquid between two faces can pull: Laplace's pressure, gamma/r, on the nominal area.
+"""Bound the pull of a liquid between two faces: Laplace's pressure gamma/r acts on A_n - A, where the solids do not touch.
 
 Laws of menisci know one asperity each. Where the menisci of neighbours meet, their sum counts what they share as often as they
 share it, and may pass this bound; nothing can.
@@ -10,25 +10,36 @@ from stiction.contact.indices import Groups
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.engine.summation import QUANTITIES
 
-__all__ = ["bounded", "most_pull"]
+__all__ = ["bounded", "most_pull", "pull_and_bound"]
 
-_LOAD = QUANTITIES.index("load")
+_LOAD, _AREA = QUANTITIES.index("load"), QUANTITIES.index("area")
 
 
 def most_pull(groups: Groups) -> np.ndarray | None:
-    """gamma A_n/r per asperity and normalised (n,): gamma/(r N) over K R^(1/2) sigma^(3/2); None where the density of
-    asperities is not known, or there is no liquid."""
+    """Return gamma/r per asperity and normalised on the nominal area, and pi N R sigma (2, n).
+
+    The first is gamma/(r N) over K R^(1/2) sigma^(3/2). None where the density of asperities is not known, or no liquid is.
+    """
     if groups.roughness_parameter is None or groups.meniscus_index is None or groups.meniscus_height is None:
         return None
-    return 1.0 / (groups.meniscus_index * groups.meniscus_height * groups.roughness_parameter)
+    pressure = 1.0 / (groups.meniscus_index * groups.meniscus_height * groups.roughness_parameter)
+    return np.stack([pressure, np.pi * groups.roughness_parameter])
+
+
+def pull_and_bound(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the pull of menisci and its bound gamma (A_n - A)/r (...,) in the sums (regimes, ..., 5); most: (2, ...)."""
+    pull = -sums[_of_menisci(regimes), ..., _LOAD].sum(axis=0)
+    return pull, most[0] * np.clip(1.0 - most[1] * sums[..., _AREA].sum(axis=0), 0.0, 1.0)
 
 
 def bounded(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> np.ndarray:
-    """The sums (regimes, ..., 5), with loads of menisci that together pull by no more than `most` (...,). Changes them."""
-    wet = [at for at, regime in enumerate(regimes) if regime.state == MENISCUS]
-    pull = -sums[wet, ..., _LOAD].sum(axis=0)
-    above = pull > most
+    """Scale the loads of menisci in the sums (regimes, ..., 5) down to their bound, in place, and return the sums."""
+    pull, bound = pull_and_bound(sums, regimes, most)
+    above = pull > bound
     if above.any():
-        share = np.where(above, most, 1.0) / np.where(above, pull, 1.0)
-        sums[wet, ..., _LOAD] *= share
+        sums[_of_menisci(regimes), ..., _LOAD] *= np.where(above, bound, 1.0) / np.where(above, pull, 1.0)
     return sums
+
+
+def _of_menisci(regimes: list[Regime]) -> list[int]:
+    return [at for at, regime in enumerate(regimes) if regime.state == MENISCUS]

@@ -8,17 +8,17 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.laws.joining import resistances
-from stiction.laws.registry import select_options
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import several_in_words
+from stiction.records.registry import select_options
 from stiction.solving.point_shear import POINT_SHEARS, points_of
 from stiction.solving.problem_base import Problem, with_coefficient
 
 if TYPE_CHECKING:
-    from stiction.laws.registry import TangentialLaw
-    from stiction.surfaces.boundary_elements.curve import MapCurve
-    from stiction.surfaces.boundary_elements.solve import MapContact
+    from stiction.records.registry import TangentialLaw
+    from stiction.solvers.boundary_elements.curve import MapCurve
+    from stiction.solvers.boundary_elements.solve import MapContact
     from stiction.surfaces.heightmap import HeightMap
 
 # Results that are of every contact: name in the table of quantities -> name of the number of a MapContact.
@@ -146,8 +146,8 @@ class OnMap(Problem):
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
         """From light contact of the map to about a third of it, or of the hardness."""
-        from stiction.surfaces.boundary_elements.measures import waves
-        from stiction.surfaces.boundary_elements.sampled import fewest_points
+        from stiction.solvers.boundary_elements.measures import waves
+        from stiction.solvers.boundary_elements.sampled import fewest_points
 
         contact, surface = self.contact, self.surface()
         points = fewest_points(surface.heights, surface.size, surface.periodic)

@@ -19,7 +19,7 @@ from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
 
 if TYPE_CHECKING:
-    from stiction.surfaces.boundary_elements.solve import MapContact
+    from stiction.solvers.boundary_elements.solve import MapContact
 
 __all__ = ["POINT_SHEARS", "PointArea", "points_of"]
 
@@ -53,7 +53,7 @@ def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, PointArea]]:
 
 def _lesser(contact: Contact, law: str, one: "MapContact") -> float:
     """(1), the force of the map [N]."""
-    strength, coefficient = _strength(contact), contact.pressure_coefficient
+    strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:
         raise InputError(
             "pressure_coefficient", None, "a number: shear = lesser is the lesser of it times the pressure and tau_0"
@@ -84,7 +84,7 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> float:
 
 def _strength(contact: Contact) -> float:
     """Return the strength of the interface [Pa], that of the weaker body at most."""
-    if contact.interfacial_shear_strength is None:
+    if contact.interface_strength is None:
         raise InputError("interfacial_shear_strength", None, "the strength of the interface")
     return float(contact.interface_strength)
 

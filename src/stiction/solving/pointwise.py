@@ -7,8 +7,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from stiction.contact.subject import Subject
-from stiction.laws.claims import Validity
 from stiction.quantities.errors import InputError
+from stiction.records.claims import Validity
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import rules_left, rules_of
 from stiction.solving.inversion import Inversion

@@ -13,11 +13,11 @@ from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
 from stiction.laws.joining import Law, resistances
-from stiction.laws.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, TangentialLaw, find, select_options
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.solving.candidates import with_ageing, with_contamination, with_interface, with_menisci
+from stiction.records.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, TangentialLaw, find, select_options
+from stiction.solving.candidates import with_interface
 from stiction.solving.choice import DEFAULT_MODEL, Choice
 from stiction.solving.chosen import look_up
 from stiction.solving.laplace import bounded, most_pull
@@ -50,12 +50,12 @@ class Sum(Problem):
     def effects(self) -> list[str]:
         plasticity = any(one.state not in ("elastic", MENISCUS) for one in self.regimes)
         known = ("adhesion", self.adheres), ("plasticity", plasticity), ("the film", self.chosen.film is not None)
-        return [name for name, there in (*known, ("menisci", self.chosen.meniscus is not None)) if there]
+        return [name for name, there in (*known, ("menisci", "meniscus" in self.chosen.additions)) if there]
 
     @cached_property
     def regimes(self) -> list[Regime]:
         """Those of the solids, then those of menisci between them."""
-        menisci = self.chosen.meniscus
+        menisci = self.chosen.additions.get("meniscus")
         return self._solids() if menisci is None else [*self._solids(), *menisci.pull(self.groups)]
 
     def _solids(self) -> list[Regime]:
@@ -93,23 +93,18 @@ class Sum(Problem):
 
     def stiffness(self, h: np.ndarray) -> np.ndarray:
         """Tangential stiffness per asperity (n, m) at the separations h (n, m), before anything slides."""
-        presliding = self.chosen.presliding
-        assert presliding is not None
-        if self.chosen.film is not None:
-            raise InputError("presliding", presliding.key, "nothing: how film and substrate share it is not known")
-        return self._summed_alone(presliding, h)
+        return self._summed_alone(self.chosen.additions["presliding"], h)
 
     def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
         """What a law that stands in the place of a tangential law gives, per asperity (n, m), at the separations h (n, m)."""
-        plain = replace(self.chosen, model=replace(self.record, regimes=None), tangential=law, meniscus=None)
+        plain = self.chosen.without("meniscus", model=replace(self.record, regimes=None), tangential=law)
         rows = np.repeat(np.arange(len(h)), h.shape[1])
         sums = replace(self, chosen=plain)._scattered(h.reshape(-1), rows)
         return sums[..., _SLIP_LIMITED].sum(axis=0).reshape(h.shape)
 
     def _spread(self, results: dict[str, np.ndarray], h: np.ndarray) -> np.ndarray:
         """Standard deviation of mu (n, m): variances of the asperities' forces add up, and so do their loads."""
-        law, load = self.chosen.contamination, results["load"]
-        assert law is not None
+        law, load = self.chosen.additions["contamination"], results["load"]
         asperities = number_of_asperities(self.groups)
         assert asperities is not None  # the law needs what decides it
         deviation = np.sqrt(self._summed_alone(law, h) / asperities)
@@ -150,17 +145,17 @@ class Sum(Problem):
 
     @cached_property
     def most_pull(self) -> np.ndarray | None:
-        """The most that menisci pull per asperity (n,); None where none pull, or no bound is known."""
-        return None if self.chosen.meniscus is None else most_pull(self.groups)
+        """Return what bounds the pull of menisci (2, n); None where none pull, or no bound is known."""
+        return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
     def _scattered(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         sums = scattered(self.regimes, h, self.heights, law, self.threads)
-        return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[law])
+        return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[:, law])
 
     def _on_grid(self, h: np.ndarray) -> np.ndarray:
         """Sums (regimes, n, H, 5)."""
         sums = np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1)
-        return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[:, None])
+        return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
 
     def _as_published(self) -> "Sum | None":
         """The same with its tangential law as it is published, where another one is taken for junctions that have yielded."""
@@ -169,9 +164,9 @@ class Sum(Problem):
         return replace(self, chosen=self.chosen.with_option(JUNCTIONS, NO_JUNCTIONS))
 
     def _with_stiffness(self, results: dict[str, np.ndarray], h: np.ndarray) -> dict[str, np.ndarray]:
-        if self.chosen.contamination is not None:
+        if "contamination" in self.chosen.additions:
             results["friction_coefficient_spread"] = self._spread(results, h)
-        return results if self.chosen.presliding is None else results | {"tangential_stiffness": self.stiffness(h)}
+        return results | {"tangential_stiffness": self.stiffness(h)} if "presliding" in self.chosen.additions else results
 
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
         """Results (n, m) from the sums (regimes, n, m, 5) by what the regimes are labelled."""
@@ -187,7 +182,7 @@ class Sum(Problem):
             name = state.replace("-", "_")
             results[f"load_{name}"] = of_those(loads, chosen)
             results[f"contact_area_{name}"] = of_those(areas, chosen)
-        if self.chosen.meniscus is not None:
+        if "meniscus" in self.chosen.additions:
             results["load_meniscus"] = of_those(loads, [regime.state == MENISCUS for regime in regimes])
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
@@ -363,13 +358,6 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     return problem
 
 
-def _completed(choice: Choice, groups: Groups) -> Choice:
-    """The choice with the laws that a contact asks for by what it states."""
-    for more in (with_interface, with_menisci, with_ageing, with_contamination):
-        choice = more(choice, groups)
-    return choice
-
-
 def number_of_asperities(groups: Groups) -> np.ndarray | None:
     """Number of asperities on the nominal area (n, 1), N A_n = N R sigma (A_n/sigma^2) (sigma/R); None if that is not known."""
     if groups.nominal_width is None or groups.sharpness is None or groups.roughness_parameter is None:
@@ -379,7 +367,7 @@ def number_of_asperities(groups: Groups) -> np.ndarray | None:
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
     """The problem of these groups, with one dimension, "contact". subject: what a user gave, if it was more than groups."""
-    chosen = look_up(_completed(choice, groups), groups.has_film)
+    chosen = look_up(with_interface(choice, groups), groups.has_film, groups)
     for record in chosen.records():
         for name in record.needs:
             if not groups.knows(name):
@@ -388,5 +376,5 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
                 allowed = f"{_wanted(given)}: {record.key}{whose} needs it"
                 raise InputError(given, getattr(subject, given, None), allowed, _others(choice.model_key))
     kind: type[Problem] = Sum if chosen.asperity is not None else OnMap if chosen.model.of_map is not None else ClosedForm
-    groups = groups if chosen.ageing is None else chosen.ageing.aged(groups)
+    groups = chosen.additions["ageing"].aged(groups) if "ageing" in chosen.additions else groups
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

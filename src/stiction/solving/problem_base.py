@@ -9,7 +9,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.heights import Heights
-from stiction.laws.registry import Record, RoughSurface
+from stiction.records.registry import Record, RoughSurface
 from stiction.solving.chosen import Chosen
 
 

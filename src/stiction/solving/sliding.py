@@ -62,6 +62,8 @@ def slide(
     elastic. Raises InputError.
     """
     subject = as_subject(contact)
+    if subject.has_film:
+        raise InputError("contact", "with a film", "a bare contact: how film and substrate share a displacement is not known")
     choice = choice_of(model, {**laws, "presliding": _PRESLIDING}, subject)
     problem = _checked(make_problem(contact, choice, heights))
     sliding = Sliding(problem, _share(kept))
@@ -93,8 +95,6 @@ def _share(kept: Any) -> float:
 def _checked(problem: Problem) -> Sum:
     """The problem, if it is known how its asperities slip; InputError, with the reason, where not."""
     model = problem.record
-    if problem.groups.has_film:
-        raise InputError("contact", "with a film", "a bare contact: how film and substrate share a displacement is not known")
     if problem.chosen.tangential is None:
         wanted = f"a tangential law, which says what an asperity withstands: {model.key} takes none by itself"
         raise InputError("tangential", "none", wanted)
@@ -140,7 +140,7 @@ class Sliding:
         """The slope of the force at rest, of the shape of the separations: of all asperities that have a strength."""
         chosen = self.problem.chosen
         assert chosen.tangential is not None
-        still = replace(self.problem, chosen=replace(chosen, tangential=sticking_law(chosen.tangential), presliding=None))
+        still = replace(self.problem, chosen=chosen.without("presliding", tangential=sticking_law(chosen.tangential)))
         laws = len(self.problem.groups)
         return still.forces(h.reshape(-1), np.repeat(np.arange(laws), h.size // laws))[0].reshape(h.shape)
 
@@ -148,7 +148,7 @@ class Sliding:
         chosen = self.problem.chosen
         assert chosen.tangential is not None
         law = slipping_law(chosen.tangential, displacement, self.kept)
-        moved = replace(self.problem, groups=self.problem.groups[row], chosen=replace(chosen, tangential=law, presliding=None))
+        moved = replace(self.problem, groups=self.problem.groups[row], chosen=chosen.without("presliding", tangential=law))
         return moved.forces(h, np.arange(h.size))
 
     def curve(self, static: dict[str, np.ndarray], displacement: np.ndarray) -> dict[str, np.ndarray]:

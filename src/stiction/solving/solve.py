@@ -7,9 +7,9 @@ import numpy as np
 from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
-from stiction.laws.registry import RoughSurface, find
 from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.errors import InputError
+from stiction.records.registry import RoughSurface, find
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubts_of_rounding

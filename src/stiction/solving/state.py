@@ -19,8 +19,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.contact.layered.below import pressure_carried_below
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
+from stiction.solvers.layered.below import pressure_carried_below
 from stiction.solving.problem import Problem, number_of_asperities
 from stiction.surfaces.theory.touching import expected_share
 
@@ -73,7 +73,7 @@ def _of_the_map(problem: Problem) -> dict[str, np.ndarray]:
     surface = getattr(problem, "map", None)
     if surface is None:
         return {}
-    from stiction.surfaces.boundary_elements.map_area import map_area  # which a contact of numbers does without
+    from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
 
     area = map_area(surface)
     known = {
@@ -135,14 +135,20 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, share: np.ndarray | None) -> dict[str, np.ndarray]:
-    """Mean pressure (n, m) of spots on films harder than the body, over what that body carries through them."""
+    """Return the mean pressure (n, m) of spots on films harder than the body over two limits: what that body carries through
+    them, and what punches them through, at most H_b + 2 (t/a) tau_f of a plug of radius a (upper-bound theorem of plasticity).
+    """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}
     touching = expected_share(area) if share is None else share
     spot = np.divide(area, touching, where=touching > 0.0, out=np.full(area.shape, np.nan))
     carried = pressure_carried_below(spot, groups)
     pressure = load / (groups.eta[:, None] * np.where(area > 0.0, area, np.nan))
-    return {"pressure_over_body_below": np.where(np.reshape(groups.n_H, (-1, 1)) > 1.0, pressure / carried, np.nan)}
+    thickness = np.reshape(groups.film_aspect / groups.films, (-1, 1)) / np.sqrt(np.where(spot > 0.0, spot, np.nan))
+    punching = 1.0 + 2.0 * thickness * np.reshape(groups.body_shear_strength, (-1, 1))
+    hard = np.reshape(groups.n_H, (-1, 1)) > 1.0
+    limits = {"pressure_over_body_below": carried, "pressure_over_punching": punching}
+    return {name: np.where(hard, pressure / limit, np.nan) for name, limit in limits.items()}
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
@@ -165,7 +171,7 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
 
     pull: normalised (n, m). It is Laplace's pressure on what is wetted, so that it counts also those that bridge a gap; around
     elastic asperities it is less, and there those that touch count with the ring 2 pi R 2 r c of each. Where it is the most
-    that can be, gamma A_n/r, it no longer says how many are bridged: there that is what Gaussian heights give.
+    that can be, gamma (A_n - A)/r, it no longer says how many are bridged: there that is what Gaussian heights give.
     """
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
@@ -174,7 +180,8 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
     if groups.roughness_parameter is not None:
         ring = 2.0 * math.pi * groups.roughness_parameter[:, None] * height
         bridged = np.maximum(pull * groups.meniscus_index[:, None] / (2.0 * math.pi), share)
-        flooded = ring * bridged >= 1.0 - 1e-9
+        free = 1.0 - math.pi * groups.roughness_parameter[:, None] * area
+        flooded = ring * bridged >= free * (1.0 - 1e-9)
         found["meniscus_coverage"] = ring * np.where(flooded, np.maximum(bridged, _held_by_menisci(share, height)), bridged)
     return found
 

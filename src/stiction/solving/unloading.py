@@ -20,11 +20,12 @@ from stiction.engine.summation import FARTHEST
 from stiction.laws.asperity.shared.letting_go import drawn_apart
 from stiction.laws.joining import coordinates, within
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, RoughSurface, TangentialLaw, find
 from stiction.laws.validity import with_doubts
 from stiction.quantities.dimensions import aligned, dimensions
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.table import QUANTITIES
+from stiction.records.registry import AsperityLaw, RoughSurface, TangentialLaw, find
+from stiction.solving.additions import ADDITIONS
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.inversion import largest_tension
@@ -167,10 +168,8 @@ def _one_of(subject: Subject, **either: Any) -> Any:
     if len(given) != 1:
         raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
     name, quantity = given[0], "load" if given[0] == "pressed_with" else "mean_separation"
-    try:
+    with field_named(name):
         value = points_asked(subject, quantity, either[name])
-    except InputError as error:
-        raise InputError(name, error.value, error.allowed) from None
     if not np.size(value):
         raise InputError(name, "no values", "at least one value")
     renamed = quantity in getattr(value, "dims", ()) and name != "separation"
@@ -181,7 +180,7 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     """The way apart under these laws; InputError, with the reason, where it is not known."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
-    for name in ("film", "presliding", "meniscus", "ageing", "contamination"):
+    for name in ("film", *ADDITIONS):
         if getattr(choice, name) is not None:
             raise InputError(name, getattr(choice, name), "nothing: of what unloads there is no such option")
     tangential = choice.tangential or "none"

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import AsperityLaw, Record, TangentialLaw, friction_incompatibility, incompatibility, of_kind
 from stiction.quantities.errors import InputError, InWords
+from stiction.records.registry import AsperityLaw, Record, TangentialLaw, friction_incompatibility, incompatibility, of_kind
 from stiction.solving.choice import Choice
 from stiction.solving.problem_base import Problem
 
@@ -82,7 +82,8 @@ def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
         return
     ignored = [one.input for one in unused_inputs(problem) if one.input in names]
     if ignored:
-        value = InWords(dict(problem.subject.inputs()).get(ignored[0], "given"))
+        inputs = dict(problem.subject.inputs())
+        value = InWords(inputs.get(ignored[0]) or inputs.get(f"{ignored[0]}.name", "given"))
         allowed = f"none with the default model, {choice.model_key}, which ignores it"
         hint = f"name a model: --model recommended, one that `stiction compare` shows, or {choice.model_key}"
         raise InputError(ignored[0], value, allowed, hint)

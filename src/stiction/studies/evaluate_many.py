@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.places import with_numbers
+from stiction.case.read import Case, case_of
 from stiction.quantities.dimensions import dimensions
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import Pointwise, Region, bisected, solve_pointwise
-from stiction.studies.case.places import with_numbers
-from stiction.studies.case.read import Case, case_of
 
 __all__ = ["evaluate_many", "evaluate_together"]
 

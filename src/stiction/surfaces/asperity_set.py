@@ -9,7 +9,7 @@ from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 
 if TYPE_CHECKING:
-    from stiction.contact.contact import Roughness
+    from stiction.surfaces.roughness import Roughness
 
 __all__ = ["Asperities"]
 

@@ -6,8 +6,8 @@ relations.
 
 from stiction.quantities.errors import InputError
 from stiction.surfaces.asperity_set import Asperities
-from stiction.surfaces.statistics import combine as added
 from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, SUMMIT_DEFICIT, Moments
+from stiction.surfaces.theory.moments import combine as added
 
 LEAST = f"no isotropic Gaussian surface has alpha < {LEAST_BANDWIDTH}"
 

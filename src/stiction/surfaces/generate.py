@@ -29,9 +29,9 @@ from scipy.special import ndtri
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
-from stiction.surfaces.boundary_elements.memory import require_arrays
 from stiction.surfaces.heightmap import HeightMap, size_in_metres
 from stiction.surfaces.johnson import johnson
+from stiction.surfaces.memory import require_arrays
 from stiction.surfaces.targets import SelfAffine, require_positive
 
 __all__ = ["gaussian_surface", "non_gaussian_surface", "rms_slope", "with_deviation", "with_slope"]

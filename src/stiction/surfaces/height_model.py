@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from stiction.contact.contact import Roughness
 from stiction.quantities.errors import InputError
 from stiction.surfaces.asperity_set import FEW, Asperities
+from stiction.surfaces.roughness import Roughness
 
 __all__ = ["MODELS", "HeightModel", "height_model", "roughness"]
 

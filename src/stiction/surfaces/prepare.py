@@ -5,6 +5,7 @@ filled; fits and filters work from the points that are there.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 import scipy.fft
@@ -14,8 +15,90 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
 from stiction.surfaces.fill import FILLS, fill_missing
 from stiction.surfaces.heightmap import HeightMap, metres
+from stiction.surfaces.spikes import mask_spikes
 
-__all__ = ["FILLS", "crop", "fill_missing", "filter_band", "filter_period", "level", "remove_form"]
+__all__ = [
+    "FILLS",
+    "crop",
+    "fill_missing",
+    "filter_band",
+    "filter_period",
+    "level",
+    "prepared",
+    "prepared_period",
+    "remove_form",
+]
+
+_APART = 5.0  # steps from end to end of one period over those of neighbours: no period has such
+
+
+def prepared(
+    surface: HeightMap,
+    form: int = 1,
+    spikes: float | None = None,
+    fill: str | None = None,
+    shortest: Any = None,
+    longest: Any = None,
+) -> HeightMap:
+    """The scan without its form and without the waves outside of a band.
+
+    surface: heights in metres, as `read_scan` gives them. form: order of the polynomial taken off, 1 for the mean plane, 0
+    for nothing. spikes: points further from the median of the levelled heights than so many robust deviations are masked
+    before that; None for none. fill: "harmonic" or "nearest" fills missing points, None leaves them missing. shortest,
+    longest: ends of the band, metres or text with a unit; None for no end. Raises InputError.
+    """
+    raw = surface
+    if spikes is not None:
+        surface = mask_spikes(level(surface), spikes)
+    if form == 1:
+        surface = level(surface)
+    elif form > 1:
+        surface = remove_form(surface, order=form)
+    _check_left(raw, surface)
+    if fill is not None:
+        surface = fill_missing(surface, fill)
+    return surface if shortest is None and longest is None else filter_band(surface, shortest, longest)
+
+
+def prepared_period(
+    surface: HeightMap, spikes: float | None = None, fill: str | None = None, shortest: Any = None, longest: Any = None
+) -> HeightMap:
+    """One period of a surface without end, without its mean and the waves outside of a band: it stays a period.
+
+    It has no form. The rest as in `prepared`; missing points are left, unless filled, and then no band is taken.
+    """
+    if spikes is not None:
+        surface = mask_spikes(surface, spikes)
+    if fill is not None:
+        surface = fill_missing(surface, fill)
+    if surface.complete and (shortest is not None or longest is not None):
+        surface = filter_period(surface, shortest, longest)
+    return surface.with_heights(surface.heights - np.nanmean(surface.heights), f"mean removed{_seam(surface)}")
+
+
+def _seam(surface: HeightMap) -> str:
+    """A word where the ends of what is said to be one period do not meet: where its mean square step from one end to the other,
+    along rows or columns, is much larger than that of neighbours within."""
+    heights = surface.heights
+    far = 0.0
+    for axis in (axis for axis in (0, 1) if heights.shape[axis] > 1):
+        within = float(np.nanmean(np.square(np.diff(heights, axis=axis))))
+        across = np.square(np.take(heights, 0, axis=axis) - np.take(heights, -1, axis=axis))
+        if np.isfinite(across).any() and within > 0.0:
+            far = max(far, math.sqrt(float(np.nanmean(across)) / within))
+    if far < _APART:
+        return ""
+    return f", as of one period; but its ends do not meet: steps between them are {far:.0f} times those between neighbours"
+
+
+def _check_left(raw: HeightMap, surface: HeightMap) -> None:
+    """InputError if what is left without form and spikes is no more than the rounding of the heights."""
+    if surface is raw or not np.isfinite(surface.heights).any():
+        return
+    before, after = (float(np.nanmax(one.heights) - np.nanmin(one.heights)) for one in (raw, surface))
+    offset = max(abs(float(np.nanmax(raw.heights))), abs(float(np.nanmin(raw.heights))))
+    if after <= 1e-12 * before + 8.0 * np.finfo(float).eps * offset:
+        raise InputError("scan", f"{surface.name}: heights that are all form", "heights that differ without their form")
 
 
 # ---- form

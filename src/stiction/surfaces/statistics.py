@@ -42,7 +42,7 @@ from stiction.surfaces.theory.moments import Moments
 if TYPE_CHECKING:
     from stiction.surfaces.spectrum import PowerSpectrum  # whose module is slow to import
 
-__all__ = ["ProfileMoments", "Statistics", "combine", "moments_by_differences", "moments_by_spectrum", "statistics"]
+__all__ = ["ProfileMoments", "Statistics", "moments_by_differences", "moments_by_spectrum", "statistics"]
 
 _BLOCK = 2**18  # points handled at once, so that a large map needs little more memory than itself
 _ROUNDED = 1e-20  # share of the mean square slope that may be rounding
@@ -169,12 +169,6 @@ def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) 
     isotropic = Moments(x.m0, (x.m2 + y.m2) / 2.0, float(3.0 / 8.0 * fourth))  # means of cos^2 and cos^4 over directions
     correlation = float(powers[1, 1]) / math.sqrt(x.m2 * y.m2) if x.m2 * y.m2 > 0.0 else 1.0
     return ProfileMoments(x, y, isotropic, _equivalent(x, y, correlation), cutoff, "power spectrum")
-
-
-def combine(first: Moments, second: Moments) -> Moments:
-    """Moments of the sum of two surfaces that know nothing of each other: they add. For the gap between two rough bodies; both
-    must have been taken with the same cutoff."""
-    return Moments(first.m0 + second.m0, first.m2 + second.m2, first.m4 + second.m4)
 
 
 # ---- heights

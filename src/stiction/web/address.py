@@ -7,8 +7,9 @@ import zlib
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from stiction.case.places import roughness_in
+from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
-from stiction.studies.case.text import as_toml
 
 __all__ = ["files_named", "packed", "refuse_other_files", "unpacked"]
 
@@ -44,8 +45,7 @@ def unpacked(text: str) -> dict[str, Any]:
 def files_named(tables: Mapping[str, Any]) -> list[str]:
     """The files that the tables of a case name: of materials, of scans, of samples and of measured series."""
     found = [tables["materials"]] if isinstance(tables.get("materials"), str) else []
-    contact = tables.get("contact")
-    rough = contact.get("roughness") if isinstance(contact, Mapping) else None
+    rough = roughness_in(tables)
     if isinstance(rough, Mapping):
         found += [rough[body] for body in ("first", "second") if isinstance(rough.get(body), str)]
     return [*found, *_files_in(tables)]

@@ -8,25 +8,33 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.case.read import Case, case_in
+from stiction.contact.contact import Contact
+from stiction.contact.interfaces import allowed_interfaces, interface_names
 from stiction.laws.proportion import questions
-from stiction.laws.registry import KINDS, all_options, of_kind
 from stiction.laws.validity import doubts_of
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
+from stiction.records.registry import KINDS, all_options, of_kind
 from stiction.solving.candidates import candidates
 from stiction.solving.choice import LAWS
-from stiction.studies.case.read import Case, case_in
-from stiction.studies.case.results import compare_case, solve_case
+from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
+from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
 from stiction.web.address import refuse_other_files
+from stiction.web.fields import dropped
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Answer", "Comparison", "Question", "case_asked", "compared", "make_ready", "model_names", "option_values", "solved"]
+__all__ = [
+    "Answer", "Comparison", "Question", "case_asked", "compared", "make_ready", "model_names", "option_values", "solved",
+    "states_of",
+]  # fmt: skip
 
 _MOST_NUMBERS = 20_000  # in a curve that is drawn anew while a knob moves
 _MOST_DRAWN = 4096  # of what is uncertain
+_MOST_PREDICTED = 500  # loads of a prediction
 
 
 @dataclass(frozen=True)
@@ -43,8 +51,8 @@ class Question:
 
 @dataclass(frozen=True)
 class Answer:
-    """What is said of a case: data, as `solve_case` gives it, or the error in its place. questions: about numbers that were
-    hardly meant."""
+    """The result of a case: data, as `predict` or, with a model named, `solve_case` gives it; or the error in its place.
+    questions: about numbers that were hardly meant."""
 
     question: Question
     case: Case | None = None
@@ -60,6 +68,11 @@ class Answer:
         return self.data.isel({name: 0 for name in self.data["load"].dims if name != along})
 
     @property
+    def prediction(self) -> "xarray.Dataset | None":
+        """Return the data where it is a prediction, None where it is the result of one model."""
+        return self.data if self.case is not None and is_predicted(self.case) else None
+
+    @property
     def left_out(self) -> str:
         """What is not drawn of numbers that are several, "" if nothing."""
         assert self.data is not None
@@ -67,7 +80,10 @@ class Answer:
         return f"numbers are several along {', '.join(map(str, more))}: the first of each is drawn" if more else ""
 
     def middle(self) -> int:
-        """The point of the curve that is told in words: the middle one of those that press."""
+        """Return the point of the curve that is told in words: the working load of a prediction, else the middle one of
+        those that press."""
+        if self.data is not None and "working_load" in self.data.attrs:
+            return int(np.argmin(np.abs(self.data["load"].values - self.data.attrs["working_load"])))
         pressing = np.flatnonzero(np.atleast_1d(self.curve["load"].values) > 0.0)
         return int(pressing[(len(pressing) - 1) // 2]) if len(pressing) else 0
 
@@ -83,6 +99,9 @@ def case_asked(question: Question) -> Case:
     points = case.load if case.load is not None else case.separation
     count = math.prod(dimensions([*(array for _, array in case.subject.arrays()), points]).values())
     count *= 1 if hasattr(points, "dims") else np.size(points)
+    if is_predicted(case) and count > _MOST_PREDICTED:
+        allowed = f"{_MOST_PREDICTED} loads at most on a page where no model is named; `stiction run` takes more"
+        raise InputError("solve", f"{count} points", allowed)
     if count > _MOST_NUMBERS:
         raise InputError("case", f"{count} points", f"{_MOST_NUMBERS} at most on a page; `stiction run` takes a million")
     if case.uncertain and case.uncertainty.count > _MOST_DRAWN:
@@ -93,19 +112,21 @@ def case_asked(question: Question) -> Case:
 
 
 def solved(question: Question) -> Answer:
-    """The case, solved; an InputError is in the answer and not raised."""
+    """Return the case, predicted or, with a model named, solved; an InputError is in the answer and not raised."""
     try:
         case = case_asked(question)
-        return Answer(question, case, solve_case(case), questions=list(map(str, questions(case.subject))))
+        data = predict(case) if is_predicted(case) else solve_case(case)
+        return Answer(question, case, data, questions=list(map(str, questions(case.subject))))
     except InputError as error:
         return Answer(question, error=error)
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """Every model on one case at one load, or the error in its place."""
+    """Every model on one case at one load with the prediction there, None where there is none; or the error in its place."""
 
     data: "xarray.Dataset | None" = None
+    prediction: "xarray.Dataset | None" = None
     error: InputError | None = None
 
 
@@ -116,17 +137,26 @@ def compared(question: Question, load: float | None, progress: Any) -> Compariso
         at = load if load is not None else working_load(case, None)
         if at is None:
             raise InputError("load", None, "a case that presses somewhere: models are judged at a load above 0")
-        return Comparison(compare_case(case, at, progress))
+        return Comparison(compare_case(case, at, progress), prediction_of(case, at))
     except InputError as error:
         return Comparison(error=error)
 
 
 def model_names(case: Case | None) -> list[str]:
     """Names of the models that may be asked of a case."""
-    from stiction.laws.registry import RoughSurface
+    from stiction.records.registry import RoughSurface
 
     named = [one.name for one in candidates(case.subject)] if case is not None else []
     return list(dict.fromkeys([*of_kind(RoughSurface), *named]))
+
+
+def states_of(question: Question) -> list[str]:
+    """Return the states of the interface that the bodies of a question allow; all where the bodies are not known."""
+    try:
+        case = case_asked(question.with_tables(dropped(question.tables, ("contact", "interface"))))
+    except InputError:
+        return interface_names()
+    return allowed_interfaces(*case.subject.touching) if isinstance(case.subject, Contact) else []
 
 
 def law_keys(keyword: str) -> list[str]:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.answer import at_working_load
 from stiction.report.families import families_of
 from stiction.report.files import unit_of
 from stiction.report.picture_style import scale
@@ -24,6 +25,7 @@ __all__ = [
     "ink_of",
     "line",
     "numbers",
+    "prediction_chart",
     "share_chart",
     "stacks",
 ]
@@ -157,6 +159,35 @@ def curve_chart(curve: "xarray.Dataset", name: str, against: str, here: int, dar
         series.append(mark | {"itemStyle": {"color": RED}, "symbol": "diamond"})
     y_axis = {"name": axis_name(curve[name])} | ({"type": "log"} if _log(y) else {"min": 0})
     return chart(f"{axis_name(curve[name])} against {x_axis['name']}", x_axis, y_axis, series, dark)
+
+
+def prediction_chart(data: "xarray.Dataset", name: str, dark: bool) -> dict[str, Any]:
+    """Return the median of a result along the load, with its interval as a band; the working load is marked."""
+    ordered, here = data.sortby("load"), at_working_load(data)
+    x, x_axis = _against(ordered, "load")
+    low, middle, high = (_positive(ordered[f"{name}{end}"].values) for end in ("_low", "", "_high"))
+    interval = f"{data.attrs['level']:.0%} interval"
+    series = [line("median", x, middle, 0)]
+    for end, values in (("low", low), ("high", high)):
+        edge = line(f"{end} end", x, values, 0)
+        series.append(edge | {"lineStyle": {"color": BLUE, "width": 0.5}})
+    outline = [*zip(x, low, strict=True), *zip(x[::-1], high[::-1], strict=True)]
+    corners = [list(map(float, one)) for one in outline if np.isfinite(one).all()]
+    draw = (
+        "(params, api) => ({type: 'polygon', style: {fill: api.visual('color'), opacity: 0.25},"
+        f" shape: {{points: {corners}.map(one => api.coord(one))}}}})"
+    )
+    series.append({"name": interval, "type": "custom", ":renderItem": draw, "data": corners[:1], "clip": True, "z": 1,
+                   "silent": True, "itemStyle": {"color": BLUE}, "tooltip": {"show": False}})  # fmt: skip
+    mark = [[float(here["load"]), float(here[name])]]
+    series.append({"name": "working load", "type": "scatter", "data": mark, "symbolSize": 12, "symbol": "diamond",
+                   "itemStyle": {"color": RED}})  # fmt: skip
+    wide = {"type": "log"} if _log([low, high]) else {"min": 0}
+    unit = f" [{QUANTITIES[name].unit}]" if QUANTITIES[name].unit else ""
+    y_axis = {"name": f"{name.replace('_', ' ')} {QUANTITIES[name].symbol}{unit}"} | wide  # short enough for a telephone
+    options = chart(f"{y_axis['name']} against {x_axis['name']}, with its {interval}", x_axis, y_axis, series, dark)
+    options["legend"]["data"] = ["median", interval, "working load"]
+    return options
 
 
 def share_chart(curve: "xarray.Dataset", what: str, against: str, dark: bool) -> dict[str, Any]:

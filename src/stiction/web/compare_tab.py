@@ -1,14 +1,16 @@
-"""The tab Compare: every model on this contact, families apart, which one to trust and why."""
+"""The tab Compare: the prediction, models that say the same in one row, and on demand every model."""
 
 import re
 from typing import Any
 
 from nicegui import ui
 
-from stiction.laws.overview import models
 from stiction.laws.validity import read_doubts
-from stiction.report.comparison_doubts import said_of_liquid
+from stiction.report.answer import headline
+from stiction.report.comparison_doubts import over_models, said_of_liquid
+from stiction.report.comparison_groups import GROUP_HEADS, group_rows, left_out_in_words
 from stiction.report.plain_formulas import as_code
+from stiction.solving.overview import models
 from stiction.web.asked import Comparison, compared
 from stiction.web.charts import comparison_chart
 from stiction.web.drawn import Picture, attributes
@@ -29,6 +31,8 @@ _COLUMNS = [
     )
 ]
 
+_GROUPS = [{"name": name, "label": name, "field": name, "align": "left"} for name in GROUP_HEADS]
+
 _BUTTON = """<q-btn flat dense no-caps align="left" color="primary" style="text-align: left" :label="NAME"
   @click="() => $parent.$emit('opened', NAME)" />"""
 _NAME = f"""<q-td :props="props">{_BUTTON.replace("NAME", "props.value")}</q-td>"""
@@ -46,19 +50,26 @@ class CompareTab:
         self._asked: Any = None
         self._study = Study(explorer, "Compare all models at this load", self._work, self._show)
         self._advice = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
+        self._groups = ui.table(columns=_GROUPS, rows=[]).classes("w-full").props("dense flat wrap-cells")
+        attributes(self._groups, aria_label="models that say the same")
+        self._left_out = ui.label().classes("text-sm")
+        with ui.expansion("Every model").classes("w-full") as self._every:
+            self._every_model()
+        self._groups.set_visibility(False)
+        self._every.set_visibility(False)
+        explorer.listen(self._again)
+
+    def _every_model(self) -> None:
         self._more = ui.label().classes("text-sm").style("white-space: pre-line")
         self._picture = Picture("friction by model", "", 620)
         self._picture.element.classes("by-rows")
         self._picture.show(None)
         self._picture.element.on_point_click(lambda event: self._open(str(self._names()[event.value[1]])))
         self._table = ui.table(columns=_COLUMNS, rows=[], row_key="model").classes("w-full").props("dense flat wrap-cells")
-        self._table.set_visibility(False)
         # A button in the row, which a keyboard reaches; the name is bound as text.
         self._table.add_slot("body-cell-model", _NAME)
         self._table.add_slot("item", _CARD)
         self._table.on("opened", lambda event: self._open(event.args))
-        self._pages = ui.row().classes("w-full gap-2")
-        explorer.listen(self._again)
 
     async def opened(self) -> None:
         """Compare when the tab is opened, unless that was done for the present numbers."""
@@ -82,11 +93,14 @@ class CompareTab:
         said = data.attrs
         best = said.get("recommended", "none")
         told = f"Recommended: {best}." if best != "none" else "No model is recommended."
-        self._advice.set_text(
-            " ".join(filter(None, [told, _sentence(said.get("leap", "")), _sentence(said.get("reason", ""))]))
-        )
+        told = " ".join(filter(None, [told, _sentence(said.get("leap", "")), _sentence(said.get("reason", ""))]))
+        predicted = found.prediction
+        self._advice.set_text(told if predicted is None else f"{headline(predicted)}. {predicted.attrs['regime']}")
+        self._groups.rows = [dict(zip(GROUP_HEADS, row, strict=True)) for row in group_rows(data)]
+        self._left_out.set_text(_sentence(left_out_in_words(data)))
         ends = [f"{end:.3g}" for end in said.get("spread", [])]
-        parts = [f"All models: mu {' to '.join(ends)}." if ends else "", _sentence(said.get("advice", ""))]
+        parts = [told] if predicted is not None else []
+        parts += [f"Mu {' to '.join(ends)} {over_models(data)}." if ends else "", _sentence(said.get("advice", ""))]
         parts.append(_sentence(said_of_liquid(data)))
         parts += [f"Set aside: {line}." for line in said.get("set_aside", "").splitlines()]
         self._more.set_text("\n".join(filter(None, parts)))
@@ -94,7 +108,8 @@ class CompareTab:
         if self._explorer.view.narrow:
             self._table.props("grid")
         self._table.rows = [self._row(at) for at in range(data.sizes["model"])]
-        self._table.set_visibility(True)
+        self._groups.set_visibility(True)
+        self._every.set_visibility(True)
         if "spread_low" in data:
             self._explorer.differ(self._asked, [float(data[f"spread_{end}"].sel(spread="models")) for end in ("low", "high")])
 

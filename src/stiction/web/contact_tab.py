@@ -1,10 +1,11 @@
-"""The tab Contact: friction, load and area of the case, asperities by their state, and what is doubtful beside the number."""
+"""The tab Contact: the prediction of the case, or one model's result with its validity warnings, and curves along the load."""
 
 from typing import Any
 
 from nicegui import ui
 
-from stiction.web.charts import curve_chart, share_chart, stacks
+from stiction.report.answer import answer_lines
+from stiction.web.charts import curve_chart, prediction_chart, share_chart, stacks
 from stiction.web.drawn import Picture, attributes
 from stiction.web.explorer import Explorer
 from stiction.web.words import doubt_in_words, remarks
@@ -28,17 +29,19 @@ class ContactTab:
         self._kinds: list[str] = []
         self._texts: list[ui.label] = []
         self._told: list[str] = []
+        self._rows_told: list[tuple[str, str]] = []
         self._headline()
-        with ui.row().classes("w-full items-center gap-4"):
+        with ui.row().classes("w-full items-center gap-4") as self._choices:
             ui.toggle({"load": "against load", "mean_separation": "against separation"}, value="load",
                       on_change=self._against).props("dense no-caps")  # fmt: skip
             self._point = ui.slider(min=0, max=1, value=0).classes("grow").style("min-width: 160px")
-            self._point.props('dense aria-label="point of the curve that is told in words"')
+            self._point.props('dense aria-label="point of the curve described in words"')
             self._point.on("update:model-value", self._moved, throttle=0.05)
             self._stack = ui.select([], label="shares of", on_change=self._stacked).classes("w-64").props("dense outlined")
-        with ui.grid().classes("charts w-full"):
+        with ui.grid().classes("charts w-full answer"):
             self._mu = Picture("friction coefficient")
             self._shares = Picture("shares")
+            self._force = Picture("friction force")
             self._area = Picture("contact area")
             self._load = Picture("load")
         explorer.listen(self.show)
@@ -46,11 +49,13 @@ class ContactTab:
 
     def _headline(self) -> None:
         with ui.row().classes("w-full items-start gap-6 no-wrap-wide"):
-            with ui.column().classes("gap-0").props('role="status" aria-live="polite"'):
+            with ui.column().classes("gap-0 answer").props('role="status" aria-live="polite"'):
                 self._number = ui.label().classes("text-3xl font-bold")
                 self._where = ui.label().classes("text-sm where")
                 self._old = ui.label("Of the last case that could be solved: see the field in red.").classes("text-negative")
-            self._doubts = ui.column().classes("gap-1 grow text-sm").props('aria-label="what is doubtful"')
+            self._doubts = ui.column().classes("gap-1 grow text-sm answer").props('aria-label="what is doubtful"')
+        self._rows = ui.element("div").classes("w-full rows text-sm answer")
+        ui.label("Computing: the numbers shown are of the case before.").classes("text-sm text-negative pending")
         with ui.expansion("What was computed").classes("w-full").props("dense"):
             self._remarks = ui.column().classes("gap-1 text-sm")
 
@@ -74,6 +79,8 @@ class ContactTab:
         self._where.set_text(where)
         self._old.set_visibility(self._explorer.answer.error is not None)
         self._tell()
+        for one in (self._choices, self._doubts):
+            one.set_visibility(answer.prediction is None)
         last = answer.curve["load"].size - 1
         attributes(self._point, max=last, aria_valuetext=where)
         self._point.set_value(here)
@@ -82,7 +89,8 @@ class ContactTab:
     def _tell(self) -> None:
         """Doubts and remarks. While a knob moves it is mostly their numbers that change: then only these are sent."""
         answer = self._explorer.good
-        doubts = answer.doubts() or [("", "")]
+        self._tell_rows([] if answer.prediction is None else answer_lines(answer.prediction)[1:])
+        doubts = [] if answer.prediction is not None else answer.doubts() or [("", "")]
         kinds = [kind for kind, _ in doubts]
         if kinds != self._kinds:
             self._kinds = kinds
@@ -99,6 +107,17 @@ class ContactTab:
                 for one in said:
                     ui.label(one)
 
+    def _tell_rows(self, rows: list[tuple[str, str]]) -> None:
+        """Show the rows of a prediction; none of one model."""
+        if rows == self._rows_told:
+            return
+        self._rows_told = rows
+        self._rows.clear()
+        with self._rows:
+            for head, text in rows:
+                ui.label(head).classes("font-bold")
+                ui.label(text)
+
     @staticmethod
     def _doubt(kind: str) -> ui.label:
         with ui.row().classes("items-start gap-2 no-wrap"):
@@ -107,6 +126,10 @@ class ContactTab:
 
     def _draw(self) -> None:
         curve, view, here = self._explorer.good.curve, self._explorer.view, self._explorer.here
+        if self._explorer.good.prediction is not None:
+            self._draw_prediction()
+            return
+        self._force.show(None)
         against = view.against if view.against in curve else "load"
         for picture, name in ((self._mu, "friction_coefficient"), (self._area, "contact_area"), (self._load, "load")):
             other = "mean_separation" if name == "load" and "mean_separation" in curve else against
@@ -117,3 +140,12 @@ class ContactTab:
             self._stack.set_options(list(known), value=stack or None)
         self._stack.set_visibility(bool(known))
         self._shares.show(share_chart(curve, stack, against, view.dark) if stack else None)
+
+    def _draw_prediction(self) -> None:
+        """Draw medians with their bands along the load."""
+        curve, dark = self._explorer.good.curve, self._explorer.view.dark
+        drawn = (self._mu, "friction_coefficient"), (self._force, "friction_force"), (self._area, "contact_area")
+        for picture, name in drawn:
+            picture.show(prediction_chart(curve, name, dark))
+        for picture in (self._load, self._shares):
+            picture.show(None)

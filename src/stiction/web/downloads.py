@@ -3,39 +3,43 @@
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from stiction.report.files import comments_of, write_csv, write_netcdf
-from stiction.solving.method_spread import as_columns
-from stiction.studies.case.text import as_toml
-from stiction.studies.uncertainty.bands import as_columns as with_quantiles
+from stiction.case.text import as_toml
+from stiction.report.files import write_netcdf, write_picture
 from stiction.web.asked import Answer
 from stiction.web.working import Progress
+
+if TYPE_CHECKING:
+    from stiction.report.view import View
 
 __all__ = ["KINDS", "content", "report_of"]
 
 
-def _picture(answer: Answer, path: Path) -> None:
-    from stiction.report.files import write_picture
-
+def _view(answer: Answer) -> "View":
+    """Return what `stiction run` shows of the case."""
     assert answer.case is not None and answer.data is not None
-    if answer.case.is_several:
-        from stiction.report.several_pictures import several_figure
+    if answer.prediction is not None:
+        from stiction.report.views.prediction import prediction_view
 
-        write_picture(several_figure(answer.data, answer.case.title), path)
-        return
-    from stiction.report.pictures import curve_figure
+        return prediction_view(answer.case, answer.data, "case.toml")
+    from stiction.report.views.run import run_view
 
-    write_picture(curve_figure(answer.data, answer.case.title), path)
+    return run_view(answer.case, answer.data)
+
+
+def _picture(answer: Answer, path: Path) -> None:
+    write_picture(_view(answer).pictures["curve.png"].draw(), path)
 
 
 def _csv(answer: Answer, path: Path) -> None:
-    assert answer.data is not None
-    write_csv(with_quantiles(as_columns(answer.data)), path, comments_of(answer.data))
+    _view(answer).files["curve.csv"](path)
 
 
 def _netcdf(answer: Answer, path: Path) -> None:
-    assert answer.data is not None
-    write_netcdf(answer.data, path)
+    data = _view(answer).data
+    assert data is not None
+    write_netcdf(data, path)
 
 
 def _toml(answer: Answer, path: Path) -> None:

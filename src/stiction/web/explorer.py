@@ -49,6 +49,7 @@ class Explorer:
         self._models: tuple[Answer, list[float]] | None = None
         self.rebuild: Callable[[], None] = lambda: None  # makes the form anew, where the case gets other fields
         self._listeners: list[Callable[[], None]] = []
+        self.on_wait: Callable[[], None] = lambda: None  # marks what is shown as old, while an answer is awaited
         self._latest = Latest(solved, self._show)
         self._uploads: tempfile.TemporaryDirectory[str] | None = None
         _open.add(self)
@@ -73,6 +74,7 @@ class Explorer:
         if tables.get("title") != self.question.tables.get("title"):
             self._opened = tables
         self.question = self.question.with_tables(retitled(tables, self._opened))
+        self.on_wait()
         await self._latest.ask(self.question)
 
     async def put(self, path: tuple[str, ...], value: Any) -> None:
@@ -81,11 +83,16 @@ class Explorer:
         await self.ask(dropped(tables, path) if value is None else placed(tables, path, value))
 
     @property
+    def waits(self) -> bool:
+        """Whether the newest answer is of an earlier case than the one that was asked last."""
+        return self.answer.question.tables is not self.question.tables
+
+    @property
     def here(self) -> int:
-        """The point that is told in words."""
-        count = self.good.curve["load"].size
-        middle = self.good.middle()
-        return middle if self.view.here is None else min(self.view.here, count - 1)
+        """Return the point that is told in words; a prediction has it at its working load."""
+        if self.view.here is None or self.good.prediction is not None:
+            return self.good.middle()
+        return min(self.view.here, self.good.curve["load"].size - 1)
 
     def differ(self, answer: Answer, ends: list[float]) -> None:
         """Models differ between these ends on this answer: its number has fewer digits from now on."""

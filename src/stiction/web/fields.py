@@ -1,6 +1,5 @@
 """What the form asks: the fields of the records of a case, with unit, bounds and help of the table of quantities."""
 
-import json
 import math
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -9,16 +8,30 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel
 
+from stiction.case.text import inline
 from stiction.contact.contact import Contact, Indices
 from stiction.contact.materials import Material, material, material_names
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES, Quantity
 from stiction.quantities.units import show, to_si
+from stiction.surfaces.finished import Finished, is_finished
+from stiction.surfaces.finishes import SURFACE_KINDS, finish_names
 
-__all__ = ["Choices", "Knob", "MaterialPart", "Number", "Part", "as_written", "dropped", "got", "parts_of", "placed"]
+__all__ = [
+    "NOT_STATED", "Choices", "InterfacePart", "Knob", "MaterialPart", "Number", "Part", "as_written", "dropped", "got",
+    "numbers_of", "parts_of", "placed",
+]  # fmt: skip
 
+NOT_STATED = "not stated"
+_STRENGTH = ("interfacial_shear_strength", "pressure_coefficient")  # in place of a state of the interface
 _DECADES = 3.0  # of a slider, to either side of the example of a quantity
 Path = tuple[str, ...]
+ROUGHNESS: Path = ("contact", "roughness")
+# Fields that are words: what they may be, and what holds where they are left out.
+_WORDS: dict[str, tuple[tuple[str, ...], str]] = {
+    "kind": ((NOT_STATED, *dict.fromkeys([*SURFACE_KINDS, *finish_names()])), NOT_STATED),
+    "finish": (tuple(finish_names()), finish_names()[0]),
+}
 
 
 @dataclass(frozen=True)
@@ -103,7 +116,7 @@ class Number:
 
 @dataclass(frozen=True)
 class Choices:
-    """A word of the case, one of a few."""
+    """A word of the case, one of a few. default: what holds where it is left out; NOT_STATED leaves it out."""
 
     path: Path
     values: tuple[str, ...]
@@ -137,31 +150,59 @@ class MaterialPart:
 
 
 @dataclass(frozen=True)
+class InterfacePart:
+    """The interface of two bodies: the place of its state, and the numbers that stand in place of a state."""
+
+    path: Path
+    numbers: tuple[Number, ...]
+
+
+@dataclass(frozen=True)
 class Part:
     """A table of the case with its fields; optional: it may be left out as a whole."""
 
     path: Path
     optional: bool
-    fields: tuple[Number | Choices | MaterialPart, ...]
+    fields: tuple[Number | Choices | MaterialPart | InterfacePart, ...]
+
+
+def numbers_of(part: Part) -> Iterator[Number]:
+    """Yield the numbers of a part, with those of its bodies and its interface."""
+    for one in part.fields:
+        if isinstance(one, Number):
+            yield one
+        elif isinstance(one, MaterialPart | InterfacePart):
+            yield from one.numbers
 
 
 def parts_of(tables: Mapping[str, Any]) -> list[Part]:
     """The parts of a form for these tables."""
     if "indices" in tables:
         return list(_parts(Indices, ("indices",), False))
-    return list(_parts(Contact, ("contact",), False))
+    found = list(_parts(Contact, ("contact",), False))
+    if is_finished(got(tables, ROUGHNESS)):
+        of_finish = next(_parts(Finished, ROUGHNESS, False))
+        return [of_finish if part.path == ROUGHNESS else part for part in found]
+    return found
 
 
 def _parts(record: type[BaseModel], path: Path, optional: bool) -> Iterator[Part]:
-    fields: list[Number | Choices | MaterialPart] = []
+    fields: list[Number | Choices | MaterialPart | InterfacePart] = []
     inner: list[Part] = []
     for name, field in record.model_fields.items():
         place = (*path, name)
         below = _record_in(field.annotation)
+        if record is Contact and name in _STRENGTH:
+            continue
         if name in QUANTITIES:
             fields.append(Number(place, QUANTITIES[name], field.is_required()))
         elif get_origin(field.annotation) is Literal:
             fields.append(Choices(place, get_args(field.annotation), field.default))
+        elif name in _WORDS:
+            fields.append(Choices(place, *_WORDS[name]))
+        elif name == "interface":
+            strengths = [(one, record.model_fields[one].is_required()) for one in _STRENGTH]
+            fields.append(InterfacePart(place, tuple(Number((*path, one), QUANTITIES[one], must) for one, must in strengths)))
         elif below is Material:
             fields.append(MaterialPart(place, _numbers(Material, place)))
         elif below is not None and below is not record:
@@ -185,15 +226,7 @@ def _record_in(annotation: Any) -> type[BaseModel] | None:
 
 def as_written(given: Any) -> str:
     """Return what stands at a place of the tables as a case file has it, on a line, a text without quotes; "" for nothing."""
-    return "" if given is None else given if isinstance(given, str) else _inline(given)
-
-
-def _inline(given: Any) -> str:
-    if isinstance(given, Mapping):
-        return "{ " + ", ".join(f"{key} = {_inline(value)}" for key, value in given.items()) + " }"
-    if isinstance(given, list | tuple):
-        return "[" + ", ".join(map(_inline, given)) + "]"
-    return json.dumps(given, ensure_ascii=False)
+    return "" if given is None else given if isinstance(given, str) else inline(given)
 
 
 def got(tables: Any, path: Path) -> Any:

@@ -4,12 +4,18 @@ import tomllib
 from importlib import resources
 from typing import Any
 
-__all__ = ["OPTIONAL_PARTS", "first_case"]
+__all__ = ["OPTIONAL_PARTS", "SURFACE_KNOWN_BY", "first_case"]
 
 # What the switch of a part that may be left out puts there.
 OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
     "coating": {"material": "silver", "thickness": "200 nm", "bodies": "first"},
     "liquid": {"relative_humidity": 0.5, "contact_angle_first": "10 deg", "contact_angle_second": "10 deg"},
+}
+
+# What is known of a surface, with what it begins with.
+SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
+    "sigma, R and N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+    "its finish and Sq or Ra": {"finish": "ground"},
 }
 
 

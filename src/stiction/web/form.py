@@ -1,22 +1,40 @@
 """The form: fields and sliders made from the records of a case. What is wrong is said beside the field."""
 
-from collections.abc import Mapping
+from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 
 from nicegui import ui
 
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import DEFAULT_MODEL
-from stiction.web.asked import CHOSEN_BY_KEY, law_keys, model_names, option_values
+from stiction.surfaces.finished import is_finished
+from stiction.web.asked import CHOSEN_BY_KEY, law_keys, model_names, option_values, states_of
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.fields import Choices, MaterialPart, Number, Part, as_written, got, parts_of
+from stiction.web.fields import (
+    NOT_STATED,
+    ROUGHNESS,
+    Choices,
+    InterfacePart,
+    MaterialPart,
+    Number,
+    Part,
+    as_written,
+    dropped,
+    got,
+    parts_of,
+    placed,
+)  # fmt: skip
+from stiction.web.first import OPTIONAL_PARTS, SURFACE_KNOWN_BY
 from stiction.web.points import points_fields
 
 __all__ = ["Form"]
 
 _OWN = "numbers of its own"
+_STRENGTH = "a stated strength"
+_PREDICTION = "recommended"
 _NONE = "the model's own"
+_LABELS = {"kind": "kind of surface"}
 # Laws that may be left out of a contact that would have them.
 _MAY_BE_NONE = ("tangential", "meniscus", "ageing", "contamination")
 _ENDINGS = {"first": "first body", "second": "second body"}
@@ -29,6 +47,8 @@ class Form:
         self._explorer = explorer
         self._inputs: dict[tuple[str, ...], Any] = {}
         self._switched_off: dict[tuple[str, ...], Any] = {}  # numbers of parts, which come back with them
+        self._strength_chosen = False  # in place of a state of the interface, also before there is a number
+        self._next: ui.label | None = None  # what to state of the interface
         self.other = ui.label().classes("text-negative").props('role="alert"')  # an error of no field
         self.other.set_visibility(False)
         self._column = ui.column().classes("w-full gap-1")
@@ -39,16 +59,21 @@ class Form:
     def build(self) -> None:
         """All fields, from the tables of the case."""
         self._inputs.clear()
+        self._next = None
         self._column.clear()
         with self._column:
             self._model()
             points_fields(self._explorer, self._inputs, self.build)
             for part in parts_of(self._explorer.question.tables):
                 self._part(part)
+        self.show()
 
     def show(self) -> None:
-        """Errors of the newest answer, beside their fields."""
+        """Errors of the newest answer, beside their fields, and what to state of the interface."""
         error = self._explorer.answer.error
+        if self._next is not None:
+            data = self._explorer.good.data
+            self._next.set_text(data.attrs.get("next_step", "").capitalize() if data is not None else "")
         for path, one in self._inputs.items():
             wrong = error is not None and _is_of(error, path)
             one.error = str(error) if wrong else None
@@ -60,9 +85,11 @@ class Form:
         tables = self._explorer.question.tables
         solve = tables.get("solve", {})
         with ui.expansion("Model and laws", value=True).classes("w-full").props("dense"):
-            given = str(solve.get("model", DEFAULT_MODEL))
-            names = model_names(self._explorer.good.case)
-            self._select("model", [*names, *([] if given in names else [given])], given, ("solve", "model"), None)
+            good = self._explorer.good
+            given = str(solve.get("model", _PREDICTION if good.prediction is not None else DEFAULT_MODEL))
+            self._menu("model", [_PREDICTION, *model_names(good.case)], given, ("solve", "model"), self._model_chosen)
+            if good.prediction is not None:
+                ui.label("recommended: the prediction by all that is known; a model by name answers alone").classes("text-xs")
             with ui.expansion("Other laws than its own").classes("w-full").props("dense"):
                 for keyword in CHOSEN_BY_KEY:
                     keys = [
@@ -75,9 +102,25 @@ class Form:
                 here = ("solve", "options", name) if name in solve.get("options", {}) else ("solve", name)
                 self._select(name.replace("_", " "), list(values), str(got(tables, here) or values[0]), here, None)
 
+    async def _model_chosen(self, name: str) -> None:
+        """Answer with a model; with the prediction, laws and options that are named go too."""
+        tables = self._explorer.question.tables
+        kept = {key: one for key, one in tables.get("solve", {}).items() if key in ("load", "separation")}
+        await self._explorer.ask({**tables, "solve": kept} if name == _PREDICTION else placed(tables, ("solve", "model"), name))
+
     def _select(self, label: str, values: list[str], value: str, path: tuple[str, ...], nothing: str | None) -> None:
+        async def chosen(value: str) -> None:
+            await self._explorer.put(path, None if value == nothing else value)
+
+        self._menu(label, values, value, path, chosen)
+
+    def _menu(
+        self, label: str, values: list[str], value: str, path: tuple[str, ...], choose: Callable[[str], Awaitable[None]]
+    ) -> None:
+        """A menu; a value that is none of its own is added. choose: asks with what was chosen; then the form is made anew."""
+
         async def chosen(event: Any) -> None:
-            await self._explorer.put(path, None if event.value == nothing else event.value)
+            await choose(event.value)
             self.build()
 
         known = values if value in values else [*values, value]
@@ -93,9 +136,12 @@ class Form:
                 there = f"there is a {title}"
                 switch = ui.switch(there, value=given is not None, on_change=lambda event: self._switched(part, event.value))
                 attributes(switch, aria_label=there)
-            if isinstance(given, Mapping) and given.keys() & {"first", "second"} and part.path[-1] == "roughness":
-                ui.label("measured: see the tab Surface").classes("text-sm")
-                return
+            if isinstance(given, Mapping) and part.path == ROUGHNESS:
+                if given.keys() & {"first", "second"}:
+                    words = "as of finishes: see the case file" if is_finished(given) else "measured: see the tab Surface"
+                    ui.label(words).classes("text-sm")
+                    return
+                self._known_by(given)
             if given is None and part.optional:
                 return
             for one in part.fields:
@@ -103,21 +149,55 @@ class Form:
                     self._number(one)
                 elif isinstance(one, MaterialPart):
                     self._material(one)
+                elif isinstance(one, InterfacePart):
+                    self._interface(one)
                 else:
                     self._choices(one)
 
     async def _switched(self, part: Part, there: bool) -> None:
-        from stiction.web.first import OPTIONAL_PARTS
-
         if not there:
             self._switched_off[part.path] = got(self._explorer.question.tables, part.path)
         numbers = self._switched_off.get(part.path) or OPTIONAL_PARTS.get(part.path[-1])
         await self._explorer.put(part.path, numbers if there else None)
         self.build()
 
+    def _known_by(self, given: Mapping[str, Any]) -> None:
+        """A menu of what is known of the surface: numbers of asperities, or a finish with Sq or Ra."""
+
+        async def chosen(value: str) -> None:
+            self._switched_off[(*ROUGHNESS, known)] = given
+            new = self._switched_off.get((*ROUGHNESS, value)) or SURFACE_KNOWN_BY[value]
+            await self._explorer.put(ROUGHNESS, dict(new))
+
+        known = list(SURFACE_KNOWN_BY)[is_finished(given)]
+        self._menu("the surface is known by", list(SURFACE_KNOWN_BY), known, ROUGHNESS, chosen)
+
+    def _interface(self, part: InterfacePart) -> None:
+        """A menu of states, and in place of a state the numbers of a stated strength."""
+        tables = self._explorer.question.tables
+        stated = [one.path for one in part.numbers if got(tables, one.path) is not None]
+        state = got(tables, part.path)
+
+        async def chosen(value: str) -> None:
+            self._strength_chosen = value == _STRENGTH
+            rest = self._explorer.question.tables
+            for path in (part.path, *(one.path for one in part.numbers)):
+                rest = dropped(rest, path)
+            await self._explorer.ask(rest if value in (NOT_STATED, _STRENGTH) else placed(rest, part.path, value))
+
+        by_number = not state and (stated or self._strength_chosen)
+        value = as_written(state) or (_STRENGTH if by_number else NOT_STATED)
+        self._menu("interface", [NOT_STATED, *states_of(self._explorer.question), _STRENGTH], value, part.path, chosen)
+        ui.label("Either a state of the interface or a stated strength, not both.").classes("text-xs")
+        if value == NOT_STATED:
+            self._next = ui.label().classes("text-xs text-negative")
+        if by_number or stated:
+            for number in part.numbers:
+                self._number(number)
+
     def _choices(self, one: Choices) -> None:
         value = got(self._explorer.question.tables, one.path) or one.default
-        self._select(one.path[-1], list(one.values), str(value), one.path, None)
+        self._select(_LABELS.get(one.path[-1], one.path[-1]), list(one.values), str(value), one.path, NOT_STATED)
 
     def _material(self, part: MaterialPart) -> None:
         tables = self._explorer.question.tables

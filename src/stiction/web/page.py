@@ -38,6 +38,9 @@ _STYLE = """
 .knobs { position: sticky; top: 56px; align-self: start; max-height: calc(100vh - 64px); overflow-y: auto; flex-wrap: nowrap }
 .section { aspect-ratio: 2; max-width: 900px }
 .under-chart { margin: 0 18px 0 74px; width: auto; align-self: stretch }
+.answer { transition: opacity .1s .15s } .waiting .answer { opacity: .4 }
+.pending { visibility: hidden } .waiting .pending { visibility: visible }
+.rows { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 2px 12px }
 .one-line { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; min-width: 0 }
 .equations { min-width: 0 } .equations pre { white-space: pre-wrap; overflow-wrap: anywhere }
 .results { container-type: inline-size }
@@ -92,7 +95,7 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
     dark = ui.dark_mode(None)
     with ui.header().classes("items-center gap-4 py-1 no-wrap").style("background: #0B3C5D"):
         ui.label("stiction").classes("text-lg font-bold").props('role="heading" aria-level="1"')
-        number = ui.label().classes("font-bold one-line").style("flex: none; max-width: 50%")
+        number = ui.label().classes("font-bold one-line answer").style("flex: none; max-width: 50%")
         title = ui.label().classes("grow text-sm one-line")
         look = ui.button(icon="contrast", on_click=lambda: _switch(explorer, dark))
         look.props('flat dense color="white" aria-label="light or dark"')
@@ -104,15 +107,20 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
         with ui.column().classes("w-full gap-2 results"):
             _tabs(explorer)
 
+    def waiting() -> None:
+        ui.query("body").classes(**{"add" if explorer.waits else "remove": "waiting"})
+
     def told() -> None:
         title.set_text(str(explorer.good.question.tables.get("title", "")))
         number.set_text(explorer.headline[0])
 
     def moved() -> None:
         told()
+        waiting()
         ui.navigate.history.replace(explorer.address)
 
     explorer.listen(moved)
+    explorer.on_wait = waiting
     told()
     client = context.client
     client.on_delete(explorer.close)

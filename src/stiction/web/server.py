@@ -6,8 +6,8 @@ from typing import Any
 
 from nicegui import Client, app, ui
 
+from stiction.case.read import read_content
 from stiction.quantities.errors import InputError
-from stiction.studies.case.read import read_content
 from stiction.web.address import files_named
 from stiction.web.asked import Question, make_ready, solved
 from stiction.web.explorer import close_all

@@ -4,8 +4,8 @@ from typing import Any
 
 from nicegui import ui
 
+from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
-from stiction.studies.case.text import as_toml
 from stiction.web.downloads import KINDS, content, report_of
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer

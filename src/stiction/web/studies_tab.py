@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nicegui import ui
 
+from stiction.case.read import case_in
 from stiction.quantities.errors import InputError
-from stiction.studies.case.read import case_in
 from stiction.web.asked import Question, case_asked
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.fields import MaterialPart, Number, got, parts_of, placed
+from stiction.web.fields import Number, got, numbers_of, parts_of, placed
 from stiction.web.pictures import image_of, show_image, text_of
 from stiction.web.studying import Study
 from stiction.web.uploading import upload_button
@@ -41,7 +41,7 @@ class Result(NamedTuple):
 def how_sure(question: Question, ranges: bool, progress: Progress) -> "View":
     """The bands of what is uncertain, and what friction differs by. Raises InputError."""
     from stiction.report.views.uncertainty import uncertainty_view
-    from stiction.studies.uncertainty.run import uncertainty
+    from stiction.studies.answered import uncertainty
 
     return uncertainty_view(uncertainty(_with_ranges(question, ranges), progress=progress))
 
@@ -49,7 +49,7 @@ def how_sure(question: Question, ranges: bool, progress: Progress) -> "View":
 def what_matters(question: Question, ranges: bool, progress: Progress) -> "View":
     """Which input should be measured better. Raises InputError."""
     from stiction.report.views.sensitivity import sensitivity_view
-    from stiction.studies.uncertainty.sensitivity import sensitivity
+    from stiction.studies.sensitivity.run import sensitivity
 
     return sensitivity_view(sensitivity(_with_ranges(question, ranges), progress=progress))
 
@@ -110,9 +110,7 @@ class StudiesTab:
         self._explorer = explorer
         self._data: Path | None = None
         self._named = ""
-        ui.label("A study that takes more than a minute ends here; the command line beside it does all of it.").classes(
-            "text-sm"
-        )
+        ui.label("A study stops here after a minute; run the command shown to complete it.").classes("text-sm")
         self._sure()
         self._design()
         self._calibration()
@@ -155,10 +153,9 @@ class StudiesTab:
         tables = self._explorer.good.question.tables
         found = {}
         for part in parts_of(tables):
-            for one in part.fields:
-                for number in one.numbers if isinstance(one, MaterialPart) else (one,):
-                    if isinstance(number, Number) and number.si(got(tables, number.path)) is not None:
-                        found[".".join(number.path[1:])] = number
+            for number in numbers_of(part):
+                if number.si(got(tables, number.path)) is not None:
+                    found[".".join(number.path[1:])] = number
         return found
 
     def _choice(self) -> tuple[Any, Any, Any]:

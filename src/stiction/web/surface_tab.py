@@ -8,10 +8,10 @@ from typing import Any
 from nicegui import ui
 
 from stiction.contact.contact import Contact
-from stiction.laws.finding import methods
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
-from stiction.studies.scans.analysis import prepared
+from stiction.surfaces.finding import methods
+from stiction.surfaces.prepare import prepared
 from stiction.surfaces.spectrum import BinnedSpectrum
 from stiction.web.drawn import Picture, attributes
 from stiction.web.explorer import Explorer

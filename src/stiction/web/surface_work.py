@@ -9,11 +9,12 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
-from stiction.studies.scans.analysis import Analysis, analyse, prepared
+from stiction.studies.scans.analysis import Analysis, analyse
 from stiction.studies.scans.resolution import resolution_study
 from stiction.surfaces.fill import fill_missing
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.prepare import prepared
 from stiction.surfaces.read import read_scan
 from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_average
 from stiction.surfaces.targets import SelfAffine

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from stiction.laws.claims import KINDS_OF_DOUBT
+from stiction.records.claims import KINDS_OF_DOUBT
+from stiction.report.answer import answer_lines
 from stiction.report.honest_digits import rounded
 from stiction.report.model_line import grade_line, model_line
 from stiction.report.tables import shown
@@ -27,8 +28,10 @@ def named(answer: Answer, name: str, at: int) -> str:
 
 
 def headline(answer: Answer, at: int, known: Sequence[float] = ()) -> tuple[str, str]:
-    """The number, with as many digits as its doubt leaves it, and where it holds, with four. known: what it may be by models
-    that were compared, beside what is uncertain of the inputs."""
+    """Return the number and where it holds: of a prediction with its interval, of one model with as many digits as its doubt
+    leaves it. known: what it may be by models that were compared, beside what is uncertain of the inputs."""
+    if answer.prediction is not None:
+        return answer_lines(answer.prediction)[0]
     load = named(answer, "load", at)
     if "friction_coefficient" not in answer.curve:
         return f"real contact area {named(answer, 'contact_area', at)}", f"at a load of {load}; this model is of contact only"
@@ -66,7 +69,8 @@ def remarks(answer: Answer) -> list[str]:
     """What else is to be said of an answer: model, grade, questions about numbers, inputs that change nothing."""
     assert answer.data is not None
     said = answer.data.attrs
-    found = [f"Model {model_line(said)}; grade {grade_line(said)}."]
+    found = [] if answer.prediction is not None else [f"Model {model_line(said)}; grade {grade_line(said)}."]
+    found += [f"Warning: {one}" for one in said.get("warnings", [])[1:]]
     found += [f"Questioned: {one}" for one in answer.questions]
     found += [f"Not used: {said['inputs_not_used']}"] if said.get("inputs_not_used") else []
     found += [f"Remark: {one}" for one in str(said.get("remarks", "")).splitlines() if one]

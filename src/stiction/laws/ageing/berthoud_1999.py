@@ -33,8 +33,8 @@ Over about five decades of time it was followed; results that wait longer say so
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import Ageing, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Ageing, Validity
+from stiction.records.sources import Source
 
 
 def factor(groups: Groups) -> np.ndarray:

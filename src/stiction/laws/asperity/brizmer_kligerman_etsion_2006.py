@@ -33,8 +33,8 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Limit, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Limit, Validity
+from stiction.records.sources import Source
 
 # The ratios below were fitted for nu from here to 1/2; they have no meaning below (and no positive value below 0.117).
 LEAST_NU = 0.2

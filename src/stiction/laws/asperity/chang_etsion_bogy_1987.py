@@ -21,8 +21,8 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.records.sources import Source
 
 
 def hardness_coefficient(nu):

@@ -20,8 +20,8 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Limit, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Limit, Validity
+from stiction.records.sources import Source
 
 _coordinate = hertz.coordinate
 

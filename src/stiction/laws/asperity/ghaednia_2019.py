@@ -49,8 +49,8 @@ from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity import jackson_green_2005 as unhardened
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Jump, Limit
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Jump, Limit
+from stiction.records.sources import Source
 
 _area_ratio, _load_ratio, _elastic_to = unhardened.area_ratio, unhardened.load_ratio, unhardened.ELASTIC_TO
 

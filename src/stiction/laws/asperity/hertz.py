@@ -37,8 +37,8 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Validity
+from stiction.records.sources import Source
 
 
 @formula

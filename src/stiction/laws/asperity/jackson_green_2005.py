@@ -46,8 +46,8 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.records.sources import Source
 
 _MOST_STRAIN = 0.1  # S_y/E*; B is 1.4 there, and 240 at 0.33
 FITTED_TO_METALS = Validity("yield_strain", 0.0, _MOST_STRAIN, "the area of asperities that yield is a fit to metals", "effect")

@@ -34,8 +34,8 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Limit, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Limit, Validity
+from stiction.records.sources import Source
 
 
 @formula

@@ -31,8 +31,8 @@ from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.records.sources import Source
 
 # Of each elastic-plastic piece: where it starts and ends (omega over omega_c), then factor and power of the load over P_c, and
 # of the area over A_c.

@@ -52,8 +52,8 @@ from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Limit, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Limit, Validity
+from stiction.records.sources import Source
 
 # lambda_M = 2 sigma_0 (R/(pi gamma K^2))^(1/3) over the Tabor parameter (R gamma^2/(E*^2 epsilon^3))^(1/3), for a stress
 # sigma_0 = 16 gamma/(9 sqrt(3) epsilon), the largest between two Lennard-Jones half-spaces: 1.1570. K = (4/3) E*.

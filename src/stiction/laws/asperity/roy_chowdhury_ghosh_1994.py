@@ -23,8 +23,8 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import jkr
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Jump, Limit, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.records.sources import Source
 
 _STEPS = 7  # Newton's, from at most half above the root to the last digit
 

@@ -48,8 +48,8 @@ from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import hertz, jkr, roy_chowdhury_ghosh_1994
 from stiction.laws.joining import coordinates, within
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Limit, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Limit, Validity
+from stiction.records.sources import Source
 
 _adhesion, _displacement, _stretch, _load = jkr.adhesion, jkr.displacement, jkr.stretch, jkr.load
 _coordinate, _largest_root = jkr.coordinate, roy_chowdhury_ghosh_1994.largest_root

@@ -24,8 +24,8 @@ from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity.shared.transition import FIRST_YIELD, SPAN
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import AsperityLaw, Limit
-from stiction.laws.sources import Source
+from stiction.records.registry import AsperityLaw, Limit
+from stiction.records.sources import Source
 
 _LOG_SPAN = math.log(SPAN)
 

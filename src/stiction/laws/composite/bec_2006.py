@@ -10,8 +10,8 @@ $$
 import math
 
 from stiction.engine.compiled import formula
-from stiction.laws.registry import Composite
-from stiction.laws.sources import Source
+from stiction.records.registry import Composite
+from stiction.records.sources import Source
 
 
 @formula

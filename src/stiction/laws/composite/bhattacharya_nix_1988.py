@@ -26,8 +26,8 @@ import numpy as np
 
 from stiction.engine.compiled import formula
 from stiction.engine.vectorised import exponential
-from stiction.laws.registry import Composite
-from stiction.laws.sources import Source
+from stiction.records.registry import Composite
+from stiction.records.sources import Source
 
 
 @formula

@@ -20,8 +20,8 @@ import math
 
 from stiction.engine.compiled import formula
 from stiction.engine.vectorised import arctan, log_quotient
-from stiction.laws.registry import Composite, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Composite, Validity
+from stiction.records.sources import Source
 
 _LEAST, _MOST = 1e-100, 1e100  # of t/a: squares of it are still numbers
 

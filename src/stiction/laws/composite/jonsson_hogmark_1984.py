@@ -12,8 +12,8 @@ with $Ct/d$ at most 1. *Reconstructed*: an asperity's depth is taken for a seven
 import numpy as np
 
 from stiction.engine.compiled import formula
-from stiction.laws.registry import Composite, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Composite, Validity
+from stiction.records.sources import Source
 
 _DIAGONAL = 7.0  # of a Vickers pyramid, over the depth of its impression
 

@@ -12,8 +12,8 @@ $$
 import numpy as np
 
 from stiction.engine.compiled import formula
-from stiction.laws.registry import Composite
-from stiction.laws.sources import Source
+from stiction.records.registry import Composite
+from stiction.records.sources import Source
 
 WEIGHT = 0.09  # k1
 

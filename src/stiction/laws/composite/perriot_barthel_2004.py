@@ -7,14 +7,14 @@ $$
 \log_{10}k_0=-0.093+0.792\,\ell+0.05\,\ell^2,\quad\ell=\log_{10}(E'_s/E'_f)
 $$
 
-*Unknown*: the exponent $n=1.27$ is from memory; it is said to vary from 1.06 to 1.32 with the moduli.
+*Unknown*: the exponent $n=1.27$ is from memory; it varies from 1.06 to 1.32 with the moduli.
 """
 
 import math
 
 from stiction.engine.compiled import formula
-from stiction.laws.registry import Composite, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Composite, Validity
+from stiction.records.sources import Source
 
 # The authors' exponent varies with the moduli, from 1.06 to 1.32 as the NIMS toolbox says; this is the value most quoted.
 EXPONENT = 1.27
@@ -43,5 +43,5 @@ RECORD = Composite(
     verified="independent evaluation; film and substrate alone in the limits",
     needs=("n_E", "film_aspect"),
     validity=(Validity("n_E", 0.01, 100.0, "moduli for which the contact was computed"),),
-    notes="The exponent is said to vary from 1.06 to 1.32 with the ratio of the moduli; 1.27 is taken for all.",
+    notes="The exponent varies from 1.06 to 1.32 with the ratio of the moduli (from memory); 1.27 is taken for every ratio.",
 )

@@ -21,8 +21,8 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import Criterion
-from stiction.laws.sources import Source
+from stiction.records.registry import Criterion
+from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import slope_over_sharpness
 
 KAPPA = 2.0  # area over load, A E* h' / (A0 p), from simulations

@@ -31,8 +31,8 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Weights
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import Departure, FilmLaw, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Departure, FilmLaw, Validity
+from stiction.records.sources import Source
 
 
 @formula

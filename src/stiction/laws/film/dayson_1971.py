@@ -41,9 +41,9 @@ from stiction.engine.regime import Regime
 from stiction.laws.film.shared.plastic import at_pressure
 from stiction.laws.joining import Law, Weights
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Validity
-from stiction.laws.sources import Source
 from stiction.laws.tangential.bowden_tabor_1943 import RECORD as CONSTANT_STRENGTH
+from stiction.records.registry import FilmLaw, Validity
+from stiction.records.sources import Source
 
 RIM_PRESSURE = ("film_hardness", "substrate_hardness")
 

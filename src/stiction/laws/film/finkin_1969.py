@@ -36,8 +36,8 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import Departure, FilmLaw, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Departure, FilmLaw, Validity
+from stiction.records.sources import Source
 
 _PI = math.pi
 # k of an incompressible layer; power of the depth that the load goes with, and the contact area over the depth.

@@ -27,9 +27,9 @@ from stiction.laws.film.shared.graded_kinks import find_kinks, gather
 from stiction.laws.film.shared.graded_law import along, coordinate
 from stiction.laws.film.shared.two_bodies import TwoBodies
 from stiction.laws.joining import Law
-from stiction.laws.registry import FilmLaw
-from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
+from stiction.records.registry import FilmLaw
+from stiction.records.sources import Source
 
 
 def fading_rates(

@@ -35,8 +35,8 @@ from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.laws.film.shared.two_bodies import TwoBodies, in_series
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Limit, composites_of
-from stiction.laws.sources import Source
+from stiction.records.registry import FilmLaw, Limit, composites_of
+from stiction.records.sources import Source
 
 _THINNEST = 1e-100  # film over sigma, of one that is not there
 

@@ -49,8 +49,8 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Law, within
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import Departure, FilmLaw, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Departure, FilmLaw, Validity
+from stiction.records.sources import Source
 
 _THINNEST = 1e-200  # film over sigma, of one that is not there
 _FLATTEST = 1e-100  # hill over the hardness of the substrate, of a film that is a half-space

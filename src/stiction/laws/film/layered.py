@@ -1,7 +1,7 @@
 r"""A sphere on a bonded film: the exact elastic solution, with adhesion by energy and yield by mean pressure.
 
 *Assumes*: film bonded to its body, smooth sphere, $a\ll R$, no friction while it is pressed. *Source*:
-[perriot_barthel_2004] for the elastic solution, as an integral equation, derived and solved anew in `contact/layered`;
+[perriot_barthel_2004] for the elastic solution, as an integral equation, derived and solved anew in `solvers/layered`;
 [johnson_kendall_roberts_1971] for the energy of an adhesive edge, taken to layered bodies as [barthel_perriot_2007] do.
 With $a=\sqrt{xR\sigma}$ and the moduli $E_P$, $E_S$, $B$ (over that of the bodies without a film) and the approach $D$,
 functions of $a/t$ and the elastic constants of film and bodies,
@@ -40,7 +40,15 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.contact.layered.asperity import (
+from stiction.engine.compiled import kernel, unpack
+from stiction.engine.regime import Regime, columns
+from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
+from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
+from stiction.laws.joining import Law, normal_states
+from stiction.laws.piece import NormalPiece
+from stiction.records.registry import FilmLaw, Limit, Validity, composites_of
+from stiction.records.sources import Source
+from stiction.solvers.layered.asperity import (
     EDGED,
     PLAIN,
     edged,
@@ -50,14 +58,6 @@ from stiction.contact.layered.asperity import (
     pulled_off,
     touch,
 )
-from stiction.engine.compiled import kernel, unpack
-from stiction.engine.regime import Regime, columns
-from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
-from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
-from stiction.laws.joining import Law, normal_states
-from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import FilmLaw, Limit, Validity, composites_of
-from stiction.laws.sources import Source
 
 # Between film and substrate the elastic asperity is smooth, but over decades of a/t: it is cut at these u, over that at a = t.
 _CUTS = np.array([20.0, 400.0, 8000.0])

@@ -21,8 +21,8 @@ import math
 from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.film.chang_1997 import DEPARTURES, FLOWING, NO_ADHESION, plastic_film
-from stiction.laws.registry import FilmLaw, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import FilmLaw, Validity
+from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law) -> list[Regime]:

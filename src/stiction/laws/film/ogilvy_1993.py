@@ -16,8 +16,8 @@ import math
 
 from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
-from stiction.laws.registry import Departure, FilmLaw, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Departure, FilmLaw, Validity
+from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law) -> list[Regime]:

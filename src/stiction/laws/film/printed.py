@@ -29,10 +29,10 @@ from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import flow, onset
 from stiction.laws.film.shared.cut_film import film_regimes
 from stiction.laws.joining import Law, Weights, within
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import Departure, FilmLaw, Validity
-from stiction.laws.sources import Source
 from stiction.laws.tangential.soft_coating_2015 import RECORD as TANGENTIAL
 from stiction.laws.tangential.soft_coating_2015 import grip_printed
+from stiction.records.registry import Departure, FilmLaw, Validity
+from stiction.records.sources import Source
 
 # Eqs (12)-(15) weigh the resistance with exp(-z^2/2) in place of phi(z) (D3).
 _GRIP = math.sqrt(2.0 * math.pi)

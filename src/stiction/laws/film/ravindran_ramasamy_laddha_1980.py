@@ -45,8 +45,8 @@ from stiction.engine.regime import Regime
 from stiction.laws.film.shared.plastic import at_pressure
 from stiction.laws.joining import Law
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import Departure, FilmLaw, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Departure, FilmLaw, Validity
+from stiction.records.sources import Source
 
 _THINNEST = 1e-200  # film over sigma, of one that is not there
 

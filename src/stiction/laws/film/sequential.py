@@ -32,8 +32,8 @@ from stiction.engine.regime import Regime
 from stiction.laws.film.shared.cut_film import film_regimes
 from stiction.laws.film.shared.weaker import weaker_regimes
 from stiction.laws.joining import Law, Weights, coordinates, normal_states, states
-from stiction.laws.registry import Departure, FilmLaw, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Departure, FilmLaw, Validity
+from stiction.records.sources import Source
 
 
 @formula

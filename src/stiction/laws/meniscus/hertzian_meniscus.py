@@ -32,8 +32,8 @@ $$
 so that where the interface is what is sheared the friction is understated here, by more than after `equilibrium_meniscus`: this
 law is for loads and pull-off forces. Results say so from $w=0.1\,w_\mathrm m$ on.
 
-*Measured*, as with `equilibrium_meniscus`: 0.27 to 0.74 of the pull of menisci on solved maps, mean 0.47; 1 where these are
-flooded.
+*Measured*, as with `equilibrium_meniscus`: 0.27 to 0.79 of the pull of menisci on solved maps, mean 0.48; 1.00 to 1.03
+where these are flooded.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$; [symbols](#1-units).
 """
@@ -48,8 +48,8 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.laws.asperity import maugis_1992
 from stiction.laws.meniscus import equilibrium_meniscus
-from stiction.laws.registry import Limit, Meniscus, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Limit, Meniscus, Validity
+from stiction.records.sources import Source
 
 _ring = maugis_1992.ring
 
@@ -105,9 +105,7 @@ RECORD = Meniscus(
     needs=("meniscus_index", "meniscus_height"),
     validity=(
         *equilibrium_meniscus.VALIDITY,
-        replace(
-            equilibrium_meniscus.PULL_ON_MAPS, why="on six solved maps menisci pulled 1.3 to 3.8 times as hard as by this law"
-        ),
+        replace(equilibrium_meniscus.PULL_ON_MAPS, why="on solved maps menisci pulled up to 3.8 times as hard as by this law"),
         Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
         Validity("penetration_over_meniscus", 0.0, 0.1, "areas are wider than is counted, and with them the friction"),
     ),

@@ -53,8 +53,8 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import Presliding, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Presliding, Validity
+from stiction.records.sources import Source
 
 
 @formula
@@ -122,7 +122,7 @@ RECORD = Presliding(
     key="mindlin_1949",
     title="Tangential stiffness of contacts before they slide",
     grade="B",
-    sources=(Source("mindlin_1949", "", "the stiffness at no force; partial slip as formulas beside it"),),
+    sources=(Source("mindlin_1949", "", "the stiffness at no force, and the formulas of partial slip"),),
     tangential_resistance=tangential_resistance,
     verified="closed forms; ratio of tangential to normal stiffness 2 (1 - nu)/(2 - nu) for bodies alike",
     needs=("K_beta",),

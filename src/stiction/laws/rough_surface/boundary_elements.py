@@ -37,18 +37,18 @@ from typing import TYPE_CHECKING
 from stiction.contact.contact import EQUILIBRIUM_DISTANCE, Contact
 from stiction.contact.materials import Material
 from stiction.contact.pair import compliance_of, pair_of
-from stiction.laws.claims import Validity
-from stiction.laws.registry import RoughSurface
 from stiction.laws.rough_surface.shared.maps import A_SAMPLE
-from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
-from stiction.surfaces.boundary_elements import limits
-from stiction.surfaces.boundary_elements.bodies import Bodies
-from stiction.surfaces.boundary_elements.compliance import Film
-from stiction.surfaces.boundary_elements.menisci import Menisci
+from stiction.records.claims import Validity
+from stiction.records.registry import RoughSurface
+from stiction.records.sources import Source
+from stiction.solvers.boundary_elements import limits
+from stiction.solvers.boundary_elements.bodies import Bodies
+from stiction.solvers.boundary_elements.compliance import Film
+from stiction.solvers.boundary_elements.menisci import Menisci
 
 if TYPE_CHECKING:
-    from stiction.surfaces.boundary_elements.curve import MapCurve
+    from stiction.solvers.boundary_elements.curve import MapCurve
     from stiction.surfaces.heightmap import HeightMap
 
 
@@ -75,7 +75,7 @@ def of_map(
     surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str, shear: str, adhesion: str
 ) -> "MapCurve":  # fmt: skip
     """Contacts of the map at nominal pressures [Pa]. Raises InputError for a map or a pressure that cannot be solved."""
-    from stiction.surfaces.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
+    from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
 
     bodies = bodies_of(contact)
     if yielding == "none":
@@ -91,7 +91,7 @@ def _sticking(
     surface: "HeightMap", contact: Contact, bodies: Bodies, pressures: Sequence[float], adhesion: str
 ) -> "MapCurve":  # fmt: skip
     """With the work of adhesion of the faces that meet, over the range that is asked for."""
-    from stiction.surfaces.boundary_elements.sticking import shortest_range, sticking_curve
+    from stiction.solvers.boundary_elements.sticking import shortest_range, sticking_curve
 
     coating = contact.coating
     work = contact.work_of_adhesion if coating is None or coating.work_of_adhesion is None else coating.work_of_adhesion

@@ -11,8 +11,8 @@ $$
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
-from stiction.laws.registry import Limit, RoughSurface, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Limit, RoughSurface, Validity
+from stiction.records.sources import Source
 
 RECORD = RoughSurface(
     key="chang_etsion_bogy_1988",

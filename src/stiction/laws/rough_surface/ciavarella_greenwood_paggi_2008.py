@@ -20,8 +20,8 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import Limit, RoughSurface, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Limit, RoughSurface, Validity
+from stiction.records.sources import Source
 from stiction.surfaces.theory.start_table import lone_separation
 from stiction.surfaces.theory.summits import truncated_mean
 

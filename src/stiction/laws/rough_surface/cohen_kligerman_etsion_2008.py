@@ -12,8 +12,8 @@ adhesion. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
-from stiction.laws.registry import RoughSurface
-from stiction.laws.sources import Source
+from stiction.records.registry import RoughSurface
+from stiction.records.sources import Source
 
 RECORD = RoughSurface(
     key="cohen_kligerman_etsion_2008",

@@ -15,8 +15,8 @@ being the stretch over $\sigma$ at which one asperity comes off, and $h$ where i
 | $h$ | 4.71 | 2.11 | 1.13 | 0.45 | 0.29 | 0.33 | 0.58 | 0.90 | 1.23 | 1.56 | 2.23 |
 """
 
-from stiction.laws.registry import Limit, RoughSurface
-from stiction.laws.sources import Source
+from stiction.records.registry import Limit, RoughSurface
+from stiction.records.sources import Source
 
 RECORD = RoughSurface(
     key="fuller_tabor_1975",

@@ -18,8 +18,8 @@ from functools import cache
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import RoughSurface, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import RoughSurface, Validity
+from stiction.records.sources import Source
 from stiction.surfaces.theory import summits
 from stiction.surfaces.theory.moments import LEAST_DENSITY
 from stiction.surfaces.theory.start_table import separation_of_summits

@@ -21,8 +21,8 @@ and $A/A_n=\pi NR\sigma F_1$. *Check*, Gaussian:
 | 4 | 3.167124e-5 | 1.340667e-5 | 7.145258e-6 | 4.439155e-6 | 3.090208e-6 | 2.353381e-6 |
 """
 
-from stiction.laws.registry import RoughSurface
-from stiction.laws.sources import Source
+from stiction.records.registry import RoughSurface
+from stiction.records.sources import Source
 
 RECORD = RoughSurface(
     key="greenwood_williamson_1966",

@@ -45,9 +45,9 @@ from functools import cache
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import RoughSurface, Validity
-from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
+from stiction.records.registry import RoughSurface, Validity
+from stiction.records.sources import Source
 from stiction.surfaces.theory import n_point
 from stiction.surfaces.theory.moments import Moments, bandwidth, density_of_bandwidth, summit_height
 from stiction.surfaces.theory.start_table import tabulated

@@ -12,8 +12,8 @@ out*: the adhesion. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
-from stiction.laws.registry import Limit, RoughSurface
-from stiction.laws.sources import Source
+from stiction.records.registry import Limit, RoughSurface
+from stiction.records.sources import Source
 
 RECORD = RoughSurface(
     key="kogut_etsion_2004",

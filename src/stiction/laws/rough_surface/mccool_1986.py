@@ -25,8 +25,8 @@ The measure of all theories at light load is $\kappa$ in $A/A_n=\kappa\,p/(E^*h'
 Numerical contact has about 2, so the model is off by 0.5 to 2 times, and which way depends on $\alpha$.
 """
 
-from stiction.laws.registry import Limit, RoughSurface, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import Limit, RoughSurface, Validity
+from stiction.records.sources import Source
 
 RECORD = RoughSurface(
     key="mccool_1986",

@@ -25,9 +25,9 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.criterion.pastewka_robbins_2014 import KAPPA, stickiness
-from stiction.laws.registry import RoughSurface, Validity
-from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
+from stiction.records.registry import RoughSurface, Validity
+from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import reduced_pressure
 
 

@@ -25,8 +25,8 @@ import numpy as np
 from scipy.special import erf
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import RoughSurface, Validity
-from stiction.laws.sources import Source
+from stiction.records.registry import RoughSurface, Validity
+from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import reduced_pressure
 
 

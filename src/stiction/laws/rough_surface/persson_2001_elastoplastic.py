@@ -28,8 +28,8 @@ import numpy as np
 from scipy.special import erf, erfc
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import Limit, RoughSurface
-from stiction.laws.sources import Source
+from stiction.records.registry import Limit, RoughSurface
+from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import reduced_pressure, slope_over_sharpness
 
 # Where H > 13 sqrt(G), less than erfc(13/2) = 4e-20 ever comes from one boundary to the other, and each acts as if alone; else

@@ -24,10 +24,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
 from stiction.laws.rough_surface.shared.maps import A_SAMPLE, RESOLVED
-from stiction.laws.sources import Source
+from stiction.records.registry import RoughSurface, Validity
+from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, LEAST_DENSITY, bandwidth, density_of_bandwidth, reduced_pressure
 from stiction.surfaces.theory.moments import slope_over_sharpness as slope_of
 from stiction.surfaces.theory.widened_area import WIDEST_BAND, of_moments, with_hardness
@@ -57,7 +57,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
     slope = groups.sharpness[:, None] * slope_of(density)
     pressure = reduced_pressure(np.maximum(load, 0.0), density) * slope  # over E*
     hardness = hardness_over_slope(groups) * slope[:, 0]
-    from stiction.surfaces.boundary_elements.map_area import map_area  # slow to import
+    from stiction.solvers.boundary_elements.map_area import map_area  # slow to import
 
     area = map_area(surface)
     shares = [area.share(row, float(h)) for row, h in zip(pressure, hardness, strict=True)]
@@ -68,7 +68,7 @@ def way(surface: "HeightMap | None") -> str:
     """How the area is found, a key of WAYS. surface: the map, None where there is none."""
     if surface is None:
         return "moments"
-    from stiction.surfaces.boundary_elements.map_area import map_area  # slow to import
+    from stiction.solvers.boundary_elements.map_area import map_area  # slow to import
 
     return map_area(surface).way
 

@@ -8,8 +8,8 @@ $$
 $$
 """
 
-from stiction.laws.registry import Limit, RoughSurface
-from stiction.laws.sources import Source
+from stiction.records.registry import Limit, RoughSurface
+from stiction.records.sources import Source
 
 RECORD = RoughSurface(
     key="rough_dmt",

@@ -3,7 +3,7 @@ r"""The area law of a rough surface with the modulus that a sphere as wide as it
 *Assumes*: a Gaussian isotropic surface, frictionless and without adhesion; a film bonded to its body; pressure nowhere above
 the film's hardness, or what the body below carries through a harder film, without hardening. *Source*: this project's own
 (grade B: its evidence are solved maps; the body below is grade C and was not compared with any). The bare area law
-$F$ is that of moments in `surfaces/boundary_elements/area_estimates.py`, $p$ the mean pressure,
+$F$ is that of moments in `solvers/boundary_elements/area_estimates.py`, $p$ the mean pressure,
 
 $$
 \frac{A_\mathrm{el}}{A_n}=F\!\left(\frac p{E_\mathrm{eff}h'}\right),\qquad
@@ -37,14 +37,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.contact.layered.below import pressure_carried_below
-from stiction.contact.layered.curves import TERMS
 from stiction.engine.blocks import blocks
 from stiction.laws.film.shared.layered_rows import coefficients
-from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
 from stiction.laws.rough_surface.shared.maps import A_SAMPLE, RESOLVED
-from stiction.laws.sources import Source
+from stiction.records.registry import RoughSurface, Validity
+from stiction.records.sources import Source
+from stiction.solvers.layered.below import pressure_carried_below
+from stiction.solvers.layered.curves import TERMS
 from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, require_gaussian, slope_over_sharpness
 from stiction.surfaces.theory.touching import expected_share
 
@@ -192,7 +192,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
     """The spectrum of a map, in units of the sqrt(R sigma) that its moments give; groups: of one contact."""
-    from stiction.laws.asperity_method.mccool import mccool
+    from stiction.surfaces.asperity_method.mccool import mccool
     from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
 
     spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
@@ -205,7 +205,7 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
     """The bare area of a map against the pressure over E* h', for all that films of this modulus may make of the pressures."""
     from scipy.interpolate import PchipInterpolator
 
-    from stiction.surfaces.boundary_elements.map_area import map_area  # slow to import
+    from stiction.solvers.boundary_elements.map_area import map_area  # slow to import
 
     some = pressure[pressure > 0.0]
     if not some.size:

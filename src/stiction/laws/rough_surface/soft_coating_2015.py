@@ -19,9 +19,9 @@ from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.film.printed import bare_regimes
 from stiction.laws.joining import Law
-from stiction.laws.registry import JUNCTIONS, NO_JUNCTIONS, FilmLaw, Limit, RoughSurface, Validity, select_options
-from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
+from stiction.records.registry import JUNCTIONS, NO_JUNCTIONS, FilmLaw, Limit, RoughSurface, Validity, select_options
+from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law: Law, film: FilmLaw | None, reading: str, transition: str) -> list[Regime]:

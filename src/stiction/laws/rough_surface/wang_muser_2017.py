@@ -22,9 +22,9 @@ knows no separation: results have none.
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.shared.corrected_diffusion import area_per_asperity, area_share
-from stiction.laws.sources import Source
+from stiction.records.registry import RoughSurface, Validity
+from stiction.records.sources import Source
 
 
 def rate(share: np.ndarray) -> np.ndarray:

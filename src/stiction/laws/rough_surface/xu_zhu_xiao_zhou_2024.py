@@ -26,9 +26,9 @@ import numpy as np
 from scipy.special import erf
 
 from stiction.contact.indices import Groups
-from stiction.laws.registry import RoughSurface, Validity
 from stiction.laws.rough_surface.shared.corrected_diffusion import area_per_asperity
-from stiction.laws.sources import Source
+from stiction.records.registry import RoughSurface, Validity
+from stiction.records.sources import Source
 
 GAMMA = 0.45
 _STEPS = 12

@@ -16,8 +16,8 @@ on every piece, elastic or not. Where all contacts are plastic, $\mu=\tau_0/H$, 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import TangentialLaw
-from stiction.laws.sources import Source
+from stiction.records.registry import TangentialLaw
+from stiction.records.sources import Source
 
 
 @formula

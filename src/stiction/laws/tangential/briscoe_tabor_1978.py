@@ -16,10 +16,10 @@ That a tension lowers nothing is this project's. For heavy loads $\mu\to\alpha$ 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import Limit, TangentialLaw
-from stiction.laws.sources import Source
 from stiction.laws.tangential.bowden_tabor_1943 import shear_force
 from stiction.laws.tangential.shared.zero_load import zero_load
+from stiction.records.registry import Limit, TangentialLaw
+from stiction.records.sources import Source
 
 
 @formula

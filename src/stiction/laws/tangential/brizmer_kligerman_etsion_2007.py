@@ -28,9 +28,9 @@ from stiction.engine.compiled import formula
 from stiction.laws.asperity.brizmer_kligerman_etsion_2006 import LEAST_NU, critical_values
 from stiction.laws.joining import coordinates, normal_states
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import TangentialLaw, Validity
-from stiction.laws.sources import Source
 from stiction.laws.tangential.shared.zero_load import zero_load
+from stiction.records.registry import TangentialLaw, Validity
+from stiction.records.sources import Source
 
 # Where the sum over a piece that begins under load is split, over the displacement there.
 _SPLITS = (8.0, 64.0, 512.0, 4096.0)

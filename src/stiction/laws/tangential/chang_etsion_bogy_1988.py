@@ -41,9 +41,9 @@ from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.joining import coordinates
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import NO_JUNCTIONS, TangentialLaw, Validity
-from stiction.laws.sources import Source
 from stiction.laws.tangential.shared.plastic_junctions import LAWS, beyond, of_whole_piece
+from stiction.records.registry import NO_JUNCTIONS, TangentialLaw, Validity
+from stiction.records.sources import Source
 
 # Both come from Y/H = 0.354 and are kept as rounded in print: 0.354/sqrt(3) and 4.5 (0.354)^2 would be 0.20438 and 0.56392.
 _ON_AXIS, _AT_EDGE = 0.2045, 0.56

@@ -66,10 +66,10 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import TangentialLaw
-from stiction.laws.sources import Source
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
 from stiction.laws.tangential.shared.hamilton_field import Stress, dragged, least_over, pressed, von_mises
+from stiction.records.registry import TangentialLaw
+from stiction.records.sources import Source
 
 # Terms of the series in s, and in nu from 0 to 0.5.
 INSIDE, BELOW, IN_NU = 14, 15, 20

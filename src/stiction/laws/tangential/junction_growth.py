@@ -38,11 +38,11 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import Limit, TangentialLaw
-from stiction.laws.sources import Source
 from stiction.laws.tangential import brizmer_kligerman_etsion_2007 as full_stick
 from stiction.laws.tangential.bowden_tabor_1943 import shear_force
 from stiction.laws.tangential.shared.junctions import ALPHA, share_of_bulk
+from stiction.records.registry import Limit, TangentialLaw
+from stiction.records.sources import Source
 
 _force_of_full_stick = full_stick.resistance
 

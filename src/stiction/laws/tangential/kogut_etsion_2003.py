@@ -25,9 +25,9 @@ from stiction.engine.compiled import formula
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.joining import coordinates, normal_states
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import NO_JUNCTIONS, TangentialLaw, Validity
-from stiction.laws.sources import Source
 from stiction.laws.tangential.shared.plastic_junctions import LAWS, beyond
+from stiction.records.registry import NO_JUNCTIONS, TangentialLaw, Validity
+from stiction.records.sources import Source
 
 NONE_FROM = 6.0  # omega/omega_c from which the plastic zone reaches the surface, and no shear is withstood
 

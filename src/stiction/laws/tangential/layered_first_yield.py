@@ -3,7 +3,7 @@ r"""Tangential force at which a coated asperity first yields anywhere: film, int
 *Assumes*: a sphere on a bonded film fails when film or body first yields, looked at everywhere; the pressure is that of the
 frictionless contact, and the traction in proportion to it, as in [`hamilton_1983`](#hamilton_1983). *Source*:
 [osullivan_king_1988] have such stresses, under a sphere dragged over a layer, by least squares; solved anew here, wave by wave
-(`contact/layered`). With the mean pressure $s$, the mean traction $q$ and the von Mises stresses $N$ that both together make
+(`solvers/layered`). With the mean pressure $s$, the mean traction $q$ and the von Mises stresses $N$ that both together make
 at the worst place,
 
 $$
@@ -39,10 +39,10 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import Limit, TangentialLaw
-from stiction.laws.sources import Source
 from stiction.laws.tangential.hamilton_1983 import tangential_resistance as of_a_half_space
 from stiction.laws.tangential.shared.coated_strength import strength_at, strengths
+from stiction.records.registry import Limit, TangentialLaw
+from stiction.records.sources import Source
 
 
 @formula
@@ -71,7 +71,7 @@ RECORD = TangentialLaw(
     grade="B",
     sources=(
         Source("osullivan_king_1988", "", "stresses in a dragged layer; derived and solved anew here"),
-        Source("hamilton_1983", "stresses under the normal and the tangential load", "of which it is the limit"),
+        Source("hamilton_1983", "stresses under the normal and the tangential load", "the limit without a film"),
     ),
     tangential_resistance=tangential_resistance,
     yielded="none",

@@ -3,7 +3,7 @@ r"""Tangential force at which an adhesive contact on a film peels: the energy ba
 *Assumes*: the edge of an adhesive contact is a crack in mixed mode, which peels where $G_N+\zeta\,G_T=\gamma$, as in
 [`savkoor_briggs_1977`](#savkoor_briggs_1977); the contact stays round. *Source*: [savkoor_briggs_1977] for the balance;
 [mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, in place of which the layered contact's own is
-solved (`contact/layered/shear`). With the stiffnesses $S$, $S_T$ and their derivatives by the radius,
+solved (`solvers/layered/shear`). With the stiffnesses $S$, $S_T$ and their derivatives by the radius,
 
 $$
 G_N=\frac{(P_H-P)^2}{4\pi a}\frac{S'}{S^2},\qquad G_T=\frac{T^2}{4\pi a}\frac{S_T'}{S_T^2}=\frac{\beta T^2}{32\pi a^3}(1-e),
@@ -28,11 +28,11 @@ $t\to\infty$; the bodies' own for $t\to0$. *Check*, $\nu=0.3$, rigid sphere: $K\
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import Limit, TangentialLaw
-from stiction.laws.sources import Source
 from stiction.laws.tangential.savkoor_briggs_1977 import share_that_peels
 from stiction.laws.tangential.savkoor_briggs_1977 import tangential_resistance as of_a_half_space
 from stiction.laws.tangential.shared.coated_peeling import peeling_columns, peeling_force
+from stiction.records.registry import Limit, TangentialLaw
+from stiction.records.sources import Source
 
 
 @formula

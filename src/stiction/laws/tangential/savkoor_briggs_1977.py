@@ -31,9 +31,9 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import TangentialLaw
-from stiction.laws.sources import Source
 from stiction.quantities.errors import InputError
+from stiction.records.registry import TangentialLaw
+from stiction.records.sources import Source
 
 
 @formula

@@ -17,7 +17,7 @@ $$
 D\left(AP^2+2BPT+T^2\right)=(Y_f\,\pi a^2)^2
 $$
 
-with $A$, $B$ and $D$ functions of $a/t$ and the elastic constants (`contact/layered/edge`), to 0.5 % in $T$ up to $a/t=300$,
+with $A$, $B$ and $D$ functions of $a/t$ and the elastic constants (`solvers/layered/edge`), to 0.5 % in $T$ up to $a/t=300$,
 but next to where $T$ vanishes, there to some per cent of it.
 That a film may yield inside or at its interface before is not asked:
 [`layered_first_yield`](#layered_first_yield) does, without adhesion. *Limit*: the law itself without a film, for a film like
@@ -36,13 +36,13 @@ import math
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import NO_JUNCTIONS, TangentialLaw
-from stiction.laws.sources import Source
 from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
 from stiction.laws.tangential.shared.edge_yield import lesser, yield_resistance
 from stiction.laws.tangential.shared.lesser import Force, lesser_of
 from stiction.laws.tangential.shared.plastic_junctions import LAWS, of_whole_piece
 from stiction.laws.tangential.shared.slip_or_yield import kinks_of
+from stiction.records.registry import NO_JUNCTIONS, TangentialLaw
+from stiction.records.sources import Source
 
 
 @formula

@@ -38,10 +38,10 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import Limit, TangentialLaw, Validity
-from stiction.laws.sources import Source
 from stiction.laws.tangential.shared.junctions import ALPHA, share_of_bulk, where_pressure_is
 from stiction.quantities.errors import InputError
+from stiction.records.registry import Limit, TangentialLaw, Validity
+from stiction.records.sources import Source
 
 _ROUNDING = 1e-12
 

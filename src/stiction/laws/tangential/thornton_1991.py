@@ -18,9 +18,9 @@ import math
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import Limit, TangentialLaw
-from stiction.laws.sources import Source
 from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance
+from stiction.records.registry import Limit, TangentialLaw
+from stiction.records.sources import Source
 
 
 @formula

@@ -44,9 +44,9 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import Limit, TangentialLaw
-from stiction.laws.sources import Source
 from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance, share_that_peels
+from stiction.records.registry import Limit, TangentialLaw
+from stiction.records.sources import Source
 
 # An angle that is off by this changes its largest force by the square of it.
 _NEAR = 1e-9

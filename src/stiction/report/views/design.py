@@ -38,6 +38,7 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
         files["front.csv"] = lambda path: write_rows(path, *design_rows(data, "front"))
     if folder is not None:
         files["designed.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
-    missed = tuple(f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words)
+    missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
+    notes = tuple(filter(None, [*missed, data.attrs["other_model"]]))
     pictures = {"design.png": Picture("designs by how near they come to the wish", drawn)}
-    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, missed)
+    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, notes)

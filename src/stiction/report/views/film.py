@@ -15,7 +15,7 @@ from stiction.studies.stresses.film_stress import middle_point
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case.read import Case
+    from stiction.case.read import Case
 
 
 def film_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:

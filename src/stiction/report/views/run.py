@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
+from stiction.report.answer import model_record
 from stiction.report.files import comments_of, record, write_csv
 from stiction.report.several_tables import several_table
 from stiction.report.tables import curve_table, outside_validity, rows_shown, run_notes, run_summary
@@ -16,7 +17,7 @@ from stiction.studies.uncertainty.bands import as_columns as with_quantiles
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case.read import Case
+    from stiction.case.read import Case
 
 
 def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> View:
@@ -24,7 +25,12 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
     files = {"curve.csv": lambda path: write_csv(with_quantiles(as_columns(data)), path, comments_of(data))}
 
     def found() -> dict[str, Any]:
-        return record(data, case.subject.groups()) | ({} if case.measured is None else {"measured": case.measured.record()})
+        answer = {} if case.is_several else {"answer": model_record(data)}
+        return (
+            answer
+            | record(data, case.subject.groups())
+            | ({} if case.measured is None else {"measured": case.measured.record()})
+        )
 
     return View("curve", data, lambda: _parts(case, data, all_rows), found, files, _pictures(case, data))
 

@@ -13,7 +13,7 @@ from stiction.report.view import Picture, View
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case.read import Case
+    from stiction.case.read import Case
 
 
 def sliding_view(case: "Case", data: "xarray.Dataset") -> View:

@@ -1,11 +1,19 @@
 """A measured surface as it is shown."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from stiction.report.files import as_json, write_csv, write_netcdf, write_rows
-from stiction.report.surface_tables import asperity_table, contact_notes, contact_table, surface_notes, surface_summary
+from stiction.report.surface_tables import (
+    asperity_table,
+    contact_notes,
+    contact_table,
+    surface_in_short,
+    surface_notes,
+    surface_summary,
+    use_this,
+)
 from stiction.report.view import Picture, View
 from stiction.studies.scans.analysis import spectrum_rows, summary
 from stiction.studies.scans.map_contact import summary_of_contact
@@ -18,12 +26,25 @@ if TYPE_CHECKING:
 
 
 def surface_view(
-    analysis: "Analysis", solved: "ContactOfMap | None" = None, resolution: "xarray.Dataset | None" = None
+    analysis: "Analysis",
+    case_table: Mapping[str, Any],
+    solved: "ContactOfMap | None" = None,
+    resolution: "xarray.Dataset | None" = None,
+    details: bool = False,
 ) -> View:
-    """Return what a measured surface shows. solved: its contact; resolution: the resolution study, for files."""
+    """Return what a measured surface shows.
+
+    case_table: the roughness of a case file that reads the scan again. solved: its contact; resolution: the resolution study,
+    for files. details: whether to print all that was found.
+    """
 
     def parts() -> Iterator[Any]:
-        yield from (surface_summary(analysis), "", asperity_table(analysis), "", *surface_notes(analysis))
+        if details:
+            yield from (surface_summary(analysis), "", asperity_table(analysis), "", *surface_notes(analysis), "")
+        yield surface_in_short(analysis)
+        yield from use_this(analysis, case_table)
+        if not details:
+            yield "Details: --details   pictures: --out DIR"
         if solved is not None:
             yield from ("", contact_table(solved), "", *contact_notes(solved))
 

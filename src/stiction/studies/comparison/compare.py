@@ -1,7 +1,7 @@
 """Every model that applies, on one contact: what they say of its friction, how far they differ, and which to trust."""
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -10,31 +10,32 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.summation import FARTHEST
-from stiction.laws.registry import Criterion, RoughSurface, find, of_kind
 from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
+from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import reason_of, several_in_words
-from stiction.solving import film_errors
+from stiction.records.registry import Criterion, RoughSurface, find, of_kind
+from stiction.solving.accuracy import film_errors
+from stiction.solving.accuracy.measured_error import measured_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding, leaves_out_liquid
 from stiction.solving.inversion import Unreachable
-from stiction.solving.measured_error import measured_errors
 from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.points import points_of, solve_points
 from stiction.solving.problem import Problem, make_problem, problem_of
 from stiction.solving.results import labelled
-from stiction.solving.solve import solve
 from stiction.solving.state import state_of
 from stiction.studies.comparison.leaps import leap_near
 from stiction.studies.comparison.recommendation import FAMILIES, LIQUID, TOO_MUCH, Answer, recommend
+from stiction.studies.pressing_loads import pressing_loads
 
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.case.read import Case
+    from stiction.case.read import Case
 
 # Mean separations over sigma at which the curves are computed: out of touch to pressed together.
 SEPARATIONS = np.linspace(5.0, -2.0, 80)
@@ -48,7 +49,7 @@ def compare(
     *,
     load: Any = None,
     separations: Iterable[float] | None = None,
-    progress: Callable[[Iterable], Iterable] = iter,
+    progress: Steps = iter,
 ) -> "xarray.Dataset":
     """Every applicable model at once on one contact.
 
@@ -60,7 +61,7 @@ def compare(
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
     contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
     working load, with grade, `outside_validity` in words, `doubts` as JSON, `family_of_curve`, what its friction rests on, and
-    `plastic_junctions_resist`, a word of stiction.laws.registry.YIELDED; `measured_area_error` (and `_rms`) and
+    `plastic_junctions_resist`, a word of stiction.records.registry.YIELDED; `measured_area_error` (and `_rms`) and
     `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number
     where none was solved near; `measured_error` as JSON, `measured_error_in_words`; `liquid`, "taken" or "left out" where the
     contact has one, and `liquid_pull_left_out`, its pull over the load. A theory that knows no separation has
@@ -98,7 +99,7 @@ def _compared(
     contact: Subject,
     load: Any,
     separations: Any,
-    progress: Callable[[Iterable], Iterable],
+    progress: Steps,
     asked: Iterable[Candidate] | None = None,
 ) -> "xarray.Dataset":
     """What `compare` gives, without the spread over the methods of finding asperities and loads near; asked: some of the
@@ -120,9 +121,7 @@ def _refuse_arrays(subject: Subject) -> None:
         raise InputError(name, several_in_words(array, name), "one number, where models are compared")
 
 
-def _over_methods(
-    data: "xarray.Dataset", contact: Subject, load: Any, progress: Callable[[Iterable], Iterable]
-) -> "xarray.Dataset":
+def _over_methods(data: "xarray.Dataset", contact: Subject, load: Any, progress: Steps) -> "xarray.Dataset":
     """The comparison of a contact whose surface was measured, with what its models say at the working load by every method."""
     contacts = contact.measured.contacts(contact)
     name = "friction_coefficient_at_load"
@@ -318,7 +317,8 @@ def _attributes(contact, answers: list[Answer], target: float | None) -> dict[st
     inside = [one.mu for one in answers if not one.outside]
     attributes |= {
         "working_load": target,
-        "spread": _spread([one.mu for one in answers]),
+        "spread": _spread([one.mu for one in answers if not one.impossible]),
+        "impossible_models": sum(bool(one.impossible) for one in answers if np.isfinite(one.mu)),
         "spread_within_validity": _spread(inside),
         "recommended": found.best.candidate.name if found.best else "none",
         "recommended_range": _spread([found.low, found.high]),
@@ -355,15 +355,8 @@ def working_load(case: "Case", given: str | None) -> float | None:
     _refuse_arrays(case.subject)
     if given is not None:
         return _pressing(case.subject, given, "--load")
-    loads = case.load
-    if loads is None:
-        own = case.choice.arguments() | {"model": case.choice.model_key}  # named: loads do not depend on what friction ignores
-        loads = solve(case.subject.as_numbers(), separation=case.separation, **own)["load"].values
-    pressing = np.flatnonzero(loads > 0.0)
-    if not pressing.size:
-        return None
-    middle = (len(loads) - 1) // 2
-    return float(loads[pressing[np.argmin(np.abs(pressing - middle))]])
+    loads, at = pressing_loads(case)
+    return float(loads[at]) if loads.size else None
 
 
 def _pressing(subject: Subject, given: Any, field: str) -> float:

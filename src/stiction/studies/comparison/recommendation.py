@@ -13,10 +13,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from stiction.laws.registry import GRADES
 from stiction.laws.validity import Doubt
+from stiction.records.registry import GRADES
+from stiction.solving.accuracy.measured_error import MeasuredErrors
 from stiction.solving.candidates import Candidate
-from stiction.solving.measured_error import MeasuredErrors
 
 # The cost of leaving a range by a factor of two: an effect that is left out weighs more than an assumption strained.
 COST_OF_A_DOUBLING = {"effect": 3.0, "assumption": 1.0, "fit": 0.5, "statistics": 0.0}
@@ -186,7 +186,7 @@ def recommend(answers: list[Answer]) -> Recommendation:
 
 
 # Said where only models are possible that owe it to what they leave out.
-_BETTER_FOUNDED = "the models that are possible leave out too much to be believed; of those that are better founded"
+_BETTER_FOUNDED = "the possible models leave out too much to be believed; among the better founded ones"
 
 
 def _share_of(possible: list[Answer], able: list[Answer]) -> float:
@@ -239,7 +239,7 @@ def _reason(best: Answer, family: list[Answer], weights: np.ndarray, others: lis
     within = [one for one in family if not one.outside]
     lines = [
         _standing(len(family), own),
-        f"beside it {shares}" if shares else "",
+        f"other models with weight: {shares}" if shares else "",
         _two_opinions(family, weights),
         _left(best, within),
         f"measured error: {best.measured.words}" if best.measured is not None and best.measured.known else "",
@@ -269,7 +269,11 @@ def _standing(models: int, own: float) -> str:
     return f"median of {models} models, each weighted by how well it is founded here ({own:.0%} of the weight is its own)"
 
 
-_WRONG = "its contact area differs from solved surfaces near this contact by more than these scatter"
+# By whether the kind of surface is known: without it the scatter is that over Gaussian surfaces alone.
+_WRONG = {
+    True: "its contact area differs from solved surfaces near this contact by more than these scatter",
+    False: "its contact area differs from solved Gaussian surfaces by more than Gaussian surfaces scatter",
+}
 _NOT_THERE = "it was not measured near this contact, where others were"
 
 
@@ -285,7 +289,7 @@ def _set_aside(little: list[Answer], able: list[Answer]) -> str:
         elif one.measured is None or not one.measured.known:
             said = _NOT_THERE
         elif one.measured.is_off:
-            said, name = _WRONG, f"{name} (area {np.expm1(one.measured.area.item()):+.0%})"
+            said, name = _WRONG[one.measured.kind_known], f"{name} (area {np.expm1(one.measured.area.item()):+.0%})"
         else:
             continue
         by_reason.setdefault(said, []).append(name)
@@ -324,6 +328,7 @@ _ADVICE = {
     "nominal_pressure_over_hardness": ("less load", "a larger nominal area"),
     "sharpness": ("asperity_height_deviation and asperity_radius as they are of a rough surface",),
     "roughness_parameter": ("an asperity_density that goes with sigma and R: N R sigma of random surfaces is 0.02 to 0.2",),
+    "pressure_over_punching": ("a thicker film", "a harder body below the film"),
     "nominal_width": ("a nominal_area that is wide against the roughness",),
 }
 

@@ -3,7 +3,7 @@
 An entry is a TOML file with the tables [contact] of a case file and [measured], beside a CSV file of the values.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -11,17 +11,18 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
+from stiction.case.measurements import Measurements, read_measurements
+from stiction.case.places import with_numbers
+from stiction.case.read import case_of, opened, read_content
 from stiction.contact.subject import Subject
 from stiction.laws.validity import Doubt, doubts_of
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, field_below
 from stiction.quantities.inputs import Input
+from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import reason_of
 from stiction.solving.candidates import candidates
 from stiction.solving.solve import solve
-from stiction.studies.case.places import with_numbers
-from stiction.studies.case.read import case_of, opened, read_content
-from stiction.studies.fit.measurements import Measurements, read_measurements
 
 if TYPE_CHECKING:
     import xarray
@@ -88,10 +89,8 @@ def read_entry(path: Any) -> Entry:
     unknown = [name for name in content if name not in _TABLES]
     if unknown:
         raise InputError(unknown[0], "a table", f"{', '.join(_TABLES)}: loads are those of the measured values")
-    try:
+    with field_below("measured"):
         origin = Origin(**table)
-    except InputError as error:
-        raise InputError(f"measured.{error.field}", error.value, error.allowed) from None
     load = {"load": "1 N"} if "indices" not in content else {"load": 1.0}
     tables = {name: value for name, value in content.items() if name != "measured"} | {"solve": load}
     folder = Path(path).parent
@@ -109,7 +108,7 @@ def read_entry(path: Any) -> Entry:
 def _check(values: Measurements, file: str) -> None:
     for quantity, value, line in zip(values.quantity, values.value, values.line, strict=True):
         if quantity in _NOT_COMPARED:
-            raise InputError(f"{file}, {quantity}", "a column", "a quantity above 0, of which a ratio can be taken")
+            raise InputError(f"{file}, {quantity}", "a column", "a positive quantity, for a ratio")
         if not value > 0.0:
             raise InputError(f"{file}, line {line}, {quantity}", float(value), "above 0")
 
@@ -122,7 +121,7 @@ def entries_in(folder: Any) -> list[Path]:
     return found
 
 
-def validate(entry: Any, *, progress: Callable[[Iterable], Iterable] = iter) -> "xarray.Dataset":
+def validate(entry: Any, *, progress: Steps = iter) -> "xarray.Dataset":
     """Every model that applies, against one measured series.
 
     entry: the path of its TOML file, or what `read_entry` gives. progress: wraps the list of models while they are computed.

@@ -7,15 +7,17 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.free import Free, read_free
+from stiction.case.places import as_numbers, flat, placed, subject_table
+from stiction.case.read import opened, without_studies
+from stiction.case.several import number_of
+from stiction.case.study_tables import study_table
+from stiction.case.uncertain import Uncertain
 from stiction.contact.contact import Contact
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError, field_below, nearest
 from stiction.quantities.inputs import require_names
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.studies.case.free import Free, read_free
-from stiction.studies.case.places import as_numbers, flat, placed, read_end, subject_table
-from stiction.studies.case.read import opened, without_studies
-from stiction.studies.case.uncertain import Uncertain
 from stiction.studies.design.table import Design, Wish
 
 __all__ = ["DesignPlan", "Limit", "Options", "make_design_plan"]
@@ -85,15 +87,8 @@ class DesignPlan:
 def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> DesignPlan:
     """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
     require_names(content)
-    table = content.get("design")
-    if not isinstance(table, Mapping):
-        raise InputError(
-            "design", table, 'a table [design] with wish = { minimise = "friction_coefficient" } and [design.choose]'
-        )
-    try:
-        design = Design(**table)
-    except InputError as error:
-        raise InputError(f"design.{error.field}", error.value, error.allowed) from None
+    wanted = 'a table [design] with wish = { minimise = "friction_coefficient" } and [design.choose]'
+    design: Design = study_table(content, "design", wanted)
     plain, several = opened(without_studies(content), folder)
     for one in several.values():
         if not isinstance(one, Uncertain):
@@ -129,7 +124,7 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
         if isinstance(entry, list):
             options.append(_options(path, entry, where))
         elif path[-1] in _NAMED:
-            raise InputError(where, entry, "a list, of which one is taken")
+            raise InputError(where, entry, "a list of choices")
         else:
             free.append(read_free(path, entry, where))
             if free[-1].each_sample:
@@ -167,7 +162,7 @@ def _options(path: tuple[str, ...], entries: list, where: str) -> Options:
     if not 1 <= len(entries) <= _MOST_OPTIONS:
         raise InputError(where, f"{len(entries)} entries", f"a list of 1 to {_MOST_OPTIONS}")
     if path[-1] not in _NAMED:
-        numbers = tuple(read_end(one, path[-1], where) for one in entries)
+        numbers = tuple(number_of(one, path[-1], where) for one in entries)
         return Options(path, numbers, tuple(str(one) for one in entries), True)
     words = tuple(str(one.get("preset", one.get("name", "table"))) if isinstance(one, Mapping) else str(one) for one in entries)
     words = tuple(f"{word} ({at + 1})" if words.count(word) > 1 else word for at, word in enumerate(words))
@@ -183,13 +178,11 @@ def _wishes(design: Design) -> tuple[tuple[Wish, ...], tuple[float, ...]]:
         where = "design.wish" + (f"[{at}]" if len(given) > 1 else "")
         if not isinstance(one, Mapping):
             raise InputError(where, one, 'a table, e.g. { minimise = "friction_coefficient" }')
-        try:
+        with field_below(where):
             wish = Wish(**one)
-        except InputError as error:
-            raise InputError(f"{where}.{error.field}".rstrip("."), error.value, error.allowed) from None
         _check_quantity(wish.quantity, where)
         wishes.append(wish)
-        targets.append(read_end(wish.value, wish.quantity, f"{where}.value") if wish.target else float("nan"))
+        targets.append(number_of(wish.value, wish.quantity, f"{where}.value") if wish.target else float("nan"))
     return tuple(wishes), tuple(targets)
 
 
@@ -207,7 +200,7 @@ def _limit(name: str, entry: Any) -> Limit:
         raise InputError(
             where, entry, f'a table with low, high or both, e.g. {{ high = "1 {unit}" }}' if unit else "low, high or both"
         )
-    low, high = (read_end(entry[end], name, f"{where}.{end}") if end in entry else np.nan for end in ("low", "high"))
+    low, high = (number_of(entry[end], name, f"{where}.{end}") if end in entry else np.nan for end in ("low", "high"))
     if np.isfinite(low) and np.isfinite(high) and low > high:
         raise InputError(where, [entry["low"], entry["high"]], "the low end first")
     return Limit(name, -np.inf if np.isnan(low) else low, np.inf if np.isnan(high) else high)

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
+from stiction.case.read import case_of, read_content, wants_ranges, without_studies
+from stiction.case.text import case_text
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
-from stiction.studies.case.read import case_of, read_content, wants_ranges, without_studies
-from stiction.studies.case.results import with_recommended
-from stiction.studies.case.text import case_text, show_exactly, with_written
+from stiction.studies.case_results import with_recommended
+from stiction.studies.design.designed import other_recommended, with_numbers
 from stiction.studies.design.missed import missed_objectives, off_targets
 from stiction.studies.design.plan import LOAD, DesignPlan, Options, make_design_plan
 from stiction.studies.design.space import TOLERANCE, Answers, Space
@@ -53,12 +54,17 @@ class Archive:
 
 @dataclass
 class Designing:
-    """A search as far as it is done; stopped: whether it was interrupted."""
+    """A search as far as it is done.
+
+    stopped: whether it was interrupted. other_model: what another model says that is recommended at the best design,
+    else "".
+    """
 
     plan: DesignPlan
     space: Space
     archive: Archive = field(default_factory=Archive)
     stopped: bool = False
+    other_model: str = ""
 
     def best(self) -> np.ndarray:
         """Numbers in the archive of the designs worth showing: of each way to choose from lists the one that is nearest to the
@@ -105,7 +111,7 @@ def plan_of_design(case: Any) -> DesignPlan:
 
 def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> Designing:
     """As `design`; where it is interrupted, with what is done by then."""
-    plan = with_recommended(plan, case_of(plan.content, {}))
+    asked, plan = plan, with_recommended(plan, case_of(plan.content, {}))
     found = Designing(plan, Space(plan))
     try:
         _ask(found, _drawn(found), tell)
@@ -118,6 +124,9 @@ def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> 
         if not keep_on_interrupt or not found.archive.count:
             raise
         found.stopped = True
+    if asked is not plan and not found.stopped:
+        numbers = found.space.numbers(found.archive.table()[0][found.best()[0]])
+        found.other_model = other_recommended(case_of(with_numbers(plan.content, numbers), {}), found.space.choice.name)
     return found
 
 
@@ -355,6 +364,7 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
         "uncertain": _uncertain(plan),
         "verdict": "" if worst[best[0]] <= TOLERANCE else "no design keeps the limits; the nearest is shown",
         "missed": "\n".join(missed_objectives(plan, known, int(best[0]))),
+        "other_model": found.other_model,
         "stopped": int(found.stopped),
     }
 
@@ -374,19 +384,5 @@ def _designed_case(found: Designing, out: Path) -> str:
     comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
     if worst[best] > TOLERANCE:
         comments += [f"It breaks a limit: {words}." for words in found.space.violations(shares[best])]
-    content: Any = without_studies(plan.given)
-    numbers = found.space.numbers(shares[best])
-    for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # a material before numbers of it
-        if path == LOAD:
-            text = show_exactly(entry, "load") if "contact" in plan.content else float(entry)
-            solve = {key: value for key, value in content["solve"].items() if key != "separation"}
-            content = {**content, "solve": {**solve, "load": text}}
-        elif path[-1] in QUANTITIES:
-            content = with_written(content, {path: entry})
-        else:
-            content = _placed(content, path, entry)
+    content = with_numbers(without_studies(plan.given), found.space.numbers(shares[best]))
     return case_text(content, comments, plan.folder, out)
-
-
-def _placed(content: Any, path: tuple[str, ...], entry: Any) -> Any:
-    return {**content, path[0]: _placed(content.get(path[0], {}), path[1:], entry)} if path else entry

@@ -6,19 +6,19 @@ from typing import Any
 
 import numpy as np
 
-from stiction.laws.claims import Validity
+from stiction.case.places import with_numbers
+from stiction.case.read import Case, case_of, wants_ranges
+from stiction.case.uncertain import with_ranges
 from stiction.laws.validity import Doubt
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import reason_of, show
+from stiction.records.claims import Validity
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, Pointwise, solve_pointwise
 from stiction.solving.problem import make_problem
 from stiction.solving.yielded import YIELDED, require_states, yielded_shares
-from stiction.studies.case.places import with_numbers
-from stiction.studies.case.read import Case, case_of, wants_ranges
-from stiction.studies.case.uncertain import with_ranges
 from stiction.studies.design.plan import LOAD, DesignPlan
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 

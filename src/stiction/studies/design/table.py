@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 
-__all__ = ["Design", "Wish"]
+__all__ = ["TABLE", "Design", "Wish"]
 
 
 class Wish(Input):
@@ -54,3 +54,6 @@ class Design(Input):
     validity: Literal["claimed", "possible", "any"] = Field("claimed", description="claimed, possible, any")
     effort: int = Field(60, ge=1, le=10_000, strict=True, description="generations of the search, 1 to 10000")
     seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
+
+
+TABLE = (Design, "what `stiction design` chooses, and what is wished of it")

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.measurements import Measurements
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
-from stiction.studies.fit.measurements import Measurements
 from stiction.studies.fit.model import Forward, Parameter
 from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 
@@ -153,8 +153,8 @@ def _start(forward: Forward) -> np.ndarray:
 
 
 def _given(content, path):
-    from stiction.studies.case.places import subject_table
-    from stiction.studies.case.read import case_of
+    from stiction.case.places import subject_table
+    from stiction.case.read import case_of
 
     try:
         found: Any = case_of(content, {}).subject

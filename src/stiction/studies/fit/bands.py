@@ -120,8 +120,8 @@ def check_predicted(plan: FitPlan) -> None:
 
 def _predicted_numbers(plan: FitPlan) -> dict[tuple[str, ...], Any]:
     """The numbers of [fit.predict], those that are several as labelled arrays."""
-    from stiction.studies.case.places import flat, placed, read_end
-    from stiction.studies.case.several import several_numbers
+    from stiction.case.places import flat, placed
+    from stiction.case.several import number_of, several_numbers
 
     arrays: dict[tuple[str, ...], Any] = {}
     leaf = {"start", "stop", "values", "along", "count"}
@@ -138,7 +138,7 @@ def _predicted_numbers(plan: FitPlan) -> dict[tuple[str, ...], Any]:
                 raise InputError(error.field.replace(path[0], "fit.predict", 1), error.value, error.allowed) from None
             arrays[path] = one.array(one.numbers())
         else:
-            arrays[path] = read_end(entry, path[-1], where)
+            arrays[path] = number_of(entry, path[-1], where)
     return arrays
 
 

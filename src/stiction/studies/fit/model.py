@@ -6,19 +6,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.case.free import Free
+from stiction.case.measurements import Measurements
+from stiction.case.places import with_numbers
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import solve_pointwise
-from stiction.studies.case.free import Free
-from stiction.studies.case.places import with_numbers
 from stiction.studies.evaluate_many import evaluate_many
-from stiction.studies.fit.measurements import Measurements
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
 
 if TYPE_CHECKING:
-    from stiction.studies.case.read import Case
+    from stiction.case.read import Case
 
 __all__ = ["Forward", "Parameter", "case_between_the_ends", "check_models", "derived", "forward_of", "result_of", "solved_sets"]
 
@@ -132,7 +132,7 @@ def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | Non
 
 def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
     """Return the case with free numbers in the middle between their ends, at the loads of the data."""
-    from stiction.studies.case.read import case_of
+    from stiction.case.read import case_of
 
     middle = {one.path: float(one.at(np.array(0.5))) for one in plan.free if one.path != RESISTANCE}
     case = case_of(with_numbers(plan.content, {**data.known[0], **middle}), {})

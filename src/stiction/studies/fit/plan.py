@@ -7,13 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.free import Free, read_free
+from stiction.case.measurements import Measurements, read_measurements
+from stiction.case.places import as_numbers, flat, placed, roughness_in
+from stiction.case.read import opened, without_studies
+from stiction.case.several import number_of
+from stiction.case.study_tables import study_table
+from stiction.case.uncertain import Uncertain
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import require_names
-from stiction.studies.case.free import Free, read_free
-from stiction.studies.case.places import as_numbers, flat, placed, read_end
-from stiction.studies.case.read import opened, without_studies
-from stiction.studies.case.uncertain import Uncertain
-from stiction.studies.fit.measurements import Measurements, read_measurements
 from stiction.studies.fit.table import Fit
 
 __all__ = ["RESISTANCE", "FitPlan", "make_fit_plan"]
@@ -45,14 +47,8 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     InputError."""
     require_names(content)
     given = dict(content)
-    table = given.get("fit")
-    if not isinstance(table, Mapping):
-        example = '[fit.free] with e.g. work_of_adhesion = { low = "1 mJ/m^2", high = "1 J/m^2" }'
-        raise InputError("fit", table, f"a table {example}")
-    try:
-        fit = Fit(**table)
-    except InputError as error:
-        raise InputError(f"fit.{error.field}", error.value, error.allowed) from None
+    wanted = 'a table [fit.free] with e.g. work_of_adhesion = { low = "1 mJ/m^2", high = "1 J/m^2" }'
+    fit: Fit = study_table(given, "fit", wanted)
     plain, several = opened(without_studies(given), folder)
     for one in several.values():
         if isinstance(one, Uncertain):
@@ -63,7 +59,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     measured = read_measurements(data, plain)
     resistance = None
     if fit.specific_contact_resistance is not None:
-        resistance = read_end(fit.specific_contact_resistance, RESISTANCE[1], ".".join(RESISTANCE))
+        resistance = number_of(fit.specific_contact_resistance, RESISTANCE[1], ".".join(RESISTANCE))
     plan = FitPlan(
         plain, given, folder, str(given.get("title", "")), free, tuple(fit.models), fit.predict, resistance, measured
     )
@@ -111,5 +107,5 @@ def _check(plan: FitPlan) -> None:
 
 
 def _has_scans(given: Mapping) -> bool:
-    rough = given.get("contact", {}).get("roughness") if isinstance(given.get("contact"), Mapping) else None
+    rough = roughness_in(given)
     return isinstance(rough, Mapping) and bool(rough.keys() & {"first", "second"})

@@ -1,6 +1,6 @@
 """Calibration: numbers of a case fitted to measured series, with what the data cannot tell."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
+from stiction.case.read import read_content, without_studies
+from stiction.case.text import case_text, with_written
 from stiction.quantities.inputs import require_callable
+from stiction.quantities.progress import Progress, silent
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.studies.case.read import read_content, without_studies
-from stiction.studies.case.results import with_recommended
-from stiction.studies.case.text import case_text, with_written
+from stiction.studies.case_results import with_recommended
 from stiction.studies.fit.answer import Fitted, fitted, verdicts
 from stiction.studies.fit.bands import Bands, check_predicted, predicted
 from stiction.studies.fit.evidence import Rival, rank, rival
@@ -28,7 +29,6 @@ __all__ = ["Fitting", "fit", "plan_of_fit", "run_fit"]
 
 _FEW = 100  # independent sets, below which a 95 % band is rough
 # From a text, what wraps a list of steps.
-Progress = Callable[[str], Callable[[Iterable], Iterable]]
 
 
 @dataclass
@@ -51,11 +51,11 @@ class Fitting:
         return _fitted_case(self, out)
 
 
-def fit(case: Any, data: Any, *, progress: Progress = lambda text: iter) -> "xarray.Dataset":
+def fit(case: Any, data: Any, *, progress: Progress = silent) -> "xarray.Dataset":
     """Fit numbers of a case to measured series.
 
     case: path of a case file with a table [fit], or its tables as a dict. data: path of a CSV file, see
-    `stiction.studies.fit.measurements.read_measurements`. progress: from a text, what wraps a list of steps.
+    `stiction.case.measurements.read_measurements`. progress: from a text, what wraps a list of steps.
 
     Returns a labelled dataset: over `parameter` the best value, the 95 % interval `low`, `high` by the profile of the
     likelihood, whether it is open at an end, `standard_error`, and `correlation`; `profile_value` and `profile_rise` of chi

@@ -6,7 +6,7 @@ from pydantic import Field
 
 from stiction.quantities.inputs import Input
 
-__all__ = ["Fit"]
+__all__ = ["TABLE", "Fit"]
 
 
 class Fit(Input):
@@ -21,3 +21,6 @@ class Fit(Input):
     models: list[str] = Field(default_factory=list, description="a list of names of models, as `stiction compare` shows them")
     predict: dict[str, Any] = Field(default_factory=dict, description="a table of numbers of the contact, one or several")
     specific_contact_resistance: str | None = Field(None, description='text with a unit, e.g. "1e-12 ohm m^2"')
+
+
+TABLE = (Fit, "what `stiction fit` fits to measured series")

@@ -9,10 +9,10 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
-from stiction.surfaces.boundary_elements.bodies import Bodies
-from stiction.surfaces.boundary_elements.curve import MapCurve, curve_of_map
-from stiction.surfaces.boundary_elements.doubts import MapDoubt, doubts_of_map
-from stiction.surfaces.boundary_elements.measures import waves
+from stiction.solvers.boundary_elements.bodies import Bodies
+from stiction.solvers.boundary_elements.curve import MapCurve, curve_of_map
+from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_map
+from stiction.solvers.boundary_elements.measures import waves
 from stiction.surfaces.heightmap import HeightMap
 
 __all__ = ["PRESSURES", "ContactOfMap", "contact_of_map", "summary_of_contact"]

@@ -2,7 +2,7 @@
 cutoff."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from numbers import Real
 from typing import TYPE_CHECKING, Any, TypedDict, Unpack
@@ -11,19 +11,20 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.contact.indices import Groups
-from stiction.laws.finding import Asperities, asperities, method_of_moments, methods_for
-from stiction.laws.registry import RoughSurface, find
 from stiction.quantities.errors import InputError
+from stiction.quantities.progress import Steps
 from stiction.quantities.units import to_si
+from stiction.records.registry import RoughSurface, find
 from stiction.solving.candidates import with_interface
 from stiction.solving.choice import Choice
 from stiction.solving.method_spread import METHOD
 from stiction.solving.problem import takes_surface_moments
 from stiction.solving.solve import solve
-from stiction.studies.scans.measured import of_one_map
+from stiction.surfaces.finding import Asperities, asperities, method_of_moments, methods_for
 from stiction.surfaces.height_model import HeightModel, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap, in_metres
 from stiction.surfaces.held import as_height_map
+from stiction.surfaces.measured import of_one_map
 from stiction.surfaces.prepare import filter_band, filter_period
 from stiction.surfaces.spectrum import POINTS_PER_WAVE
 
@@ -91,7 +92,7 @@ class _Friction:
         groups, _ = Groups.of(self.contact.indices())
         tangential = with_interface(self.chosen, groups).tangential or find(self.chosen.model_key, RoughSurface).tangential
         if tangential == "none":
-            raise InputError("model", self.chosen.model_key, "a model of friction, or a tangential law beside it")
+            raise InputError("model", self.chosen.model_key, "a model of friction, or a model with a tangential law")
         for name, array in self.contact.arrays():
             raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
         asked = to_si(self.load, "load")
@@ -132,7 +133,7 @@ def resolution_study(
     *,
     options: dict[str, dict[str, Any]] | None = None,
     points_per_cutoff: float | None = None,
-    progress: Callable[[Iterable], Iterable] = iter,
+    progress: Steps = iter,
     **friction: Unpack[Asked],
 ) -> "xarray.Dataset":
     """sigma, R, N and, with a contact, mu, for each method and each shortest wavelength that is left in the map.

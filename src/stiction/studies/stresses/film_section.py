@@ -1,6 +1,6 @@
 """The mean touching asperity of a coated contact in section: stresses in film and body, and along their interface.
 
-The fields of `contact.layered.stresses`, at the radius, mean pressure and friction force that `film_stresses` has for the mean
+The fields of `solvers.layered.stresses`, at the radius, mean pressure and friction force that `film_stresses` has for the mean
 asperity. They are elastic: where the von Mises stress is above the yield stress, they say by how much, and no more.
 """
 
@@ -11,12 +11,12 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.contact.indices import Groups
-from stiction.contact.layered.bodies import Bodies, bodies_of
-from stiction.contact.layered.first_yield import Yield, first_yield
-from stiction.contact.layered.stresses import Stresses, cartesian
 from stiction.contact.subject import Subject, as_subject
 from stiction.quantities.errors import InputError
-from stiction.studies.stresses.film_stress import LEAST, MOST, contact_over_thickness, pressure_over_yield
+from stiction.solvers.layered.bodies import Bodies, bodies_of
+from stiction.solvers.layered.first_yield import Yield, first_yield
+from stiction.solvers.layered.stresses import Stresses, cartesian
+from stiction.studies.stresses.film_stress import LEAST, MOST, contact_over_thickness, part_that_yields, pressure_over_yield
 from stiction.studies.stresses.one_asperity import section
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
     force, both over the contact radius: stress_over_yield, the von Mises stress over the yield stress of what is there; over x,
     interface_normal_stress (tension above 0) and interface_shear_stress along x, in the middle plane: in Pa of a Contact, over
     the mean pressure of Indices. Attributes: contact_radius and film_thickness [m] and mean_pressure [Pa] of a Contact;
-    thickness_over_radius, largest, largest_x, largest_z and where: "film", "interface" or "body". Raises InputError where
+    thickness_over_radius, largest, largest_x, largest_z and where, as yields_first. Raises InputError where
     nothing presses, and for a contact out of proportion to the film.
     """
     subject = as_subject(contact)
@@ -53,7 +53,7 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
     normal, shear = _along_interface(stresses, traction)
     attrs = in_si | {
         "thickness_over_radius": thickness, "largest": pressure * worst.excess, "largest_x": worst.x, "largest_z": worst.z,
-        "where": worst.where,
+        "where": part_that_yields(subject, worst.where),
     }  # fmt: skip
     return _dataset(z, field, normal, shear, attrs)
 

@@ -4,14 +4,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.contact.contact import Contact
 from stiction.contact.indices import Groups
-from stiction.contact.layered.bodies import Bodies, bodies_of, per_root
-from stiction.contact.layered.first_yield import at_interface, first_yield
-from stiction.contact.layered.stresses import Stresses
 from stiction.contact.subject import Subject, as_subject
-from stiction.laws.claims import Validity
 from stiction.laws.validity import doubts_about, with_doubts
 from stiction.quantities.errors import InputError
+from stiction.records.claims import Validity
+from stiction.solvers.layered.bodies import Bodies, bodies_of, per_root
+from stiction.solvers.layered.first_yield import at_interface, first_yield
+from stiction.solvers.layered.stresses import Stresses
 from stiction.solving.solve import solve
 
 if TYPE_CHECKING:
@@ -33,16 +34,15 @@ def film_stresses(contact: Subject, **given: Any) -> "xarray.Dataset":
 
     contact: a Contact or Indices with a film, one contact only. given: as `solve` takes it, a separation or load, a model and
     laws; the film law is `layered`. The asperity has the mean area, load and friction force of those that touch, and its
-    stresses are those of an elastic sphere that is pressed and dragged (`contact.layered.stresses`).
+    stresses are those of an elastic sphere that is pressed and dragged (`solvers.layered.stresses`).
 
     Returns the dataset of `solve` with contact_over_thickness, stress_over_yield, interface_tension and interface_shear, and
-    with yields_first: "film", "interface" or "body", or "" where nothing touches. Where they leave what film and body bear,
-    `doubts` say so. The strength of the bond is not asked for: it is compared with the weaker of the two that it joins. Raises
-    InputError.
+    with yields_first: "film", "counterbody" (where it is softer than the film that it meets), "interface" or "body", or ""
+    where nothing touches. Where they leave what film and body bear, `doubts` say so. The strength of the bond is not asked for:
+    it is compared with the weaker of the two that it joins. Raises InputError.
     """
     subject = as_subject(contact)
-    if not subject.has_film:
-        raise InputError("contact", "no film", "a contact with a film: its stresses are asked for")
+    require_film(subject)
     groups, dims = Groups.of(subject.indices())
     if dims:
         raise InputError("contact", f"arrays along {', '.join(dims)}", "one contact, of plain numbers")
@@ -59,6 +59,18 @@ def film_stresses(contact: Subject, **given: Any) -> "xarray.Dataset":
     means = (data["contact_area"] / factors["m^2"], data["load"] / factors["N"], friction / factors["N"])
     rows = [_of_one(groups, *point) for point in zip(*(np.ravel(one / touching) for one in means), strict=True)]
     return _with_results(data, subject, rows)
+
+
+def require_film(subject: Subject) -> None:
+    """Raise InputError unless the contact has a film."""
+    if not subject.has_film:
+        raise InputError("coating", None, "a film with its material and thickness: its stresses are computed")
+
+
+def part_that_yields(subject: Subject, where: str) -> str:
+    """Return "counterbody" in place of "film" where the body that meets the film is the softer one; else where it yields."""
+    softer = isinstance(subject, Contact) and subject.softer_counterbody is not None
+    return "counterbody" if where == "film" and softer else where
 
 
 def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
@@ -111,6 +123,6 @@ def _with_results(data: "xarray.Dataset", subject: Subject, rows: list[tuple]) -
     *numbers, where = zip(*rows, strict=True)
     found = {name: np.reshape(np.array(column, dtype=float), like.shape) for name, column in zip(names, numbers, strict=True)}
     variables = {name: (like.dims, values, subject.attributes(name)) for name, values in found.items()}
-    places = np.reshape(np.array(where, dtype=object), like.shape)
+    places = np.reshape(np.array([part_that_yields(subject, part) for part in where], dtype=object), like.shape)
     variables["yields_first"] = like.dims, places, {"long_name": "what yields first"}
     return with_doubts(data.assign(variables), doubts_about(subject, _RULES, found))

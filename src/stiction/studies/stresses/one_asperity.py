@@ -1,12 +1,12 @@
 """One asperity, pressed and dragged: the stresses under it in section, and where it yields first.
 
 The asperity is a paraboloid that does not adhere, on the contact radius a, of which x = a/(R sigma)^(1/2) is asked; without a
-film it is Hertz's contact with Hamilton's stresses, with one the layered solid of `contact.layered`. With K, sigma and R as in
+film it is Hertz's contact with Hamilton's stresses, with one the layered solid of `solvers.layered`. With K, sigma and R as in
 docs/theory.md, theory 1, and E_P = 1 and n_E = 1 where there is no film, its load and mean pressure are
 
     W = n_E E_P x^3 K R^(1/2) sigma^(3/2),    p_m/H = n_E E_P x/eta,    eta = pi H R^(1/2)/(K sigma^(1/2)),
 
-from W = (4/3) E* E_P a^3/R (Hertz 1882; `contact.layered.sphere`). The yield stress is H/k. The solution is elastic: where the
+from W = (4/3) E* E_P a^3/R (Hertz 1882; `solvers.layered.sphere`). The yield stress is H/k. The solution is elastic: where the
 von Mises stress is above the yield stress, it says by how much, and no more.
 """
 
@@ -16,14 +16,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.contact.layered.bodies import bodies_of
-from stiction.contact.layered.first_yield import first_yield as first_yield_of_layers
-from stiction.contact.layered.sphere import respond
-from stiction.contact.layered.stresses import Stresses, cartesian
 from stiction.contact.subject import Subject
 from stiction.laws.tangential.shared.hamilton_field import first_yield, stress, von_mises
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import several_in_words
+from stiction.solvers.layered.bodies import bodies_of
+from stiction.solvers.layered.first_yield import first_yield as first_yield_of_layers
+from stiction.solvers.layered.sphere import respond
+from stiction.solvers.layered.stresses import Stresses, cartesian
 
 __all__ = ["OneAsperity", "one_asperity", "section"]
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from stiction.laws.claims import Validity
 from stiction.quantities.dimensions import arranged
+from stiction.records.claims import Validity
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import Pointwise, Region
 from stiction.studies.evaluate_many import evaluate_many

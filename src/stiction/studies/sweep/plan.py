@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.places import roughness_in, with_roughness
+from stiction.case.read import case_of, opened
+from stiction.case.several import Several, with_values
+from stiction.case.study_tables import study_table
+from stiction.case.uncertain import SAMPLE, Uncertain, expanded
 from stiction.contact.contact import Roughness
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, nearest, require_names
-from stiction.studies.case.read import case_of, opened
-from stiction.studies.case.several import Several, with_values
-from stiction.studies.case.uncertain import SAMPLE, Uncertain, expanded
 from stiction.studies.sweep.table import LARGEST_BLOCK, Sample, Sweep
 
 __all__ = ["AT_ONCE", "Plan", "make_plan"]
@@ -127,7 +129,7 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
     require_names(content)
     content, several = opened(content, folder)
-    sweep = _sweep(content.get("sweep", {}))
+    sweep: Sweep = study_table({"sweep": {}, **content}, "sweep", "a table with sample, keep, statistics, precision, block")
     plain: Mapping[str, Any] = {key: value for key, value in content.items() if key != "sweep"}
     if any(isinstance(one, Uncertain) for one in several.values()):
         plain = expanded(plain)
@@ -144,20 +146,10 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
 def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[str, str]]:
     """The tables with the numbers of the method that stands for the surface alone, where scans say the roughness: maps are not
     for every worker; and what was done to the scans."""
-    contact = content.get("contact")
-    rough = contact.get("roughness") if isinstance(contact, Mapping) else None
-    if not isinstance(contact, Mapping) or not isinstance(rough, Roughness) or rough.measured is None:
+    rough = roughness_in(content)
+    if not isinstance(rough, Roughness) or rough.measured is None:
         return content, {}
-    return {**content, "contact": {**contact, "roughness": rough.as_numbers()}}, rough.measured.attributes()
-
-
-def _sweep(table: Any) -> Sweep:
-    if not isinstance(table, Mapping):
-        raise InputError("sweep", table, "a table with sample, keep, statistics, precision, block")
-    try:
-        return Sweep(**table)
-    except InputError as error:
-        raise InputError(f"sweep.{error.field}", error.value, error.allowed) from None
+    return with_roughness(content, rough.as_numbers()), rough.measured.attributes()
 
 
 def _lengths(plan: Plan) -> dict[str, int]:

@@ -6,9 +6,9 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from stiction.case.read import read_content
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import require
-from stiction.studies.case.read import read_content
 from stiction.studies.sweep.plan import Plan, make_plan
 from stiction.studies.sweep.workers import make_ready
 

@@ -18,12 +18,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
+from stiction.case.read import case_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.paths import require_place
 from stiction.quantities.uninterrupted import uninterrupted
 from stiction.solving.choice import LAWS, Choice
 from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
-from stiction.studies.case.read import case_of
 from stiction.studies.evaluate_many import evaluate_together
 from stiction.studies.sweep.blocks import merged, rules_as_data, solve_block, statistics_of
 from stiction.studies.sweep.plan import SAMPLE, Plan, check_kept
@@ -228,7 +228,7 @@ def _of_choice(choice: Choice) -> dict[str, Any]:
 
 def _first(plan: Plan) -> tuple[Choice, Any]:
     """What answers, and the case and the results of one contact that is not refused: of the first that is found."""
-    from stiction.studies.case.results import choice_of_case
+    from stiction.studies.case_results import choice_of_case
 
     refused: Exception = InputError("contact", None, "contacts that the model takes")
     for block in range(min(plan.blocks, 3)):

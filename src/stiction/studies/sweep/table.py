@@ -8,7 +8,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.studies.sweep.quantile_counts import PERCENTILES
 
-__all__ = ["LARGEST_BLOCK", "MOMENTS", "STATISTICS", "Sample", "Sweep"]
+__all__ = ["LARGEST_BLOCK", "MOMENTS", "STATISTICS", "TABLE", "Sample", "Sweep"]
 
 Method = Literal["grid", "list", "sobol", "latin_hypercube"]
 _MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
@@ -56,3 +56,6 @@ class Sweep(Input):
     )
     precision: Literal["float64", "float32"] = Field("float64", description="float64, float32")
     block: int | None = Field(None, ge=1, le=LARGEST_BLOCK, strict=True, description=f"a whole number, 1 to {LARGEST_BLOCK}")
+
+
+TABLE = (Sweep, "what `stiction sweep` computes and keeps")

@@ -22,7 +22,7 @@ _LEAST_AHEAD = 256  # blocks that wait for a cluster, however small: the schedul
 
 
 # What every worker needs, imported once for all of them where they can be copies of one process.
-_NEEDED = ["stiction.studies.sweep.store", "stiction.studies.case.results", "scipy.stats", "xarray", "zarr"]
+_NEEDED = ["stiction.studies.sweep.store", "stiction.studies.case_results", "scipy.stats", "xarray", "zarr"]
 
 
 def make_ready() -> Any:

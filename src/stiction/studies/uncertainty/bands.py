@@ -1,18 +1,18 @@
 """Bands over what is uncertain, with the error that their own sampling leaves them."""
 
 import json
-from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stiction.case.read import Case
 from stiction.laws.validity import Doubt, with_doubts
 from stiction.quantities.errors import InputError
+from stiction.quantities.progress import Steps
 from stiction.solving.candidates import candidates
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT
-from stiction.studies.case.read import Case
 from stiction.studies.uncertainty.drawing import (
     OUTPUTS,
     Draws,
@@ -36,7 +36,6 @@ _LEAST_KNOWN = 0.5  # the share of the points that must be known for a quantile 
 _MANY = 0.05  # the share of impossible draws from which on a warning says so
 _MU = "friction_coefficient"
 _IMPOSSIBLE = {"units": "1", "long_name": "share of the draws that are impossible, and not in the quantiles"}
-Progress = Callable[[Iterable], Iterable]
 
 
 def levels(coverage: float) -> np.ndarray:
@@ -65,7 +64,7 @@ def _quantile(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
     return np.where(enough, np.nanquantile(safe, shares, axis=0), np.nan)
 
 
-def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Progress = iter) -> "xarray.Dataset":
+def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Steps = iter) -> "xarray.Dataset":
     """The result of a case with the bands over what is uncertain of it: NAME_quantile (quantile, ...), and NAME_quantile_error,
     the standard error that the sampling leaves it. As it is where nothing is uncertain."""
     if not case.uncertain:
@@ -126,7 +125,7 @@ def words(case: Case, name: str) -> str:
     return case.unknowns[name][0].distribution.words
 
 
-def with_bands_of_models(data: "xarray.Dataset", case: Case, load: float, progress: Progress = iter) -> "xarray.Dataset":
+def with_bands_of_models(data: "xarray.Dataset", case: Case, load: float, progress: Steps = iter) -> "xarray.Dataset":
     """A comparison at a working load with the band of every model over what is uncertain: friction_coefficient_at_load_quantile
     (quantile, model), and its error."""
     if not case.uncertain:

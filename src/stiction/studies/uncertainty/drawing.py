@@ -6,14 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from stiction.laws.registry import RoughSurface, find
+from stiction.case.read import Case
+from stiction.case.uncertain import SAMPLE, expanded
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
+from stiction.records.registry import RoughSurface, find
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import excludes
 from stiction.solving.pointwise import WHY_NOT, Pointwise
-from stiction.studies.case.read import Case
-from stiction.studies.case.uncertain import SAMPLE, expanded
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
 __all__ = [

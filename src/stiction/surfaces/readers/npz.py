@@ -28,5 +28,8 @@ def read(path: Path, channel) -> RawScan:
 
 
 READER = Reader(
-    endings=(".npz",), read=read, holds="arrays of heights, rows along y, of which `channel` names one", given="size and unit"
+    endings=(".npz",),
+    read=read,
+    holds="arrays of heights, rows along y; `channel` names the one to read",
+    given="size and unit",
 )

@@ -90,6 +90,14 @@ class Moments:
         return deviation, radius, self.m4 / self.m2 / (6.0 * math.pi * math.sqrt(3.0))
 
 
+def combine(first: Moments, second: Moments) -> Moments:
+    """Return the moments of the sum of two independent surfaces, as for the gap between two rough bodies: they add.
+
+    Both must have been taken with the same cutoff.
+    """
+    return Moments(first.m0 + second.m0, first.m2 + second.m2, first.m4 + second.m4)
+
+
 def bandwidth(density):
     """Nayak's alpha of the surface with this N R sigma."""
     return _BANDWIDTH_FACTOR * density * density + SUMMIT_DEFICIT

@@ -7,7 +7,7 @@ seeds 1 and 2). They begin with Persson (2001), A/A0 = erf(2^(1/2) p), p: mean p
     A = G(p, c), c = .617 - .041 ln alpha, alpha: Nayak's m0 m4/m2^2                                                      (2)
     A = [A^3.5 + (p/H)^3.5]^(1/3.5), A on the right: elastic                                                              (5)
 
-(3) and (4), which want a map, are in surfaces.boundary_elements.area_estimates.
+(3) and (4), which want a map, are in solvers.boundary_elements.area_estimates.
 """
 
 import math

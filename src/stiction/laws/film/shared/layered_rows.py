@@ -5,14 +5,14 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.contact.layered.bodies import columns_of, film_share, per_root
-from stiction.contact.layered.compliance import Layer, poisson_excess
-from stiction.contact.layered.curves import curves
-from stiction.contact.layered.table import curves_of_films
+from stiction.solvers.layered.bodies import columns_of, film_share, per_root
+from stiction.solvers.layered.compliance import Layer, poisson_excess
+from stiction.solvers.layered.curves import curves
+from stiction.solvers.layered.table import curves_of_films
 
 
 def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
-    """The parameters (n,) that `contact.layered.asperity` takes, for contacts with a film whose groups are complete
+    """The parameters (n,) that `solvers.layered.asperity` takes, for contacts with a film whose groups are complete
     (`resolved`). pull: of adhesion, as the formulas take it. Raises InputError for bodies that cannot be."""
     laws = len(groups)
     n_E = np.where(groups.film_aspect > 0.0, groups.n_E, 1.0)

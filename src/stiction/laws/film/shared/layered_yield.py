@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.contact.layered.asperity import _hertzian, edged, touch
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.joining import Law, normal_states
 from stiction.laws.piece import NormalPiece
-from stiction.laws.registry import Composite
+from stiction.records.registry import Composite
+from stiction.solvers.layered.asperity import _hertzian, edged, touch
 
 _STEP, _FARTHEST, _MOST_STEPS = 1.5, 1e30, 80
 # Rounds in which the pressure at yield, which depends on the modulus under adhesion, is found.

@@ -17,7 +17,7 @@ from stiction.engine.regime import columns
 from stiction.laws.joining import coordinates, with_kinks
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.presliding.mindlin_1949 import loss_share, slip_share, stiffness
-from stiction.laws.registry import TangentialLaw
+from stiction.records.registry import TangentialLaw
 
 _DEEPEST = 100.0  # over sigma: no asperity that counts is pressed so far
 _MOST = 4  # places on a piece where an asperity begins to slide, or no longer does

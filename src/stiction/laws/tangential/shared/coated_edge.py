@@ -1,14 +1,14 @@
-"""The tangential force at which the film yields at the trailing edge of a contact: `contact.layered.edge` for every contact."""
+"""The tangential force at which the film yields at the trailing edge of a contact: `solvers.layered.edge` for every contact."""
 
 import math
 
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.contact.layered.bodies import bodies_of, per_root
-from stiction.contact.layered.edge import EDGE_TERMS, FORMS, edge_curves
 from stiction.engine.compiled import formula
 from stiction.laws.tangential.shared.edge_yield import coefficients
+from stiction.solvers.layered.bodies import bodies_of, per_root
+from stiction.solvers.layered.edge import EDGE_TERMS, FORMS, edge_curves
 
 __all__ = ["edge_columns", "edge_root"]
 

@@ -14,14 +14,14 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.contact.layered.asperity import EDGED, parted
-from stiction.contact.layered.bodies import bodies_of, per_root
-from stiction.contact.layered.curves import TERMS
-from stiction.contact.layered.shear import shear_curve
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
 from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
+from stiction.solvers.layered.asperity import EDGED, parted
+from stiction.solvers.layered.bodies import bodies_of, per_root
+from stiction.solvers.layered.curves import TERMS
+from stiction.solvers.layered.shear import shear_curve
 
 __all__ = ["peeling_columns", "peeling_force"]
 

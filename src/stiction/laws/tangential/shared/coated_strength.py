@@ -1,6 +1,6 @@
 """The mean traction at which a coated asperity first yields, along its elastic piece: a curve of every contact, as a spline.
 
-The norms of `contact.layered.first_yield` say when film and body yield under any mean pressure and traction; the piece says the
+The norms of `solvers.layered.first_yield` say when film and body yield under any mean pressure and traction; the piece says the
 pressure. Knots are spaced evenly in 1 - sqrt(1 - y), y as ln(1 + p), p in proportion to the square root of the radius: they
 crowd towards y = 1, where the load alone yields, because the traction falls over the last few per cent of the pressure. Its
 square, which comes to nothing in a straight line, is the spline.
@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.contact.layered.bodies import Bodies, bodies_of, per_root
-from stiction.contact.layered.first_yield import ANGLES, PLACES, table_of_norms
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
 from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
+from stiction.solvers.layered.bodies import Bodies, bodies_of, per_root
+from stiction.solvers.layered.first_yield import ANGLES, PLACES, table_of_norms
 
 __all__ = ["strength_at", "strengths"]
 

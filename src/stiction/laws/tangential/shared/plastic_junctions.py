@@ -13,7 +13,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.registry import NO_JUNCTIONS, TangentialLaw, find, resolve_options
+from stiction.records.registry import NO_JUNCTIONS, TangentialLaw, find, resolve_options
 
 # From a weak interface to full stick.
 LAWS = ("bowden_tabor_1943", "tabor_1959", "junction_growth", "brizmer_kligerman_etsion_2007")

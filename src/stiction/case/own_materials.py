@@ -1,0 +1,96 @@
+"""Materials of a case's own: tables [materials.NAME] in the case, or in a file beside it that the case names."""
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from stiction.contact.materials import Material, as_material, material_names, preset_name
+from stiction.quantities.errors import InputError, field_below
+
+__all__ = ["telling_the_file", "with_materials_of_file", "with_own_materials"]
+
+_FORM = 'tables [materials.NAME], or the name of a file that has them, e.g. materials = "my_materials.toml"'
+_BODIES = ("first", "second")
+
+
+def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path], Mapping]) -> Mapping:
+    """The tables of a case, with those of the file of materials in place of its name where it names one.
+
+    folder: from which the file is named; read: the tables of a TOML file, its numbers with their units. Raises InputError, with
+    the name of the file before the field.
+    """
+    given = content.get("materials")
+    if not isinstance(given, str):
+        return content
+    name = Path(given).name
+    try:
+        tables = read(folder / given)
+        for key in tables.keys() - {"materials"}:
+            raise InputError(key, tables[key], "materials: a file of materials has tables [materials.NAME] and nothing else")
+        if not isinstance(tables.get("materials"), Mapping):
+            raise InputError("materials", tables.get("materials"), _FORM)
+    except InputError as error:
+        where = name if error.field == "case file" else f"{name}: {error.field}"
+        raise InputError(f"materials: {where}", error.value, error.allowed.replace("case file", "file of materials")) from None
+    return {**content, "materials": tables["materials"]}
+
+
+@contextmanager
+def telling_the_file(content: Mapping) -> Iterator[None]:
+    """Whatever is wrong with materials of a file that the case names is told with the name of the file before the field."""
+    given = content.get("materials")
+    try:
+        yield
+    except InputError as error:
+        if not (isinstance(given, str) and error.field.startswith("materials.")):
+            raise
+        raise InputError(f"materials: {Path(given).name}: {error.field}", error.value, error.allowed) from None
+
+
+def with_own_materials(content: Mapping) -> Mapping:
+    """The tables of a case with every name of its own materials replaced by the material. Raises InputError."""
+    given = content.get("materials")
+    if given is None:
+        return content
+    own = _materials(given)
+    contact = content.get("contact")
+    if not isinstance(contact, Mapping):
+        return {**content, "materials": own}
+    bodies = {name: _found(contact[name], own, f"contact.{name}") for name in _BODIES if name in contact}
+    coating = contact.get("coating")
+    if isinstance(coating, Mapping) and "material" in coating:
+        found = _found(coating["material"], own, "contact.coating.material")
+        bodies["coating"] = {**coating, "material": found}
+    return {**content, "materials": own, "contact": {**contact, **bodies}}
+
+
+def _materials(tables: Any) -> dict[str, Material]:
+    """Name -> material, of the tables of numbers; a material may start from a preset, but not bear its name."""
+    if not isinstance(tables, Mapping):
+        raise InputError("materials", tables, _FORM)
+    return {name: _material(name, numbers) for name, numbers in tables.items()}
+
+
+def _material(name: str, numbers: Any) -> Material:
+    where = f"materials.{name}"
+    if name in material_names():
+        raise InputError(where, name, "a name that no preset has")
+    if not isinstance(numbers, Mapping):
+        raise InputError(where, numbers, f"a table [{where}] of its numbers")
+    with field_below(where):
+        found = as_material({"name": name, **numbers})
+        return found if isinstance(found, Material) else Material(**found)
+
+
+def _found(body: Any, own: Mapping[str, Material], where: str) -> Any:
+    """The material of a body that names one of the case's own, changed where it says so; the body as it is if it names none."""
+    name = body.get("preset") if isinstance(body, Mapping) else body
+    if not isinstance(name, str):
+        return body
+    if name in own:
+        changes = {key: entry for key, entry in body.items() if key != "preset"} if isinstance(body, Mapping) else {}
+        with field_below(where):
+            return own[name].replace(**changes)
+    preset_name(name, where, list(own))
+    return body

@@ -1,0 +1,102 @@
+"""Where the numbers of a contact stand in a case, and what may stand there in place of one."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from stiction.case.several import with_values
+from stiction.contact.contact import Coating, Contact, Indices, Liquid, Roughness
+from stiction.contact.materials import Material
+from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.inputs import Input
+from stiction.quantities.table import QUANTITIES
+
+__all__ = ["as_numbers", "flat", "placed", "roughness_in", "subject_table", "with_numbers", "with_roughness"]
+
+_PARTS: dict[str, type[Input]] = {
+    "": Contact,
+    "first": Material,
+    "second": Material,
+    "roughness": Roughness,
+    "coating": Coating,
+    "coating.material": Material,
+    "liquid": Liquid,
+}
+
+
+def subject_table(content: Mapping) -> str:
+    """The table that says what is in contact: "contact" or "indices"."""
+    return "indices" if "indices" in content else "contact"
+
+
+def _numbers_of(record: type[Input]) -> list[str]:
+    return [name for name in record.model_fields if name in QUANTITIES]
+
+
+def _known(content: Mapping) -> list[str]:
+    """Dotted names of all numbers that this case may have."""
+    if subject_table(content) == "indices":
+        return _numbers_of(Indices)
+    contact: Any = content.get("contact", {})
+    absent = [part for part in ("coating", "liquid") if not (isinstance(contact, Mapping) and part in contact)]
+    parts = [part for part in _PARTS if part.partition(".")[0] not in absent]
+    return [f"{part}.{name}".removeprefix(".") for part in parts for name in _numbers_of(_PARTS[part])]
+
+
+def placed(name: str, content: Mapping, where: str) -> tuple[str, ...]:
+    """Where the number of this name stands: ("contact", "coating", "thickness") of "coating.thickness", or of "thickness" if
+    there is only one. Raises InputError, naming `where`, for what is no number of the case."""
+    known = _known(content)
+    found = [name] if name in known else [one for one in known if one.rpartition(".")[2] == name]
+    if len(found) != 1:
+        allowed = ", ".join(found) if found else nearest(name, known)
+        raise InputError(where, name, f"a number of the case: {allowed}")
+    return subject_table(content), *found[0].split(".")
+
+
+def flat(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
+    """Dotted name and entry of everything in a table of tables, down to what is a leaf."""
+    if not isinstance(table, Mapping):
+        raise InputError(where, table, "a table of numbers of the case, by their names")
+    for key, value in table.items():
+        if isinstance(value, Mapping) and not is_leaf(value):
+            for name, leaf in flat(value, f"{where}.{key}", is_leaf):
+                yield f"{key}.{name}", leaf
+        else:
+            yield str(key), value
+
+
+def with_numbers(content: Mapping, numbers: Mapping[tuple[str, ...], Any]) -> Mapping:
+    """The tables of a case with these numbers, floats or labelled arrays in SI units, in their places; a body that is named by
+    its preset keeps all its others."""
+    changed = dict(content)
+    for path in numbers:
+        for depth in range(1, len(path)):
+            changed = _as_table(changed, path[:depth])
+    return with_values(changed, numbers)
+
+
+def _as_table(content: Any, path: tuple[str, ...]) -> Any:
+    """With what stands at the path as a table: the name of a preset as one that starts from it, and nothing as an empty one."""
+    if isinstance(content, Input):
+        return content
+    inner = content.get(path[0], {})
+    if len(path) > 1:
+        return {**content, path[0]: _as_table(inner, path[1:])}
+    return {**content, path[0]: {"preset": inner} if isinstance(inner, str) else inner}
+
+
+def roughness_in(content: Mapping) -> Any:
+    """Return what the tables of a case have as the roughness of the contact; None where they have nothing."""
+    contact = content.get("contact")
+    return contact.get("roughness") if isinstance(contact, Mapping) else None
+
+
+def with_roughness(content: Mapping, roughness: Any) -> dict[str, Any]:
+    """Return the tables of a case with another roughness of the contact."""
+    return {**content, "contact": {**content["contact"], "roughness": roughness}}
+
+
+def as_numbers(content: Mapping) -> Mapping:
+    """The tables with roughness that scans show as the numbers of the method that stands for it: studies vary these."""
+    rough = roughness_in(content)
+    return content if getattr(rough, "measured", None) is None else with_roughness(content, rough.replace())

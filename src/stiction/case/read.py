@@ -1,0 +1,363 @@
+"""Case files: one TOML file that says what is in contact and what is to be solved."""
+
+import tomllib
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import Field, create_model, model_validator
+
+from stiction.case.distribution import Distribution, is_law
+from stiction.case.own_materials import telling_the_file, with_materials_of_file, with_own_materials
+from stiction.case.places import roughness_in, with_roughness
+from stiction.case.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
+from stiction.case.study_tables import study_tables
+from stiction.case.uncertain import (
+    FORMS,
+    SAMPLE,
+    Uncertain,
+    Uncertainty,
+    named,
+    placed,
+    uncertain_numbers,
+    usual,
+    with_ranges,
+)
+from stiction.contact.contact import Body, Contact, Indices
+from stiction.contact.subject import Subject
+from stiction.laws.proportion import questions
+from stiction.quantities.errors import InputDoubt, InputError
+from stiction.quantities.inputs import Input, require_names
+from stiction.quantities.paths import read_text
+from stiction.quantities.table import QUANTITIES
+from stiction.records.registry import all_options
+from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice
+from stiction.surfaces.finished import Finished, FinishedBodies, is_finished
+from stiction.surfaces.measured import Measured, MeasuredRoughness, measure
+
+__all__ = ["Case", "as_case", "case_in", "json_schema", "parse_case", "read_case"]
+
+_CASE_FILE = "a TOML case file"
+_LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a case file asks for.
+
+    subject: the Contact or the Indices; where numbers of it are several, they are arrays with named dimensions. separation,
+    load: points, one is an array (n,) and the other None; metres and newtons for a Contact, h = d/sigma and load per
+    K R^(1/2) sigma^(3/2) and asperity for Indices. Where sigma is several and separations are over it, they are a labelled
+    array. choice: the model, other laws than its own, and options, as the registry knows them. uncertain: numbers that are so,
+    of which the subject has the nominal ones; uncertainty: how they are drawn. tables, several: what it was read from.
+    """
+
+    title: str
+    subject: Subject
+    separation: Any
+    load: np.ndarray | None
+    choice: Choice
+    uncertain: tuple[Uncertain, ...] = ()
+    uncertainty: Uncertainty = field(default_factory=usual)
+    tables: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    several: Mapping[tuple[str, ...], Any] = field(default_factory=dict, repr=False)
+
+    @property
+    def unknowns(self) -> dict[str, list[Uncertain]]:
+        """What is uncertain, by name: numbers that are drawn together are one."""
+        found: dict[str, list[Uncertain]] = {}
+        for one in self.uncertain:
+            found.setdefault(one.dimension, []).append(one)
+        return found
+
+    def numbers_at(self, shares: np.ndarray) -> dict[tuple[str, ...], Any]:
+        """What stands in the places of numbers that are several, and of those that are uncertain at these shares (n, k) of the
+        distributions, k being the number of `unknowns`, in their order: arrays along `sample`."""
+        columns = list(self.unknowns)
+        at = {one.path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for one in self.uncertain}
+        return {**self.several, **at}
+
+    @property
+    def measured(self) -> Measured | None:
+        """What scans say of the roughness, where the case names scans in place of numbers."""
+        return self.subject.measured
+
+    @property
+    def is_several(self) -> bool:
+        """Whether numbers of the contact are several."""
+        return any(True for _ in self.subject.arrays())
+
+    @property
+    def by_method(self) -> dict[str, Contact]:
+        """The contact with the roughness that each way of finding asperities gives, if it is measured; else nothing."""
+        if self.measured is None or not isinstance(self.subject, Contact):
+            return {}
+        return self.measured.contacts(self.subject)
+
+    def at_load(self, load: Any) -> "Case":
+        """The case at this load only, as a user writes it. Raises InputError."""
+        try:
+            value = float(self.subject.read(load, "load"))
+        except InputError as error:
+            raise InputError("--load", error.value, error.allowed) from None
+        except (TypeError, ValueError):
+            raise InputError("--load", load, "one load") from None
+        return replace(self, separation=None, load=np.array([value]))
+
+    def with_surface_moments(self, model: str) -> "Case":
+        """The case as the model of this key takes it: a theory of the whole surface has no methods of finding asperities."""
+        from stiction.solving.problem import takes_surface_moments
+
+        if not takes_surface_moments(model):
+            return self
+        return replace(self, subject=self.subject.with_surface_moments())
+
+
+class _Solve(Input):
+    """The points of the curve, as mean separations or as loads, and how to compute it."""
+
+    separation: Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
+    load: Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
+    model: str | None = Field(None, description=f"key of a model, see `stiction models`; by default {DEFAULT_MODEL}")
+    asperity: str | None = Field(None, description="key of an asperity law in place of the model's own, see `stiction models`")
+    tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
+    film: str | None = Field(None, description="key of a film law, see `stiction models`")
+    presliding: str | None = Field(None, description="mindlin_1949: the tangential stiffness before sliding, too")
+    meniscus: str | None = Field(None, description="key of a law of menisci where the contact has a liquid, or none")
+    ageing: str | None = Field(None, description="key of a law of strengthening at rest, where the contact waits, or none")
+    contamination: str | None = Field(None, description="key of a law of junctions of different strength, or none")
+    options: dict[str, str] = Field(
+        default_factory=dict, description="options of the model or of a law, which may also stand here"
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _options_by_name(cls, given):
+        """Options may stand among the keys of the table, as they are called in the records."""
+        if not isinstance(given, Mapping):
+            return given
+        given = dict(given)
+        if not given.keys() - cls.model_fields.keys():
+            return given
+        known = all_options()
+        named = {name: given.pop(name) for name in known if name in given}
+        for name, value in named.items():
+            if value not in known[name]:
+                raise InputError(name, value, ", ".join(known[name]))
+        return given | {"options": {**named, **given.get("options", {})}}
+
+    @model_validator(mode="after")
+    def _one_kind_of_points(self):
+        if (self.separation is None) == (self.load is None):
+            both = "both" if self.load is not None else None
+            example = "separation = {start = 4, stop = -1, count = 51}"
+            raise InputError("separation or load", both, f"one of them, e.g. {example}")
+        return self
+
+
+class _CaseFile(Input):
+    """The tables of a case file: [contact] or [indices], [solve], those of studies of it, and materials of its own."""
+
+    title: str = Field("", description="text: what reports and pictures call the case")
+    materials: dict[str, Body] | str = Field(
+        default_factory=dict, description="tables of numbers by name, or the name of a file beside the case that has them"
+    )
+    contact: Contact | None = None
+    indices: Indices | None = None
+    solve: _Solve = Field(description="a table with separation or load")
+    uncertainty: Uncertainty | None = Field(None, description="a table: how numbers that are uncertain are drawn")
+
+    @model_validator(mode="after")
+    def _one_subject(self):
+        if (self.contact is None) == (self.indices is None):
+            both = "both" if self.contact is not None else None
+            raise InputError("contact or indices", both, "one of the tables [contact] and [indices]")
+        return self
+
+
+@cache
+def _case_file() -> type[_CaseFile]:
+    """Return the form of a case file with the tables of every study."""
+    tables: dict[str, Any] = {
+        name: (form | None, Field(None, description=f"a table: {description}"))
+        for name, (form, description) in study_tables().items()
+    }
+    return create_model("_CaseFile", __base__=_CaseFile, __doc__=_CaseFile.__doc__, **tables)
+
+
+def read_case(path, *, ranges: bool | None = None) -> Case:
+    """The case in a TOML file.
+
+    path: of the file; scans and files of materials are looked for beside it. ranges: whether numbers of materials vary within
+    their ranges, in place of what the file says. Raises InputError, one line, if the file cannot be read or is not TOML, for
+    a key that is not known, and for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with
+    InputDoubt of numbers that are no rough surface: sigma and R swapped, a metre of roughness.
+    """
+    return parse_case(_with(read_content(path), ranges), Path(path).parent)
+
+
+def as_case(given: Any, ranges: bool | None = None) -> Case:
+    """The case that is given: by the path of its file, as its tables, or as it is. ranges: as `read_case` has it, of the first
+    two. Raises InputError."""
+    if isinstance(given, Case):
+        return given
+    return parse_case(_with(given, ranges)) if isinstance(given, Mapping) else read_case(given, ranges=ranges)
+
+
+def _with(content: Mapping, ranges: bool | None) -> Mapping:
+    if ranges is None or not isinstance(content.get("uncertainty", {}), Mapping):
+        return content
+    return {**content, "uncertainty": {**content.get("uncertainty", {}), "ranges": ranges}}
+
+
+def read_content(path) -> dict[str, Any]:
+    """The tables of a TOML file, unchecked. Raises InputError, one line, if it cannot be read or is not TOML."""
+    if not isinstance(path, str | PathLike):
+        raise InputError("case", path, "the path of a case file, or its tables as a dict")
+    text = read_text(Path(path), "case file", _CASE_FILE, _LARGEST_FILE)
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise _not_a_case(path, f"this is not TOML: {error}") from None
+    except (ValueError, RecursionError):  # a number of thousands of digits, lists nested without end
+        raise _not_a_case(path, "this one is out of all proportion") from None
+
+
+def _tables(path) -> Mapping:
+    """The tables of a TOML file, every number that needs a unit with its unit."""
+    content = read_content(path)
+    _refuse_bare_numbers(content, "")
+    return content
+
+
+def parse_case(content: Mapping, folder: Path = Path()) -> Case:
+    """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
+    materials are named."""
+    case = case_in(content, folder)
+    for question in questions(case.subject):
+        warnings.warn(question, InputDoubt, stacklevel=2)
+    return case
+
+
+def case_in(content: Mapping, folder: Path = Path()) -> Case:
+    """The same without a warning: who calls asks `questions` about its subject."""
+    require_names(content)
+    content, several = opened(content, folder)
+    uncertain = named([one for one in several.values() if isinstance(one, Uncertain)])
+    arrays = {path: one.array(one.numbers()) for path, one in several.items() if not isinstance(one, Uncertain)}
+    return replace(case_of(content, arrays), uncertain=tuple(uncertain), tables=content, several=arrays)
+
+
+def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...], Several]]:
+    """The tables with materials of their own and the roughness that scans show, the first value of what is several in its
+    place; and the numbers that are several. Raises InputError."""
+    _refuse_bare_numbers(content, "")
+    numbers: dict[tuple[str, ...], Several] = dict(several_numbers(content))
+    with telling_the_file(content):
+        file = content.get("materials")
+        content = with_materials_of_file(content, folder, _tables)
+        found = uncertain_numbers(content, folder, (folder / file).parent if isinstance(file, str) else folder)
+        used = {one.path: one for one in placed(found, content)}
+        nominal = {path: float(one.values[0]) for path, one in (numbers | found).items()}
+        content = with_own_materials(with_values(content, nominal))
+    content = _measured(content, folder)
+    _refuse_beside_scans(content, numbers, used)
+    if wants_ranges(content):
+        used |= {one.path: one for one in with_ranges(content, [*numbers, *used])}
+    return content, numbers | {one.path: one for one in named(list(used.values()))}
+
+
+def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables without those of studies of many contacts."""
+    return {key: value for key, value in content.items() if key not in study_tables()}
+
+
+def wants_ranges(content: Mapping) -> bool:
+    """Whether numbers of materials vary within their ranges, as the tables say."""
+    table = content.get("uncertainty", {})
+    return isinstance(table, Mapping) and table.get("ranges") is True
+
+
+def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[tuple[str, ...], Uncertain]) -> None:
+    """InputError where a number of the roughness is several, or uncertain, that was measured."""
+    if getattr(roughness_in(content), "measured", None) is None:
+        return
+    for path, one in {**several, **uncertain}.items():
+        if path[:2] == ("contact", "roughness"):
+            raise InputError(one.where, one.words, "one number, where scans say the roughness")
+
+
+def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:
+    """The case of these tables, with labelled arrays in the places of the numbers that are several. Raises InputError."""
+    file = _case_file()(**with_values(content, arrays))
+    subject = file.contact or file.indices
+    assert subject is not None  # the validator of _CaseFile has seen to it
+    solve = file.solve
+    return Case(
+        title=file.title,
+        subject=subject,
+        separation=points_of(solve.separation, "mean_separation", subject, "solve.separation"),
+        load=points_of(solve.load, "load", subject, "solve.load"),
+        choice=Choice(options=dict(solve.options), **{name: getattr(solve, name) for name in LAWS}),
+        uncertainty=file.uncertainty or usual(),
+    )
+
+
+def _measured(content: Mapping, folder: Path) -> Mapping:
+    """The tables with the roughness that scans show in place of the scans; as they are if they name no scan."""
+    surface = roughness_in(content)
+    if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}) or is_finished(surface):
+        return content
+    try:
+        measured = measure(MeasuredRoughness(**surface), folder)
+    except InputError as error:
+        where = error.field if error.field.startswith("roughness") else f"roughness.{error.field}"
+        raise InputError(f"contact.{where}", error.value, error.allowed) from None
+    return with_roughness(content, measured.roughness())
+
+
+def json_schema() -> dict:
+    """The JSON schema of a case file, with units and bounds in the descriptions, for editors."""
+    schema = _case_file().model_json_schema()
+    schema["title"] = "stiction case"
+    schema["oneOf"] = [{"required": ["contact"]}, {"required": ["indices"]}]
+    forms: tuple[type[Input], ...] = (MeasuredRoughness, Finished, FinishedBodies)
+    for form in forms:
+        table = form.model_json_schema(ref_template="#/$defs/{model}")
+        schema["$defs"] |= table.pop("$defs", {}) | {form.__name__: table}
+    roughness = schema["$defs"]["Contact"]["properties"]["roughness"]
+    others = ({"$ref": f"#/$defs/{form.__name__}"} for form in forms)
+    schema["$defs"]["Contact"]["properties"]["roughness"] = {"anyOf": [roughness, *others]}
+    schema["$defs"]["_Solve"]["properties"] |= {
+        name: {"description": "option of a model or of a law", "enum": list(values)} for name, values in all_options().items()
+    }
+    numbers_schema(schema, FORMS)
+    schema["$defs"]["_Solve"]["oneOf"] = [{"required": ["separation"]}, {"required": ["load"]}]
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+
+
+def _not_a_case(path, why: str) -> InputError:
+    return InputError("case file", str(path), f"{_CASE_FILE}; {why}")
+
+
+def _refuse_bare_numbers(table: Mapping, path: str) -> None:
+    """Refuse numbers where a unit is needed: nobody who reads the file can tell what was meant."""
+    for key, value in table.items():
+        where = f"{path}.{key}" if path else key
+        if isinstance(value, Mapping):
+            _refuse_bare_numbers(value, where)
+        elif where != "solve.load" and not _is_text(value, path) and key in QUANTITIES and QUANTITIES[key].unit:
+            raise InputError(where, value, QUANTITIES[key].as_text)
+
+
+def _is_text(value: Any, path: str) -> bool:
+    """Text, or the two ends of a range as text; of a number that is several each is asked where it is read; a distribution in
+    Python is in SI units."""
+    if isinstance(value, list):
+        return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)
+    return isinstance(value, str | Distribution) or is_law(value)

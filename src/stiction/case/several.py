@@ -1,0 +1,306 @@
+"""Numbers of a case file that are several: lists, ranges, and quantities that vary together."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BeforeValidator, Field
+
+from stiction.case.distribution import Distribution, is_law
+from stiction.contact.indices import plain_number
+from stiction.contact.subject import Subject
+from stiction.quantities.errors import InputError, InWords
+from stiction.quantities.inputs import Input
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import several_in_words, to_si
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = [
+    "Along", "Points", "Several", "as_point", "number_of", "numbers_in", "numbers_schema", "points_of", "several_numbers",
+    "with_error", "with_values",
+]  # fmt: skip
+
+_MOST_POINTS = 100_000
+_ROUNDING = 1e-14  # of the ends of a range: less than this is the rounding of 0
+# Dimensions and coordinates of results that are no quantities, and other names of their tables.
+_TAKEN = (
+    "asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread",
+    "set", "row", "parameter", "other_parameter", "profile", "model", "number", "design", "front", "asked",
+    "doubts", "doubts_by_block", "statistics_by_block", "counts_by_block",
+)  # fmt: skip
+
+
+def as_point(value):
+    """Validator of one number, or text with a number and its unit."""
+    if isinstance(value, bool) or not isinstance(value, float | int | str):
+        raise InputError("", value, "a number, or text with a number and its unit")
+    return value
+
+
+_Point = Annotated[Any, BeforeValidator(as_point, json_schema_input_type=float | str)]
+
+
+class Range(Input):
+    """Evenly spaced points, both ends included; evenly spaced logarithms with spacing = "log"."""
+
+    start: _Point = Field(description="the first point")
+    stop: _Point = Field(description="the last point")
+    count: int = Field(ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}")
+    spacing: Literal["linear", "log"] = Field("linear", description="linear: even steps of the number; log: of its logarithm")
+
+
+def _along(value):
+    if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z]\w{0,63}", value) or value in QUANTITIES or value in _TAKEN:
+        raise InputError("", value, "a name of letters, digits and _, that is no quantity's")
+    return value
+
+
+Along = Annotated[Any, BeforeValidator(_along, json_schema_input_type=str)]
+_TOGETHER = "name of a dimension: quantities with the same vary together, point by point"
+
+
+class _Ends(Range):
+    """The same of a number of a contact. A sample between the ends needs no count."""
+
+    count: int | None = Field(  # type: ignore[assignment]  # None where points are drawn
+        None, ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}"
+    )
+    along: Along = Field(None, validate_default=False, description=_TOGETHER)
+
+
+class _Values(Input):
+    """Values one by one, with the name of their dimension."""
+
+    values: list[_Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list, at least one value")
+    along: Along = Field(None, validate_default=False, description=_TOGETHER)
+
+
+def _points(value):
+    if isinstance(value, Mapping):
+        return Range(**value)
+    if value == []:
+        raise InputError("", value, "at least one point")
+    return [as_point(entry) for entry in (value if isinstance(value, list) else [value])]
+
+
+# Mean separations or loads of [solve].
+Points = Annotated[Any, BeforeValidator(_points, json_schema_input_type=list[float | str] | Range)]
+
+
+@dataclass(frozen=True)
+class Several:
+    """A number of a contact that is several.
+
+    path: where it stands, such as ("contact", "coating", "thickness"); dimension: along which it varies; name: of its
+    coordinate. values (n,) in SI units, or the two ends, with how many points of which spacing there are between them (None:
+    as many as are drawn).
+    """
+
+    path: tuple[str, ...]
+    dimension: str
+    name: str
+    values: np.ndarray
+    is_range: bool = False
+    count: int | None = None
+    spacing: str = "linear"
+
+    @property
+    def quantity(self) -> str:
+        return self.path[-1]
+
+    @property
+    def where(self) -> str:
+        return ".".join(self.path)
+
+    @property
+    def words(self) -> InWords:
+        """How many there are, and their ends."""
+        return several_in_words(self.values, self.where, self.count)
+
+    def numbers(self) -> np.ndarray:
+        """All values (n,). Raises InputError for a range that does not say how many there are."""
+        if not self.is_range:
+            return self.values
+        if self.count is None:
+            raise InputError(f"{self.where}.count", None, f"a whole number, 2 to {_MOST_POINTS}")
+        return _spaced(self.values, self.count, self.spacing)
+
+    def as_table(self) -> dict[str, Any]:
+        """What was given, in SI units, as a table of a case file."""
+        if not self.is_range:
+            return {"values": self.values.tolist(), "along": self.dimension}
+        start, stop = self.values.tolist()
+        return {"start": start, "stop": stop, "count": self.count, "spacing": self.spacing, "along": self.dimension}
+
+    def at(self, share: np.ndarray) -> np.ndarray:
+        """The values at these shares (n,) of the way, from 0 to below 1, from start to stop, or through the list."""
+        start, stop = self.values[0], self.values[-1]
+        if not self.is_range:
+            return self.values[(share * len(self.values)).astype(int)]
+        return start + share * (stop - start) if self.spacing == "linear" else start * (stop / start) ** share
+
+    def array(self, values: np.ndarray, dimension: str | None = None) -> "xarray.DataArray":
+        """Some of the values as a labelled array along its dimension, or along another one."""
+        import xarray
+
+        quantity, dimension = QUANTITIES[self.quantity], dimension or self.dimension
+        attributes = dict(quantity.attributes)
+        if self.name != self.quantity:
+            attributes |= {
+                key: f"{self.name.rpartition('.')[0]}: {attributes[key]}"
+                for key in ("long_name", "comment")
+                if key in attributes
+            }
+        return xarray.DataArray(values, dims=(dimension,), coords={self.name: ((dimension,), values, attributes)})
+
+
+def several_numbers(content: Mapping) -> dict[tuple[str, ...], Several]:
+    """Every number of [contact] or [indices] that is several, by where it stands. Raises InputError."""
+    found = {path: entry for path, entry in numbers_in(content, ("contact", "indices")) if not with_error(entry)}
+    short = [path[-1] for path in found]
+    return {path: _read(path, entry, short.count(path[-1]) > 1) for path, entry in found.items()}
+
+
+def numbers_in(content: Mapping, tables: Sequence[str]) -> Iterator[tuple[tuple[str, ...], Any]]:
+    """Where in these tables a number is not one: a list, a range, or uncertain; and what stands there."""
+    for table in tables:
+        if isinstance(content.get(table), Mapping):
+            yield from _in_table(content[table], (table,))
+
+
+def with_error(entry: Any) -> bool:
+    """Whether what stands in the place of a number says how uncertain it is."""
+    if isinstance(entry, str):
+        return any(sign in entry for sign in _ERROR_SIGNS)
+    return is_law(entry) or isinstance(entry, Distribution) or (isinstance(entry, Mapping) and bool(entry.keys() & _ERROR_KEYS))
+
+
+_ERROR_SIGNS = ("+/-", "+-", "±")
+_ERROR_KEYS = {"low", "high", "median", "factor", "samples"}
+
+
+def _in_table(table: Mapping, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Any]]:
+    for key, value in table.items():
+        if key in QUANTITIES and (isinstance(value, list | Mapping) or with_error(value)):
+            yield (*path, key), value
+        elif isinstance(value, Mapping) and key not in ("range", "source", "grade"):  # they tell of numbers
+            yield from _in_table(value, (*path, key))
+
+
+def _read(path: tuple[str, ...], entry: Any, ambiguous: bool) -> Several:
+    where = ".".join(path)
+    if isinstance(entry, list):
+        entry = {"values": entry}
+    try:
+        given = _Ends(**entry) if entry.keys() & {"start", "stop", "count", "spacing"} else _Values(**entry)
+    except InputError as error:
+        raise InputError(f"{where}.{error.field}".removesuffix(".values"), error.value, error.allowed) from None
+    name = ".".join(path[1:]) if ambiguous else path[-1]
+    if isinstance(given, _Values):
+        return Several(path, given.along or name, name, _numbers(given.values, path, ("",)))
+    ends = _numbers([given.start, given.stop], path, (".start", ".stop"))
+    if given.spacing == "log":
+        _check_positive(where, given, *ends)
+    return Several(path, given.along or name, name, ends, True, given.count, given.spacing)
+
+
+def _numbers(entries: list[Any], path: tuple[str, ...], ends: tuple[str, ...]) -> np.ndarray:
+    """The numbers in SI units, each checked as one number of a case file is; ends: what their names end in."""
+    where = [".".join(path) + ends[min(at, len(ends) - 1)] for at in range(len(entries))]
+    return np.array([number_of(entry, path[-1], at) for entry, at in zip(entries, where, strict=True)])
+
+
+def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
+    """Return a number of a case file in SI units, plain where the quantity has no unit; given: what it is part of. Raises
+    InputError."""
+    quantity = QUANTITIES[name]
+    if quantity.unit and not isinstance(entry, str):
+        raise InputError(where, entry, quantity.as_text)
+    if isinstance(entry, bool) or not isinstance(entry, str | int | float):
+        raise InputError(where, entry, quantity.wanted)
+    try:
+        return float(to_si(entry, name))
+    except InputError as error:
+        raise InputError(where, given or error.value, error.allowed) from None
+
+
+def with_values(content: Any, arrays: Mapping[tuple[str, ...], Any]) -> Any:
+    """The tables with these arrays in the places of their paths; a table may be a record already."""
+    if isinstance(content, Input):
+        return content.replace(**{path[0]: array for path, array in arrays.items()})
+    changed = dict(content)
+    for key in {path[0] for path in arrays}:
+        inner = {path[1:]: array for path, array in arrays.items() if path[0] == key}
+        changed[key] = inner[()] if () in inner else with_values(content[key], inner)
+    return changed
+
+
+def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
+    """The points of [solve] as numbers (n,), in SI units for a Contact and dimensionless for Indices; None for none.
+
+    Plain separations are over sigma. Where that is several they are a labelled array of lengths, over sigma and `separation`.
+    """
+    if points is None:
+        return None
+    is_range = isinstance(points, Range)
+    entries = [points.start, points.stop] if is_range else points
+    ends = (".start", ".stop") if is_range else ("",) * len(entries)
+    numbers = [subject.read_point(entry, name, where + end) for entry, end in zip(entries, ends, strict=True)]
+    by_sigma = any(hasattr(one, "dims") for one in numbers)
+    if by_sigma:
+        text = next((entry for entry in entries if isinstance(entry, str)), None)
+        if text is not None:
+            raise InputError(where, text, "plain numbers, over sigma, like the others: sigma is several here")
+        numbers = [plain_number(entry, where) for entry in entries]
+    h = _between(points, numbers, where) if is_range else np.array(numbers)
+    return _over_sigma(h, subject) if by_sigma else h
+
+
+def _between(points: Range, ends: list[float], where: str) -> np.ndarray:
+    if points.spacing == "log":
+        _check_positive(where, points, *ends)
+    return _spaced(ends, points.count, points.spacing)
+
+
+def _spaced(ends: Sequence[float] | np.ndarray, count: int, spacing: str) -> np.ndarray:
+    start, stop = (float(end) for end in ends)
+    if spacing != "linear":
+        return np.geomspace(start, stop, count)
+    places = np.linspace(start, stop, count)
+    return np.where(np.abs(places) < _ROUNDING * max(abs(start), abs(stop)), 0.0, places)
+
+
+def _check_positive(where: str, points: Range, *ends: float) -> None:
+    for end, number in zip(("start", "stop"), ends, strict=True):
+        if number <= 0:
+            raise InputError(f"{where}.{end}", getattr(points, end), 'above 0 where spacing = "log"')
+
+
+def _over_sigma(h: np.ndarray, subject: Any) -> Any:
+    import xarray
+
+    attributes = {"units": "1", "long_name": "mean separation over sigma", "symbol": "d/sigma"}
+    row = xarray.DataArray(h, dims=("separation",), coords={"separation": (("separation",), h, attributes)})
+    return row * subject.roughness.asperity_height_deviation
+
+
+def numbers_schema(schema: dict, more: Sequence[tuple[str, type[Input]]] = ()) -> None:
+    """Let every number of the tables of a contact in a JSON schema also be several, or of one of the other forms, by name."""
+    forms: tuple[tuple[str, type[Input]], ...] = (("RangeOfNumbers", _Ends), ("ListAlong", _Values), *more)
+    several = {name: cls.model_json_schema() for name, cls in forms}
+    schema["$defs"] |= several
+    for table in ("Contact", "Indices", "Coating", "Liquid", "Roughness", "Material", "Interface", "Finished"):
+        for name, entry in schema["$defs"].get(table, {}).get("properties", {}).items():
+            if name in QUANTITIES and "type" in entry:
+                of_one = {key: value for key, value in entry.items() if key not in ("description", "examples", "default")}
+                rest = {key: value for key, value in entry.items() if key not in of_one}
+                several_of = [
+                    {"type": "array", "items": of_one, "minItems": 1},
+                    *([] if of_one["type"] == "string" else [{"type": "string", "pattern": "\\+/-|±"}]),
+                    *({"$ref": f"#/$defs/{one}"} for one in several),
+                ]
+                schema["$defs"][table]["properties"][name] = rest | {"anyOf": [of_one, *several_of]}

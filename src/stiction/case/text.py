@@ -1,0 +1,95 @@
+"""A case as text: a TOML file that `stiction run` reads."""
+
+import json
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import tomli_w
+
+from stiction.case.distribution import Distribution, is_law
+from stiction.case.places import roughness_in, with_numbers, with_roughness
+from stiction.case.uncertain import read_distribution
+from stiction.quantities.quantity import in_degrees
+from stiction.quantities.table import QUANTITIES
+
+__all__ = ["as_toml", "case_text", "inline", "show_exactly", "with_written"]
+
+_TABLES = ("contact", "indices", "materials")  # in which numbers may be values from a file
+
+
+def with_written(content: Mapping, numbers: Mapping[tuple[str, ...], float]) -> dict[str, Any]:
+    """The tables of a case as they were written, with these numbers, SI, as text with their units."""
+    return dict(with_numbers(content, {path: show_exactly(value, path[-1]) for path, value in numbers.items()}))
+
+
+def show_exactly(value: float, name: str) -> Any:
+    """A number of the named quantity as a case file has it, to ten digits."""
+    value, unit = in_degrees(value, QUANTITIES[name].unit)
+    return f"{value:.10g} {unit}" if unit else float(f"{value:.10g}")
+
+
+def case_text(content: Mapping, comments: list[str], folder: Path, out: Path) -> str:
+    """The tables as TOML, after comments. What is named from a folder (scans, files of values, of materials) is named from
+    where the text goes."""
+    return "".join(f"# {line}\n" for line in comments) + as_toml(_moved(content, folder, out))
+
+
+def as_toml(content: Mapping) -> str:
+    """Return the tables as TOML; keys without a value are left out."""
+    return tomli_w.dumps(_plain(content, ""))
+
+
+def inline(value: Any) -> str:
+    """Return a value as it stands on one line of a case file."""
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{key} = {inline(one)}" for key, one in value.items()) + " }"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(inline, value)) + "]"
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:
+    def moved(name: str) -> str:
+        return Path(os.path.relpath((folder / name).resolve(), out.resolve())).as_posix()
+
+    changed = {key: _samples_moved(one, moved) if key in _TABLES else one for key, one in content.items()}
+    if isinstance(changed.get("materials"), str):
+        changed["materials"] = moved(changed["materials"])
+    rough = roughness_in(changed)
+    if not isinstance(rough, Mapping):
+        return changed
+    return with_roughness(
+        changed, {key: _scan_moved(one, moved) if key in ("first", "second") else one for key, one in rough.items()}
+    )
+
+
+def _samples_moved(table: Any, moved) -> Any:
+    """With every file of values named from its new place."""
+    if not isinstance(table, Mapping):
+        return table
+    return {
+        key: moved(one) if key == "samples" and isinstance(one, str) else _samples_moved(one, moved)
+        for key, one in table.items()
+    }
+
+
+def _scan_moved(surface: Any, moved) -> Any:
+    if isinstance(surface, str):
+        return moved(surface)
+    if isinstance(surface, Mapping) and isinstance(surface.get("file"), str):
+        return {**surface, "file": moved(surface["file"])}
+    return surface
+
+
+def _plain(value: Any, name: str) -> Any:
+    """Return what TOML can hold: a distribution that a file cannot say becomes the number that stands for it."""
+    if isinstance(value, Distribution) or is_law(value):
+        return show_exactly(read_distribution(value, name, name).nominal, name)
+    if isinstance(value, Mapping):
+        return {str(key): _plain(one, str(key)) for key, one in value.items() if one is not None}
+    if isinstance(value, list | tuple | np.ndarray):
+        return [_plain(one, name) for one in value]
+    return value.item() if isinstance(value, np.generic) else value

@@ -1,0 +1,352 @@
+"""Numbers of a case file that are uncertain: an error, ends, a factor, or values from a file, in place of the number."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BeforeValidator, Field
+
+from stiction.case.distribution import (
+    Distribution,
+    between,
+    in_range,
+    is_law,
+    normal,
+    of_law,
+    of_samples,
+    within_factor,
+)
+from stiction.case.several import Along, Several, as_point, number_of, numbers_in, with_error
+from stiction.contact.interfaces import interface
+from stiction.contact.materials import Material, as_material
+from stiction.quantities.errors import InputError, InWords, field_below, field_named
+from stiction.quantities.inputs import Input
+from stiction.quantities.paths import read_text
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import to_si
+from stiction.surfaces.finished import is_finished, roughness_of_finish
+
+__all__ = [
+    "FORMS", "SAMPLE", "Uncertain", "Uncertainty", "expanded", "named", "placed", "read_distribution", "uncertain_numbers",
+    "usual", "with_ranges",
+]  # fmt: skip
+
+SAMPLE = "sample"  # the dimension along which numbers are drawn
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_ERROR = re.compile(rf"\s*\(?\s*({_NUMBER})\s*([^+±]*?)\s*(?:\+/-|\+-|±)\s*({_NUMBER})\s*\)?\s*(.*?)\s*", re.DOTALL)
+_BODIES = (("contact", "first"), ("contact", "second"), ("contact", "coating", "material"))
+_MOST_SAMPLES = 1_000_000
+_LARGEST_FILE = 200_000_000
+_NOT_OF_A_CONTACT = ("surface_energy",)  # a contact has a work of adhesion of its own
+_TOGETHER = "name of a dimension: quantities with the same vary together"
+
+
+class Uncertainty(Input):
+    """How uncertain numbers are drawn.
+
+    count: points, of Sobol's sequence, scrambled; seed: of the scrambling; coverage: the share of all points that a band holds.
+    ranges: whether numbers of materials vary within their ranges.
+    """
+
+    count: Annotated[int, BeforeValidator(lambda value: _power_of_two(value))] = Field(
+        1024, strict=True, description="a power of two, 64 to 1048576"
+    )
+    seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
+    coverage: float = Field(0.9, gt=0.0, lt=1.0, strict=True, description="a share above 0 and below 1, e.g. 0.9")
+    ranges: bool = Field(False, strict=True, description="true: numbers of materials vary within their ranges; or false")
+
+
+def usual() -> Uncertainty:
+    """What holds where a case says nothing of it."""
+    return Uncertainty(**{})
+
+
+def _power_of_two(value: Any) -> Any:
+    if isinstance(value, bool) or not isinstance(value, int) or not 64 <= value <= 2**20 or value & (value - 1):
+        raise InputError("", value, "a power of two, 64 to 1048576")
+    return value
+
+
+_Point = Annotated[Any, BeforeValidator(as_point, json_schema_input_type=float | str)]
+
+
+class _Between(Input):
+    """Anything between two ends."""
+
+    low: _Point = Field(description="the low end")
+    high: _Point = Field(description="the high end")
+    spacing: Literal["linear", "log"] = Field(
+        "linear", description="linear: the number is as likely anywhere; log: its logarithm is"
+    )
+    along: Along = Field(None, validate_default=False, description=_TOGETHER)
+
+
+class _Factor(Input):
+    """A median, and the factor that is one standard deviation of the logarithm."""
+
+    median: _Point = Field(description="the value that is as likely too high as too low")
+    factor: float = Field(gt=1.0, le=1e6, strict=True, description="a factor above 1: two thirds of the values lie within it")
+    along: Along = Field(None, validate_default=False, description=_TOGETHER)
+
+
+class _Samples(Input):
+    """Values from a file: text with a column for each quantity."""
+
+    samples: str = Field(description="a file beside the case, with a number in every line, or columns under their names")
+    unit: str | None = Field(None, description="the unit of the numbers in the file")
+    column: str | None = Field(None, description="the name of the column, where the file has several")
+    along: Along = Field(None, validate_default=False, description="name of a dimension: rows of one file stay together")
+
+
+# The tables that say how uncertain a number is, by the names that they have in a JSON schema.
+FORMS: tuple[tuple[str, type[Input]], ...] = (("Between", _Between), ("WithinFactor", _Factor), ("FromSamples", _Samples))
+
+
+@dataclass(frozen=True)
+class Uncertain(Several):
+    """A number of a contact that is uncertain: drawn from its distribution, where others of the same `dimension` are drawn with
+    it. `values` has the nominal one; `at(share)` the values at shares (n,) of the distribution."""
+
+    distribution: Any = None
+
+    @classmethod
+    def of(cls, path: tuple[str, ...], distribution: Distribution, dimension: str | None = None) -> "Uncertain":
+        name = path[-1]
+        return cls(path, dimension or name, name, np.array([distribution.nominal]), distribution=distribution)
+
+    @property
+    def words(self) -> InWords:
+        return InWords(self.distribution.words)
+
+    def numbers(self) -> np.ndarray:
+        """Refused: there are as many as are drawn."""
+        drawn = 'a number, a list or a range; or points that are drawn, sample = { method = "sobol", count = 1024 }'
+        raise InputError(self.where, self.words, drawn)
+
+    def as_table(self) -> dict[str, Any]:
+        return self.distribution.as_table() | {"along": self.dimension}
+
+    def at(self, share: np.ndarray) -> np.ndarray:
+        return self.distribution.ppf(share)
+
+
+def uncertain_numbers(
+    content: Mapping, folder: Path = Path(), of_materials: Path | None = None
+) -> dict[tuple[str, ...], Uncertain]:
+    """Every number of [contact], [indices] or [materials] that is uncertain, by where it stands. folder: from which files of
+    values are named; of_materials: from which those of [materials] are, where they stand in a file elsewhere. Raises
+    InputError."""
+    found = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
+    read = {}
+    for path, entry in found.items():
+        beside = folder if of_materials is None or path[0] != "materials" else of_materials
+        one = read_distribution(entry, path[-1], ".".join(path), beside)
+        along = entry.get("along") if isinstance(entry, Mapping) else None
+        read[path] = Uncertain.of(path, one, along or ".".join(path[1:]))
+    _check_rows(read)
+    return read
+
+
+def _check_rows(numbers: Mapping[tuple[str, ...], Uncertain]) -> None:
+    """InputError where files whose rows stay together have not as many."""
+    first: dict[str, Uncertain] = {}
+    for one in numbers.values():
+        if one.distribution.kind != "values":
+            continue
+        other = first.setdefault(one.dimension, one)
+        count, wanted = (len(each.distribution.parameters) for each in (one, other))
+        if count != wanted:
+            allowed = f"{wanted}, as many as {other.where} has: rows of both go together"
+            raise InputError(f"{one.where}.samples", f"{count} values", allowed)
+
+
+def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path()) -> Distribution:
+    """What is known of a number of a quantity, as a user writes it; where: its place in the file. Raises InputError."""
+    if isinstance(entry, Distribution):
+        return entry
+    if is_law(entry):
+        return of_law(quantity, entry, where)
+    if isinstance(entry, str):
+        return _with_error(entry, quantity, where)
+    forms = [form for _, form in FORMS]
+    form = next((form for form in forms if next(iter(form.model_fields)) in entry), _other_form(entry))
+    with field_below(where):
+        given = form(**entry)
+    if isinstance(given, _Samples):
+        return of_samples(quantity, _values(given, quantity, where, folder), ordered=given.along is None)
+    if isinstance(given, _Factor):
+        median = number_of(given.median, quantity, f"{where}.median")
+        if not median > 0.0:
+            raise InputError(f"{where}.median", given.median, "above 0")
+        return within_factor(quantity, median, given.factor, where, entry)
+    assert isinstance(given, _Between)
+    low, high = (number_of(getattr(given, end), quantity, f"{where}.{end}") for end in ("low", "high"))
+    if not low < high:
+        raise InputError(f"{where}.high", given.high, f"more than the low end, {given.low}")
+    if given.spacing == "log" and low <= 0.0:
+        raise InputError(f"{where}.low", given.low, 'above 0 where spacing = "log"')
+    return between(quantity, low, high, given.spacing == "log")
+
+
+def _other_form(entry: Mapping) -> type[Input]:
+    """The form that knows most of the keys: what is missing of it is then said."""
+    return max((form for _, form in FORMS), key=lambda form: len(entry.keys() & form.model_fields.keys() - {"along"}))
+
+
+def _with_error(text: str, quantity: str, where: str) -> Distribution:
+    """A number with its standard deviation: "0.5 +/- 0.1 GPa", "0.5 GPa +/- 20 %"."""
+    match = _ERROR.fullmatch(text)
+    if match is None:
+        raise InputError(where, text, f'a number and its standard deviation, e.g. "{_example(quantity)}"')
+    number, unit, error, error_unit = match.groups()
+    relative = error_unit == "%" and (bool(unit) or not QUANTITIES[quantity].unit)
+    own = unit or ("" if relative else error_unit)
+    mean = number_of(f"{number} {own}" if own else _plain(number, quantity), quantity, where, text)
+    if relative:
+        deviation = abs(mean) * float(error) / 100.0
+    elif unit in ("", error_unit) and float(number) != 0.0:
+        deviation = mean / float(number) * float(error)
+    else:
+        deviation = number_of(f"{error} {error_unit}".strip(), quantity, where, text)
+    if not (deviation > 0.0 and np.isfinite(deviation)):
+        raise InputError(where, text, f'a standard deviation above 0, e.g. "{_example(quantity)}"')
+    return normal(quantity, mean, deviation, where, text)
+
+
+def _plain(number: str, quantity: str) -> Any:
+    """A number without a unit, as text where one is wanted, which is then refused."""
+    return number if QUANTITIES[quantity].unit else float(number)
+
+
+def _example(quantity: str) -> str:
+    number, _, unit = (QUANTITIES[quantity].example or "1").partition(" ")
+    return f"{number} +/- {float(f'{float(number) / 10.0:.2g}'):g} {unit}".strip()
+
+
+def _values(given: _Samples, quantity: str, where: str, folder: Path) -> np.ndarray:
+    """The values (n,) of a file in SI units."""
+    rows = _table(folder / given.samples, f"{where}.samples", given.samples)
+    heads = None if _is_number(rows[0][0]) else [head.strip() for head in rows[0]]
+    at = _column(heads, given.column, len(rows[0]), where)
+    texts = [row[at] if at < len(row) else "" for row in rows[0 if heads is None else 1 :]]
+    wanted = QUANTITIES[quantity]
+    if wanted.unit and not given.unit:
+        raise InputError(
+            f"{where}.unit", None, f'the unit of the numbers in the file, e.g. "{wanted.example.partition(" ")[2]}"'
+        )
+    if not 2 <= len(texts) <= _MOST_SAMPLES:
+        raise InputError(f"{where}.samples", given.samples, f"a file with 2 to {_MOST_SAMPLES} values")
+    for line, text in enumerate(texts, start=1):
+        if not _is_number(text):
+            raise InputError(f"{where}.samples", text, f"numbers; this is value {line} of {given.samples}")
+    numbers = np.array([float(text) for text in texts])
+    scale = 1.0
+    if wanted.unit and numbers.any():
+        first = int(np.flatnonzero(numbers)[0])
+        scale = number_of(f"{texts[first]} {given.unit}", quantity, f"{where}.samples") / numbers[first]
+    with field_named(f"{where}.samples"):
+        return np.asarray(to_si(numbers * scale, quantity))
+
+
+def _table(path: Path, where: str, name: str) -> list[list[str]]:
+    """The lines of a file that are no comments, cut into columns."""
+    text = read_text(path, where, "a file of numbers", _LARGEST_FILE, name)
+    kept = [line.partition("#")[0].strip() for line in text.splitlines()]
+    rows = [re.split(r"[,;\t]\s*|\s+", line) for line in kept if line]
+    if not rows:
+        raise InputError(where, name, "a file of numbers; this one is empty")
+    return rows
+
+
+def _column(heads: list[str] | None, wanted: str | None, columns: int, where: str) -> int:
+    if wanted is None and columns == 1:
+        return 0
+    if heads is None or wanted not in heads:
+        known = ", ".join(heads or []) or "nothing: the columns of the file have no names"
+        raise InputError(f"{where}.column", wanted, known)
+    return heads.index(wanted)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return bool(np.isfinite(float(text)))
+    except ValueError:
+        return False
+
+
+def placed(numbers: Mapping[tuple[str, ...], Uncertain], content: Mapping) -> Iterator[Uncertain]:
+    """The numbers where they are used: those of the materials of a case in every body that is of such a material."""
+    for path, one in numbers.items():
+        if path[0] != "materials":
+            yield one
+            continue
+        for body in _BODIES:
+            table = _at(content, body)
+            name = table.get("preset") if isinstance(table, Mapping) else table
+            if name == path[1] and not (isinstance(table, Mapping) and path[-1] in table):
+                yield replace(one, path=(*body, path[-1]))
+
+
+def with_ranges(content: Mapping, taken: Sequence[tuple[str, ...]]) -> Iterator[Uncertain]:
+    """The numbers of materials that have ranges, but for those at the paths that are taken. Within its range a number is as
+    likely by its logarithm, where it is above 0; two bodies of one material vary together."""
+    for body in _BODIES:
+        material = body_at(content, body)
+        if material is None:
+            continue
+        for name, (low, high) in material.range.items():
+            path = (*body, name)
+            if low < high and path not in taken and name not in _NOT_OF_A_CONTACT:
+                nominal = float(getattr(material, name))
+                yield Uncertain.of(path, in_range(name, low, high, nominal, low > 0.0), f"{material.name}.{name}")
+
+
+def body_at(content: Mapping, path: tuple[str, ...]) -> Material | None:
+    """The material of a body, where there is one."""
+    body = _at(content, path)
+    found = as_material(body) if body is not None else None
+    return Material(**found) if isinstance(found, Mapping) else found
+
+
+def expanded(content: Mapping) -> Mapping:
+    """The tables with records in place of bodies, a state of the interface and a finish, whose numbers may then be replaced."""
+    contact = content.get("contact")
+    if contact is None:
+        return content
+    tables = _as_tables(contact)
+    for name in ("first", "second"):
+        tables[name] = body_at(content, ("contact", name))
+    if tables.get("coating") is not None:
+        tables["coating"] = _as_tables(tables["coating"]) | {"material": body_at(content, _BODIES[2])}
+    if isinstance(tables.get("interface"), str):
+        tables["interface"] = interface(tables["interface"])
+    if is_finished(tables.get("roughness")):
+        tables["roughness"] = roughness_of_finish(tables["roughness"])
+    return {**content, "contact": tables}
+
+
+def _as_tables(record: Any) -> dict[str, Any]:
+    if isinstance(record, Mapping):
+        return dict(record)
+    return {name: getattr(record, name) for name in record.model_fields_set}
+
+
+def _at(content: Any, path: tuple[str, ...]) -> Any:
+    """What stands at a path of tables and records; None if nothing."""
+    for key in path:
+        content = content.get(key) if isinstance(content, Mapping) else getattr(content, key, None)
+    return content
+
+
+def named(numbers: Sequence[Uncertain]) -> list[Uncertain]:
+    """The numbers with names that tell them apart: the short one where no other has it; what is drawn alone has it too."""
+    short = [one.path[-1] for one in numbers]
+    found = []
+    for one in numbers:
+        whole = ".".join(one.path[1:])
+        name = one.path[-1] if short.count(one.path[-1]) == 1 else whole
+        found.append(replace(one, name=name, dimension=name if one.dimension == whole else one.dimension))
+    return found

@@ -1,0 +1,33 @@
+"""The data files of the package: tables [KIND.NAME] in every file of a folder, with what holds for a whole file above them."""
+
+import tomllib
+from importlib import resources
+from typing import Any
+
+__all__ = ["GRADES", "read_tables"]
+
+# What the grade of a number says of where it comes from.
+GRADES = {
+    "A": "measured on such an interface or surface; the printed number was read",
+    "B": "derived from printed numbers that were read; the spread is a judgement",
+    "C": "from memory, not checked against a page",
+}
+
+
+def read_tables(room: str, folder: str, kind: str) -> dict[str, dict[str, Any]]:
+    """Read all tables [kind.NAME] of the TOML files in a folder of a room, "contact" or "surfaces".
+
+    What stands at the top of a file holds for each of its tables that says nothing else, field by field for tables there.
+    Raises ValueError for a name that stands in two files.
+    """
+    tables: dict[str, dict[str, Any]] = {}
+    for file in sorted(resources.files(f"stiction.{room}").joinpath(folder).iterdir(), key=lambda file: file.name):
+        if not file.name.endswith(".toml"):
+            continue
+        content = tomllib.loads(file.read_text(encoding="utf-8"))
+        for name, table in content.pop(kind).items():
+            if name in tables:
+                raise ValueError(f"{kind}: {name} stands in two files")
+            shared = {key: value | table.get(key, {}) for key, value in content.items() if isinstance(value, dict)}
+            tables[name] = content | table | shared
+    return tables

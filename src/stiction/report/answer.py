@@ -1,0 +1,133 @@
+"""The answer of a prediction in words and as JSON: one text for terminal, page, report and notebook."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.quantities.units import show
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["answer_lines", "answer_record", "at_working_load", "headline", "model_record", "number"]
+
+_MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
+_LEAST = 0.01  # share of the variance that is named
+_NAMES = {
+    "interface": "interface strength",
+    "area model": "model of the contact area",
+    "adhesion": "adhesion and liquid",
+    "junctions": "plastic junctions",
+    "chance": "chance, few asperities",
+}
+
+
+def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
+    """Return the prediction at its working load."""
+    return data if data["load"].ndim == 0 else data.sel(load=data.attrs["working_load"])
+
+
+def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
+    """Return the answer as JSON has it."""
+    here = at_working_load(data)
+
+    def ends(name: str) -> list[float]:
+        return [float(here[f"{name}_low"]), float(here[f"{name}_high"])]
+
+    return {
+        "load": float(here["load"]),
+        "friction_coefficient": float(here[_MU]),
+        "interval": ends(_MU),
+        "level": data.attrs["level"],
+        "friction_force": float(here[_FORCE]),
+        "friction_force_interval": ends(_FORCE),
+        "contact_area": float(here[_AREA]),
+        "contact_area_interval": ends(_AREA),
+        "regime": data.attrs["regime"],
+        "shares": dict(data.attrs["shares"]),
+        "warnings": list(data.attrs["warnings"]),
+        "next": data.attrs["next_step"],
+        "models": dict(data.attrs["models"]),
+        "excluded": data.attrs["excluded"],
+    }
+
+
+def model_record(data: "xarray.Dataset") -> dict[str, Any]:
+    """Return the answer of one model as JSON has it: at the middle point of its curve, with the band over uncertain inputs."""
+    here = data.isel({str(dim): size // 2 for dim, size in data["load"].sizes.items()})
+    mu = float(here[_MU]) if _MU in here else None
+    answer = {"load": float(here["load"]), "friction_coefficient": mu, "interval": None, "level": None}
+    if f"{_MU}_quantile" not in here:
+        return answer
+    ends = here[f"{_MU}_quantile"]
+    level = float(ends["quantile"][-1] - ends["quantile"][0])
+    return answer | {"interval": [float(ends[0]), float(ends[-1])], "level": round(level, 12)}
+
+
+def number(value: float) -> str:
+    """Return a number with two significant digits."""
+    return f"{float(f'{value:.2g}'):g}"
+
+
+def span(here: "xarray.Dataset", name: str, quantity: str | None = None) -> str:
+    """Return the interval of a result in words, with units where it has a quantity."""
+    low, high = (float(here[f"{name}_{end}"]) for end in ("low", "high"))
+    if quantity is None:
+        return f"{number(low)} to {number(high)}"
+    return f"{show(low, quantity, 2)} to {show(high, quantity, 2)}"
+
+
+def headline(data: "xarray.Dataset") -> str:
+    """Return mu with its interval in a line."""
+    here = at_working_load(data)
+    return f"mu = {number(float(here[_MU]))}, {data.attrs['level']:.0%} interval {span(here, _MU)}"
+
+
+def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
+    """Return the answer as rows of a head and a text; the first rows have the numbers."""
+    here, attrs = at_working_load(data), data.attrs
+    load = show(float(here["load"]), "load", 3)
+    force = show(float(here[_FORCE]), _FORCE, 2)
+    area = show(float(here[_AREA]), _AREA, 2).replace("m^2", "m²")
+    warnings = attrs["warnings"]
+    rows = [
+        (
+            f"mu = {number(float(here[_MU]))}",
+            f"{attrs['level']:.0%} interval {span(here, _MU)}, at {load}",
+        ),
+        ("friction force", f"{force} ({span(here, _FORCE, _FORCE)}); real contact {area}"),
+        ("along the load", _along(data)),
+        ("measured", _of_measured(attrs)),
+        ("state", attrs["regime"]),
+        ("uncertainty from", _shares(attrs["shares"])),
+        ("model", f"{', '.join(attrs['models'])}" + (", combined" if len(attrs["models"]) > 1 else "")),
+        ("warning", warnings[0] if warnings else ""),
+        ("next", attrs["next_step"]),
+    ]
+    return [(head, text) for head, text in rows if text]
+
+
+def _along(data: "xarray.Dataset") -> str:
+    """Return mu at the first and last load."""
+    if data["load"].ndim == 0 or data["load"].size < 2:
+        return ""
+    each = (
+        f"mu = {number(float(data[_MU][at]))} ({span(data.isel(load=at), _MU)}) at {show(float(data['load'][at]), 'load', 3)}"
+        for at in (int(np.argmin(data["load"].values)), int(np.argmax(data["load"].values)))
+    )
+    return "; ".join(each)
+
+
+def _of_measured(attrs: dict[str, Any]) -> str:
+    """Return what measured values tell of the interface, with the line of a case that keeps it."""
+    if "measured" not in attrs:
+        return ""
+    middle, low, high = (show(one, "interfacial_shear_strength", 2) for one in attrs["strength"])
+    values = "1 value" if attrs["measured"] == 1 else f"{attrs['measured']} values"
+    line = f'interfacial_shear_strength = {{ low = "{low}", high = "{high}" }}'
+    return f"{values}: interface strength {middle} ({low} to {high}); in the case: {line}"
+
+
+def _shares(shares: dict[str, float]) -> str:
+    named = ((_NAMES.get(name, name.replace("_", " ")), share) for name, share in shares.items() if share >= _LEAST)
+    return ", ".join(f"{name} {share:.0%}" for name, share in named)

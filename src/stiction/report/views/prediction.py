@@ -1,0 +1,92 @@
+"""A prediction as it is shown."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rich.text import Text
+
+from stiction.report.answer import answer_lines, answer_record
+from stiction.report.files import write_rows
+from stiction.report.tables import curve_table, facts
+from stiction.report.view import Picture, View
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.case.read import Case
+
+_RESULTS = ("friction_coefficient", "friction_force", "contact_area")
+_HEADS = {
+    "load": "load",
+    "friction_coefficient_low": "mu low",
+    "friction_coefficient": "mu",
+    "friction_coefficient_high": "mu high",
+    "friction_force": "friction force",
+    "contact_area": "contact area",
+}
+
+
+def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bool = False) -> View:
+    """Return what a prediction shows; file: the name of the case file, for the commands that are proposed."""
+
+    def parts() -> Iterator[Any]:
+        if case.title:
+            yield Text(case.title, style="bold")
+        more = f"--details; all models: stiction compare {Path(file).name}; pictures: --out DIR"
+        yield facts([*answer_lines(data), *([] if details else [("details", more)])])
+        if details:
+            yield from _details(case, data)
+
+    def found() -> dict[str, Any]:
+        return {"answer": answer_record(data), "curve": _curve(data)}
+
+    def picture() -> Any:
+        from stiction.report.prediction_pictures import prediction_figure
+
+        return prediction_figure(data, case.title)
+
+    files = {"curve.csv": lambda path: write_rows(path, *_rows(data))}
+    return View("curve", _plain(data), parts, found, files, {"curve.png": Picture("mu with its interval", picture)})
+
+
+def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
+    """Yield what is left out of the answer: the curve, every warning, what the interface rests on."""
+    if data["load"].size > 1:
+        yield from ("", curve_table(data, heads=_HEADS))
+    yield ""
+    contact: Any = case.subject
+    inputs = [f"{name} = {text}" for name, text in contact.inputs()]
+    rows = [(("warning", "")[at > 0], text) for at, text in enumerate(data.attrs["warnings"])]
+    rows += [("models", ", ".join(f"{name} {share:.0%}" for name, share in data.attrs["models"].items()))]
+    rows += [("draws", f"{data.sizes['sample']}; {data.attrs['excluded']:.1%} of them are impossible and excluded")]
+    rows += [("inputs", "\n".join(inputs))]
+    if contact.interface is not None:
+        rows += [("interface", "\n".join([contact.interface.name, *contact.interface.notes()]))]
+    yield facts(rows)
+
+
+def _columns() -> list[str]:
+    return [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")]
+
+
+def _curve(data: "xarray.Dataset") -> dict[str, Any]:
+    """Return the results over the loads, as lists."""
+    return {name: data[name].values.ravel().tolist() for name in ("load", *_columns())}
+
+
+def _rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
+    """Return heads and rows of the table of a file."""
+    names = ["load", *_columns()]
+    heads = [name if (unit := data[name].attrs["units"]) == "1" else f"{name} [{unit}]" for name in names]
+    columns = [data[name].values.ravel() for name in names]
+    return heads, (list(map(float, row)) for row in zip(*columns, strict=True))
+
+
+def _plain(data: "xarray.Dataset") -> "xarray.Dataset":
+    """Return the dataset with attributes that a file takes: tables and lists as JSON."""
+    texts = {
+        name: json.dumps(value, ensure_ascii=False) for name, value in data.attrs.items() if isinstance(value, dict | list)
+    }
+    return data.assign_attrs(texts)

@@ -1,0 +1,148 @@
+"""The minimum downhill of the energy of faces that attract each other, over gaps of 0 or more.
+
+With lengths over the range of attraction and energies over the work of adhesion, and K symmetric and not negative,
+
+    1/2 <(g + h) K (g + h)> - <e^(-g)> + P <g>,      g >= 0                                                               (1)
+
+is lowered by conjugate gradients over the points that are free: those apart, and those that touch and would rather not
+(Polonsky & Keer 1999, Wear 231, 206; Bugnicourt et al. 2018, Tribology Lett. 66, 29), with three additions. Directions are
+smoothed by 1/K (K grows with the wavevector: without it long waves are slow), taken on the free points only. The step is
+Newton's along the direction, shorter where the attraction bends the energy down, no farther than twice the attraction's range
+where it acts, and halved until the energy falls. And where all faces are so far apart that no attraction outweighs the tension
+they are sent away.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy.fft import irfft2, rfft2
+
+from stiction.solvers.boundary_elements.minimise import dot
+
+__all__ = ["FAR", "Downhill", "Faces"]
+
+FAR = 1e3  # gap over the range, at which faces are apart
+_FLAT = 0.05  # curvature along a direction, at least this share of the elastic one: below, the attraction bends it down
+_RANGE = 2.0  # no farther at once, over the range
+_ACTS = 1e-3  # of the largest attraction
+_MOST = 3000
+_HALVINGS = 40
+_NONE = 40.0  # gap over the range, beyond which the attraction is below rounding
+_LARGEST = 700.0  # exponent, of a floating point number
+
+
+@dataclass(frozen=True)
+class Faces:
+    """What (1) needs. heights: h; stiffness: K of every wave of `rfft2`, 0 of none."""
+
+    heights: np.ndarray
+    stiffness: np.ndarray
+    _smooth: np.ndarray = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        inverse = self.stiffness.copy()
+        inverse[0, 0] = 0.5 * min(inverse[0, 1], inverse[1, 0])
+        object.__setattr__(self, "_smooth", (1.0 / inverse).astype(np.float32))
+
+    def elastic(self, shape: np.ndarray) -> np.ndarray:
+        """K times a shape, such as g + h."""
+        return self._through(shape, self.stiffness)
+
+    def smoothed(self, force: np.ndarray) -> np.ndarray:
+        """The force divided by K, of the mean by half of the least K, in single precision: that is enough of a direction."""
+        return self._through(force.astype(np.float32), self._smooth).astype(float)
+
+    def _through(self, shape: np.ndarray, factors: np.ndarray) -> np.ndarray:
+        waves = rfft2(shape)
+        waves *= factors
+        return irfft2(waves, s=self.heights.shape, overwrite_x=True)
+
+
+class Downhill:
+    """A descent of (1) under the pressure P from a gap. gap: where it is, over the range; residual: largest gradient left of
+    points apart, or pulling of those that touch; apart: whether faces have parted for good."""
+
+    def __init__(self, faces: Faces, gap: np.ndarray, pressure: float):
+        self._faces, self._pressure = faces, pressure
+        self._way: np.ndarray | None = None
+        self._force, self._square = np.zeros_like(gap), 0.0
+        self.gap, self._elastic = gap, faces.elastic(gap + faces.heights)
+        self.apart, self.residual = False, math.inf
+        self._arrive()
+
+    def run(self, tolerance: float) -> None:
+        """Descend until the residual is below the tolerance."""
+        for _ in range(_MOST):
+            if self.residual <= tolerance:
+                return
+            if math.exp(-float(self.gap.min())) < -self._pressure:
+                self.gap = self.gap + FAR
+                self.apart = True
+                return
+            if not self._step(self._direction()):
+                if self._way is None:
+                    return  # no step lowers the energy: rounding
+                self._way = None
+
+    def _arrive(self) -> None:
+        """What follows from the gap."""
+        self._near = np.exp(-self.gap)
+        self._slope = self._elastic + self._near
+        self._slope += self._pressure
+        self._free = (self.gap > 0.0) | (self._slope < 0.0)
+        self.residual = float(np.max(np.abs(self._slope * self._free)))
+
+    def _direction(self) -> np.ndarray:
+        """Conjugate to the last by the rule of Polak & Ribiere, smoothed; after a failed step along the gradient alone."""
+        force = np.where(self._free, -self._slope, 0.0)
+        smooth = self._faces.smoothed(force)
+        smooth *= self._free
+        square = dot(force, smooth)
+        way = smooth
+        if self._way is not None:
+            part = (square - dot(self._force, smooth)) / self._square
+            if part > 0.0:
+                way = smooth + part * np.where(self._free, self._way, 0.0)
+                if dot(way, force) <= 0.0:
+                    way = smooth
+        self._force, self._square = force, square
+        return way
+
+    def _step(self, way: np.ndarray) -> bool:
+        """Go along the way as far as the energy falls; False if it does nowhere."""
+        answer = self._faces.elastic(way)
+        down, elastic = dot(way, self._force), dot(way, answer)
+        curvature = max(elastic - float(np.einsum("ij,ij,ij->", way, way, self._near)), _FLAT * elastic)
+        length = self._room(way)
+        if curvature * length > down:
+            length = down / curvature
+        for _ in range(_HALVINGS):
+            gap = self.gap + length * way
+            if gap.min() < 0.0:
+                np.maximum(gap, 0.0, out=gap)
+                force = self._faces.elastic(gap + self._faces.heights)
+            else:
+                force = self._elastic + length * answer
+            if self._change(gap, force) < 0.0:
+                self._way, self.gap, self._elastic = way, gap, force
+                self._arrive()
+                return True
+            length *= 0.5
+        return False
+
+    def _room(self, way: np.ndarray) -> float:
+        """The longest step: to where a point would overlap, or leave the attraction, by the range."""
+        closes = max(-float(np.min(way / (self.gap + _RANGE))), 0.0)
+        opens = max(float(np.max(way * (self._near > _ACTS))), 0.0) / _RANGE
+        fastest = max(closes, opens)
+        return 1.0 / fastest if fastest > 0.0 else 1.0
+
+    def _change(self, gap: np.ndarray, elastic: np.ndarray) -> float:
+        """Of (1), times the number of points, without the difference of large numbers."""
+        closed = self.gap - gap
+        smooth = dot(closed, self._slope) + 0.5 * dot(closed, elastic - self._elastic)
+        some = np.minimum(self.gap, gap) < _NONE
+        nearer = closed[some]
+        grown = np.expm1(np.minimum(nearer, _LARGEST)) - nearer
+        return -smooth - float(np.sum(self._near[some] * grown))

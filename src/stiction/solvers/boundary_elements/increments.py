@@ -1,0 +1,48 @@
+"""How the load answers to an approach while contact stays where it is: a linear system over the points that are free.
+
+An increment q of the pressure that moves the face of all free points alike (0 < p < H; those that flow carry no more, those
+that do not touch nothing) has C q = w on them. The compliance of a map is w over the mean of q; by Rayleigh's principle
+
+    w/<q> = minimum of <q C q>/<q>^2 over all q on these points                                                           (1)
+
+so that a small error of q enters with its square (for rough contact: Barber 2003, Proc. R. Soc. A 459, 53).
+"""
+
+import math
+
+import numpy as np
+
+from stiction.solvers.boundary_elements.minimise import Displacement, dot
+
+__all__ = ["stiffness_per_area"]
+
+_TOLERANCE = 3e-3
+_MOST = 300
+
+
+def stiffness_per_area(displacement: Displacement, free: np.ndarray, start: np.ndarray) -> float:
+    """Change of the mean pressure over that of the approach [Pa/m] with contact as it is.
+
+    NaN where no point is free, infinite in full contact of half-spaces without end.
+    free: which points answer, bool, of the map's shape; start: any positive increment, for instance the pressure.
+    """
+    count = int(np.count_nonzero(free))
+    if not count:
+        return math.nan
+    q = np.ones(free.shape) if count == free.size else np.where(free, start, 0.0)
+    q *= 1.0 / q.mean()
+    moved = displacement(q)
+    direction, square = None, 0.0
+    for _ in range(_MOST):
+        level = float(np.mean(moved, where=free))
+        rest = np.where(free, level - moved, 0.0)
+        last, square = square, dot(rest, rest)
+        if math.sqrt(square / count) <= _TOLERANCE * abs(level):
+            break
+        direction = rest if direction is None else rest + (square / last) * direction
+        answer = displacement(direction)
+        length = square / dot(direction, answer)
+        q += length * direction
+        moved += length * answer
+    given = dot(q, moved) / free.size
+    return 1.0 / given if given > 0.0 else math.inf

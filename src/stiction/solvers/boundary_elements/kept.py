@@ -1,0 +1,132 @@
+"""Solutions that are kept: what was solved once, of the same map and inputs by the same solver, is read.
+
+A file for every load, named by the content of all that decides it, so that a curve that was interrupted goes on where it
+stopped. The oldest go where they are more than fit.
+"""
+
+import hashlib
+import json
+import os
+import zipfile
+from collections.abc import Sequence
+from dataclasses import asdict, fields
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from stiction.quantities.cache import cache_folder, cannot_keep
+from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_map
+from stiction.solvers.boundary_elements.solve import MapContact, MapContacts, checked, solve_map
+
+__all__ = ["solve_kept"]
+
+_MOST = 1_000_000_000  # bytes of all files
+_TOO_LARGE = 200_000_000  # bytes of one pressure map that is not worth a file
+_OF_FILE = ("pressure", "doubts")  # fields of a contact that are no numbers
+
+
+def solve_kept(
+    heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool, **how
+) -> MapContacts:
+    """`solve_map`, with the loads that were solved before read from the cache, and the others kept there as they are found.
+
+    Arguments, results and errors as there. A load that was solved from another start is the same to the tolerance.
+    """
+    loads = [float(load) for load in np.atleast_1d(np.asarray(loads, dtype=float))]
+    checked(heights, size, loads, periodic, how)  # what is refused is refused before anything is read
+    inputs = {name: value for name, value in how.items() if name not in ("progress", "done")}
+    name = _name(heights, size, modulus=modulus, periodic=periodic, **inputs)
+    found: dict[float, MapContact] = {}
+    for load in loads:
+        if load not in found and (one := _read(_file(name, load), np.shape(heights))) is not None:
+            found[load] = one
+    missing = [load for load in dict.fromkeys(loads) if load not in found]
+    if not missing:
+        of_map = doubts_of_map(np.asarray(heights, dtype=float), size, how.get("film") or how.get("counter_film"), periodic)
+        return MapContacts(tuple(found[load] for load in loads), of_map)
+    told = how.pop("done", None)
+
+    def asked(contact: MapContact) -> float:
+        """The load that was asked for: that of the contact has been through its mean pressure."""
+        return min(missing, key=lambda load: abs(load - contact.load))
+
+    def done(contact: MapContact) -> None:
+        _keep(_file(name, asked(contact)), contact)
+        if told is not None:
+            told(contact)
+
+    solved = solve_map(heights, size, modulus=modulus, loads=missing, periodic=periodic, done=done, **how)
+    found |= {asked(one): one for one in solved}
+    there = tuple(found[load] for load in loads if load in found)
+    return MapContacts(there, solved.doubts, len(there) == len(loads))
+
+
+def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
+    """Of everything that decides a solution but its load."""
+    digest = hashlib.sha256(_solver())
+    digest.update(np.ascontiguousarray(heights, dtype=np.float64).tobytes())
+    digest.update(repr((np.shape(heights), tuple(map(float, size)), sorted(inputs.items(), key=lambda one: one[0]))).encode())
+    return digest.hexdigest()[:40]
+
+
+@cache
+def _solver() -> bytes:
+    """The text of this solver: another one finds other digits."""
+    folder = files("stiction.solvers.boundary_elements")
+    sources = sorted((one for one in folder.iterdir() if one.name.endswith(".py")), key=lambda one: one.name)
+    return b"".join(one.read_bytes() for one in sources)
+
+
+def _folder() -> Path:
+    return cache_folder("contacts")
+
+
+def _file(name: str, load: float) -> Path:
+    return _folder() / f"{name}-{load.hex()}.npz"
+
+
+def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
+    """The contact in a file; None where there is none, or it is damaged."""
+    try:
+        with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
+            numbers = json.loads(file["numbers"].item())
+            doubts = tuple(MapDoubt(**one) for one in json.loads(file["doubts"].item()))
+            pressure = np.zeros(shape)
+            pressure[np.unpackbits(file["where"], count=pressure.size).reshape(shape).astype(bool)] = file["pressure"]
+        os.utime(path)
+        return MapContact(**numbers, doubts=doubts, pressure=pressure)
+    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
+        return None
+
+
+def _keep(path: Path, contact: MapContact) -> None:
+    """Write the contact, so that a reader finds the whole file or none."""
+    pressure = contact.pressure
+    if pressure is None or pressure.nbytes > _TOO_LARGE or any(one.name == "not_converged" for one in contact.doubts):
+        return
+    touched = pressure > 0.0
+    numbers = {one.name: getattr(contact, one.name) for one in fields(contact) if one.name not in _OF_FILE}
+    partial = path.with_suffix(f".{os.getpid()}.part")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with partial.open("wb") as file:
+            np.savez(
+                file, numbers=json.dumps(numbers), doubts=json.dumps([asdict(one) for one in contact.doubts]),
+                where=np.packbits(touched), pressure=pressure[touched],
+            )  # fmt: skip
+        partial.replace(path)
+        _make_room(path.parent)
+    except OSError as error:
+        cannot_keep(error)
+
+
+def _make_room(folder: Path) -> None:
+    known = sorted(((one.stat().st_mtime, one.stat().st_size, one) for one in folder.glob("*.npz")), reverse=True)
+    total = 0
+    for _, size, path in known:
+        total += size
+        if total > _MOST:
+            path.unlink(missing_ok=True)

@@ -1,0 +1,94 @@
+"""What is read off a pressure map and a height map: edges of contact, waves.
+
+Contact counted in pixels is too large, by a part of the pixels at its edge:
+
+    A = A_pixels - c S d                                                                                                  (1)
+
+S: length of the sides of pixels between contact and none; d: the pixel's side (S d is the number of such sides times a pixel's
+area, and is taken so where pixels are not square). Yastrebov, Anciaux & Molinari (2017, Tribology Int. 114, 161) find
+c = (pi - 1 + ln 2)/24 = .118 from a straight edge at any angle across a pixel. What this solver counts was measured on
+Westergaard's waves, whose area is known, at 23 angles (a test repeats it with fewer): c = .19 along the pixels, .11 at 14
+degrees, .08 from 30 to 45, and .100 on average over all, which is used. With it the mean area of rough maps at 8 points in the
+shortest wave is within 1 % of that at 32, with .118 it is 1 to 2 % low.
+Where the pressure at most of the edge is the hardness, c is smaller; the area is never less than the load over the hardness,
+and that is close where it is reached. The length of the edge itself is pi/4 S, on average over its directions.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.fft import rfft2
+
+from stiction.solvers.boundary_elements.operators import wavevectors
+
+__all__ = ["PIXEL_EXCESS", "Edges", "Waves", "edges", "rms_step", "waves"]
+
+PIXEL_EXCESS = 0.100
+_SHORT = 0.01  # share of the mean square gradient in waves shorter than the shortest
+_LONG = 0.5  # share of the mean square height in waves longer than the longest
+_WORKERS = 2
+
+
+@dataclass(frozen=True)
+class Edges:
+    """Sides of pixels between contact and none: along y (of neighbours in x), and along x."""
+
+    along_y: int
+    along_x: int
+
+    @property
+    def count(self) -> int:
+        """All of them."""
+        return self.along_y + self.along_x
+
+
+def edges(contact: np.ndarray, periodic: bool) -> Edges:
+    """Of the points in contact, bool (rows, columns); periodic: the last point is beside the first."""
+    return Edges(_changes(contact, periodic), _changes(contact.T, periodic))
+
+
+def _changes(contact, periodic):
+    """Along the rows."""
+    count = int(np.count_nonzero(contact[:, 1:] != contact[:, :-1]))
+    return count + int(np.count_nonzero(contact[:, 0] != contact[:, -1])) if periodic else count
+
+
+@dataclass(frozen=True)
+class Waves:
+    """Waves of a map [m]. shortest: those that are shorter hold 1 % of the mean square gradient; longest: those that are longer
+    hold half of the mean square height; gradient: root mean square of all waves [1]."""
+
+    shortest: float
+    longest: float
+    gradient: float
+
+
+def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Waves:
+    """Of a map; heights: (rows, columns) [m]; size: (y, x) [m]. Where it is not periodic, under Hann's window, so that the step
+    between its ends is no roughness."""
+    heights = heights - heights.mean()
+    if not periodic:
+        window = np.outer(*(np.hanning(count + 2)[1:-1] if count > 1 else np.ones(1) for count in heights.shape))
+        heights *= window / math.sqrt(float(np.mean(window**2)))
+    k = wavevectors(heights.shape, size)
+    power = np.square(np.abs(rfft2(heights, workers=_WORKERS))) / float(heights.size) ** 2
+    power[:, 1 : (heights.shape[1] + 1) // 2] *= 2.0
+    bins = np.linspace(0.0, float(k.max()) * (1.0 + 1e-9), 4 * max(heights.shape))
+    height, _ = np.histogram(k, bins, weights=power)
+    gradient, _ = np.histogram(k, bins, weights=power * k * k)
+    return Waves(
+        2.0 * math.pi / _where_sum_reaches(bins, gradient, 1.0 - _SHORT),
+        2.0 * math.pi / _where_sum_reaches(bins, height, _LONG),
+        math.sqrt(float(gradient.sum())),
+    )
+
+
+def _where_sum_reaches(edge, part, share):
+    total = np.cumsum(part)
+    return float(edge[1 + np.searchsorted(total, share * total[-1])])
+
+
+def rms_step(heights: np.ndarray) -> float:
+    """Root mean square height difference of a point and its next along x and y together [m]: what gaps are measured by."""
+    return math.sqrt(sum(float(np.mean(np.square(np.diff(heights, axis=axis)))) for axis in (0, 1) if heights.shape[axis] > 1))

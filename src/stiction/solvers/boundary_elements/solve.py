@@ -1,0 +1,303 @@
+"""Contact of a height map with a rigid flat, or of two maps through their sum, solved point by point.
+
+    found = solve_map(surface.heights, surface.size, modulus=1e11, loads=[1.0, 10.0], periodic=True)
+    found[-1].area, found[-1].separation, found.doubts
+
+Assumptions: small slopes, no friction, no adhesion but that of a liquid; bodies are half-spaces (with or without a film) whose
+compliance carries the load of the whole map; plastic flow is a pressure that does not rise above the hardness, without
+hardening, without volume that goes elsewhere, and every load is reached from none (no memory of the loads before).
+"""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, fields
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import nearest
+from stiction.solvers.boundary_elements.compliance import Compliance, Film
+from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_load, doubts_of_map, share_at_ends
+from stiction.solvers.boundary_elements.increments import stiffness_per_area
+from stiction.solvers.boundary_elements.limits import TOLERANCE
+from stiction.solvers.boundary_elements.measures import PIXEL_EXCESS, edges, rms_step
+from stiction.solvers.boundary_elements.menisci import Condensed, Menisci, condense
+from stiction.solvers.boundary_elements.minimise import Problem, minimise
+from stiction.solvers.boundary_elements.operators import FreeBoundary, MirroredBoundary, PeriodicBoundary
+from stiction.surfaces.heightmap import size_in_metres
+from stiction.surfaces.memory import require_memory
+
+__all__ = ["MapContact", "MapContacts", "Progress", "checked", "solve_map"]
+
+MOST_STEPS = 2000
+_COARSE = 96  # points along a side of the coarsest start
+_COARSE_TOLERANCE = 1e-2
+
+
+@dataclass(frozen=True)
+class MapContact:
+    """Contact of a map at one load. All numbers are of the whole map.
+
+    load [N]; mean_pressure: over the nominal area [Pa]; nominal_area [m2]; area: real, corrected for pixels [m2]; area_pixels:
+    as counted [m2]; perimeter: of the real area [m]; separation: of the mean planes of the undeformed heights and the face [m]
+    (where bodies are half-spaces and the map periodic, of the deformed face); mean_gap: mean distance of the faces [m], 0 where
+    they touch; approach: since first touch [m], None where a periodic half-space leaves it unknown; stiffness: of load over
+    approach [N/m], NaN if no point can answer; plastic_area [m2]: where the pressure is the hardness; plastic_share: of the
+    load, carried there [1]; pressure: (rows, columns) [Pa], None if not kept; residual, steps: of the solution;
+    load_error: relative; points: how many are in contact; load_at_ends: share of the load on the outermost points, 0 of a
+    map that does not end; pull: by the liquid where faces do not touch [N], which is carried beside the load.
+    """
+
+    load: float
+    mean_pressure: float
+    nominal_area: float
+    area: float
+    area_pixels: float
+    perimeter: float
+    separation: float
+    mean_gap: float
+    approach: float | None
+    stiffness: float
+    plastic_area: float
+    plastic_share: float
+    residual: float
+    load_error: float
+    steps: int
+    points: int
+    load_at_ends: float
+    doubts: tuple[MapDoubt, ...] = ()
+    pressure: np.ndarray | None = field(default=None, repr=False)
+    pull: float = 0.0
+
+
+@dataclass(frozen=True)
+class MapContacts:
+    """Contacts at rising loads, as a sequence; doubts: of the map at all loads; complete: False where it was interrupted."""
+
+    contacts: tuple[MapContact, ...]
+    doubts: tuple[MapDoubt, ...]
+    complete: bool = True
+
+    def __getitem__(self, index: int) -> MapContact:
+        return self.contacts[index]
+
+    def __len__(self) -> int:
+        return len(self.contacts)
+
+    def __iter__(self) -> Iterator[MapContact]:
+        return iter(self.contacts)
+
+    def array(self, name: str) -> np.ndarray:
+        """A number of every contact by its name, as an array over the loads."""
+        return np.array([getattr(contact, name) for contact in self.contacts], dtype=float)
+
+
+@dataclass(frozen=True)
+class Progress:
+    """Where a solution is. load: number of the load, from 0, of `loads`; step; residual: to fall to the tolerance."""
+
+    load: int
+    loads: int
+    step: int
+    residual: float
+
+
+def solve_map(
+    heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool,
+    film: Film | None = None, counter_film: Film | None = None, hardness: float | None = None,
+    menisci: Menisci | None = None, **how,
+) -> MapContacts:  # fmt: skip
+    """Contact of the map with a rigid flat face that is pressed on its highest points, at every load.
+
+    heights: (rows, columns) [m], finite, not all alike; size: (y, x) [m]; modulus: effective modulus E* of both bodies [Pa], of
+    what carries no film where there is one, or one on each (infinite: the other is rigid); loads: [N], > 0, any order;
+    periodic: whether the map is one period of an endless surface, or a window of it, which its mirror images continue;
+    hardness: the largest pressure [Pa], None: elastic; menisci: of the liquid between the faces, in equilibrium with its
+    vapour, None: dry. Further, by name: free: whether nothing presses outside of a map that is not periodic (False);
+    tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness:
+    whether it is computed (True); progress: called with a `Progress` before every step; done: called with each contact that
+    is found. Results are in the order of the loads.
+
+    A load that did not converge has a doubt `not_converged`. Interrupted by the keyboard, it gives the loads that are done.
+    Raises InputError for what cannot be used, also for a load that the hardness cannot carry, or too little memory.
+    """
+    asked = _Asked.of(heights, size, hardness, loads, periodic, _How.of(**how), menisci)
+    compliance = Compliance(modulus, film, counter_film)
+    of_map = doubts_of_map(asked.heights, asked.size, film or counter_film, periodic)
+    order = np.argsort(asked.pressures, kind="stable")
+    done: dict[int, MapContact] = {}
+    try:
+        for index, contact in zip(order, _rising(asked, compliance, asked.pressures[order]), strict=True):
+            done[int(index)] = contact
+            if asked.how.done is not None:
+                asked.how.done(contact)
+    except KeyboardInterrupt:
+        if not done:
+            raise
+    return MapContacts(tuple(done[index] for index in sorted(done)), of_map, len(done) == len(order))
+
+
+def checked(heights: np.ndarray, size: tuple[float, float], loads: Sequence[float], periodic: bool, how: dict) -> None:
+    """InputError for a map, loads or keywords that `solve_map` refuses."""
+    rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness", "menisci")}
+    _Asked.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest), how.get("menisci"))
+
+
+@dataclass(frozen=True)
+class _How:
+    free: bool = False
+    tolerance: float = TOLERANCE
+    most_steps: int = MOST_STEPS
+    keep_maps: bool = True
+    stiffness: bool = True
+    progress: Callable[[Progress], None] | None = None
+    done: Callable[[MapContact], None] | None = None
+
+    @classmethod
+    def of(cls, **how) -> "_How":
+        known = [entry.name for entry in fields(cls)]
+        for name in how:
+            if name not in known:
+                raise InputError(name, how[name], f"nothing: known are {nearest(name, known)}")
+        made = cls(**how)
+        if not 0.0 < made.tolerance < 1.0:
+            raise InputError("tolerance", made.tolerance, "> 0, < 1")
+        return made
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What was asked for, checked."""
+
+    heights: np.ndarray
+    size: tuple[float, float]
+    hardness: float
+    pressures: np.ndarray
+    periodic: bool
+    how: _How
+    menisci: Menisci | None
+
+    @property
+    def ends(self) -> bool:
+        """Whether the map ends, and nothing presses outside of it."""
+        return self.how.free and not self.periodic
+
+    @classmethod
+    def of(cls, heights, size, hardness, loads, periodic, how, menisci) -> "_Asked":
+        size = size_in_metres(size)
+        loads = np.atleast_1d(np.asarray(loads, dtype=float))
+        if loads.ndim != 1 or loads.size == 0 or not (np.isfinite(loads) & (loads > 0.0)).all():
+            raise InputError("loads", loads.tolist(), "a list of finite loads > 0 N")
+        require_memory(np.shape(heights), free=how.free and not periodic, kept=len(loads) if how.keep_maps else 1)
+        heights = usable_map(heights)
+        hardness = math.inf if hardness is None else float(hardness)
+        pressures = loads / (size[0] * size[1])
+        if not hardness > 0.0:
+            raise InputError("hardness", hardness, "> 0 Pa, or none: elastic")
+        if pressures.max() >= hardness:
+            allowed = f"< {hardness * size[0] * size[1]:.6g} N, the hardness times the area of the map"
+            raise InputError("loads", float(loads.max()), allowed)
+        return cls(heights, size, hardness, pressures, periodic, how, menisci)
+
+
+def usable_map(heights) -> np.ndarray:
+    heights = np.ascontiguousarray(heights, dtype=np.float64)
+    if heights.ndim != 2 or min(heights.shape) < 4:
+        raise InputError("heights", f"shape {heights.shape}", "(rows, columns), at least 4 of each")
+    bad = int(heights.size - np.count_nonzero(np.isfinite(heights)))
+    if bad:
+        raise InputError(
+            "heights", f"{bad} of {heights.size} points not finite", "a height at every point: fill missing ones first"
+        )
+    if float(heights.min()) == float(heights.max()):
+        raise InputError("heights", "all alike", "a rough map: a flat face touches everywhere")
+    return heights
+
+
+def _rising(asked: _Asked, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
+    """Contacts at rising mean pressures, each from the one before."""
+    boundary = PeriodicBoundary if asked.periodic else FreeBoundary if asked.ends else MirroredBoundary
+    displacement = boundary(compliance, asked.heights.shape, asked.size)
+    length = rms_step(asked.heights)
+    start = None
+    for index, mean in enumerate(pressures.tolist()):
+        if start is None:
+            start = _from_coarser(asked, compliance, boundary, mean, asked.heights)
+        problem = Problem(displacement, asked.heights, mean, asked.hardness, length)
+        seen = None
+        if asked.how.progress is not None:
+            seen = _reporting(asked.how.progress, index, len(pressures))
+        held = condense(problem, asked.menisci, start, tolerance=asked.how.tolerance, most=asked.how.most_steps, seen=seen)
+        yield _contact(asked, problem, held, displacement.knows_approach)
+        start = held.found.pressure * (pressures[min(index + 1, len(pressures) - 1)] / held.found.pressure.mean())
+
+
+def _reporting(progress, index, loads):
+    return lambda step, residual: progress(Progress(index, loads, step, residual))
+
+
+def _from_coarser(asked, compliance, boundary, mean, heights) -> np.ndarray:
+    """A first pressure: the solution of every second point, found the same way; of a small map, the mean everywhere."""
+    if min(heights.shape) < 2 * _COARSE or any(count % 2 for count in heights.shape):
+        return np.full(heights.shape, mean)
+    coarse = np.ascontiguousarray(heights[::2, ::2])
+    start = _from_coarser(asked, compliance, boundary, mean, coarse)
+    problem = Problem(boundary(compliance, coarse.shape, asked.size), coarse, mean, asked.hardness, rms_step(coarse))
+    found = minimise(problem, start, tolerance=_COARSE_TOLERANCE, most=asked.how.most_steps)
+    return found.pressure.repeat(2, axis=0).repeat(2, axis=1)
+
+
+def _contact(asked: _Asked, problem: Problem, held: Condensed, knows_approach: bool) -> MapContact:
+    """The numbers of one load. What presses the solids is the pressure found, less the suction of the liquid around them."""
+    found, gap = held.found, held.found.gap
+    suction = 0.0 if asked.menisci is None else asked.menisci.pressure
+    nominal = asked.size[0] * asked.size[1]
+    pixel = nominal / gap.size
+    contact, flows = found.pressure > 0.0, found.pressure >= asked.hardness + suction
+    pressure = found.pressure if asked.menisci is None else _of_solids(found.pressure, suction)
+    mean = float(found.pressure.mean())
+    plastic = int(np.count_nonzero(flows))
+    corrected, perimeter = _without_excess(asked, pressure, pixel)
+    free = contact & ~flows
+    per_area = stiffness_per_area(problem.displacement, free, pressure) if asked.how.stiffness else math.nan
+    wanted = problem.mean + suction * float(held.wet.mean())
+    error = abs(mean / wanted - 1.0)
+    highest = float(asked.heights.max())
+    return MapContact(
+        load=float(problem.mean) * nominal,
+        mean_pressure=float(problem.mean),
+        nominal_area=nominal,
+        area=corrected,
+        area_pixels=int(np.count_nonzero(contact)) * pixel,
+        perimeter=perimeter,
+        separation=-found.offset - float(asked.heights.mean()),
+        mean_gap=float(np.mean(gap, where=gap > 0.0)) * float(np.mean(gap > 0.0)) if (gap > 0.0).any() else 0.0,
+        approach=highest + found.offset if knows_approach else None,
+        stiffness=per_area * nominal,
+        plastic_area=plastic * pixel,
+        plastic_share=plastic * asked.hardness / float(pressure.sum()) if plastic else 0.0,
+        residual=found.residual,
+        load_error=error,
+        steps=found.steps,
+        points=int(np.count_nonzero(contact)),
+        load_at_ends=share_at_ends(pressure) if asked.ends else 0.0,
+        doubts=doubts_of_load(found, error, asked.ends, asked.how.tolerance),
+        pressure=pressure if asked.how.keep_maps else None,
+        pull=suction * (int(np.count_nonzero(held.wet)) * pixel - corrected) if suction else 0.0,
+    )
+
+
+def _of_solids(pressure: np.ndarray, suction: float) -> np.ndarray:
+    """What the solids bear of the pressure over the suction: next to nothing where points touch, and are drawn together."""
+    return np.where(pressure > 0.0, np.maximum(pressure - suction, np.finfo(float).tiny), 0.0)
+
+
+def _without_excess(asked: _Asked, pressure: np.ndarray, pixel: float) -> tuple[float, float]:
+    """Area [m2] without what pixels at edges add, and length of the edges [m]."""
+    sides = edges(pressure > 0.0, asked.periodic)
+    counted = int(np.count_nonzero(pressure)) * pixel
+    corrected = counted - PIXEL_EXCESS * sides.count * pixel
+    least = float(pressure.sum()) * pixel / asked.hardness
+    pitch = asked.size[0] / pressure.shape[0], asked.size[1] / pressure.shape[1]
+    perimeter = 0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1])
+    return max(corrected, least), perimeter

@@ -1,0 +1,60 @@
+"""Contacts of one periodic map that adheres, in the form of contacts that do not.
+
+The faces attract each other over a range rho (see `adhesive`). "atomic_range": that of atoms, which few maps resolve;
+"shortest_range": the shortest that the points of the map resolve, two of them along the length E* rho^2/w over which the edge
+of contact is pulled. The shorter it is, the nearer to Johnson, Kendall & Roberts.
+"""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.solvers.boundary_elements.adhesive import AdhesiveContact, solve_adhesive
+from stiction.solvers.boundary_elements.bodies import Bodies
+from stiction.solvers.boundary_elements.compliance import Compliance
+from stiction.solvers.boundary_elements.curve import MapCurve, of_map
+from stiction.solvers.boundary_elements.limits import LEAST_POINTS
+from stiction.solvers.boundary_elements.solve import MapContact
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
+
+__all__ = ["shortest_range", "sticking_curve"]
+
+
+def shortest_range(surface: "HeightMap", bodies: Bodies, work: float) -> float:
+    """The range of attraction [m] that the points of a map just resolve; work: of adhesion [J/m2]."""
+    near = Compliance(bodies.modulus, bodies.film, bodies.counter_film).near
+    return math.sqrt(LEAST_POINTS * max(surface.pitch) * near * work)
+
+
+def sticking_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[float], *, work: float, reach: float) -> MapCurve:
+    """Contacts at nominal pressures [Pa] in the order given, negative: pulled, each from the one before. work: of adhesion
+    [J/m2]; reach: range of attraction [m]. Raises InputError for a map that ends, for bodies that flow, for films on both."""
+    if not surface.periodic:
+        raise InputError("adhesion", "on a map that ends", "left_out, or one period of a surface (periodic = true)")
+    if bodies.hardness is not None:
+        raise InputError("yielding", "at_hardness", "none: adhesion is solved for elastic bodies")
+    if bodies.counter_film is not None:
+        raise InputError("coating.bodies", "both", "first or second, where a map adheres")
+    whole = surface.size[0] * surface.size[1]
+    found = solve_adhesive(
+        surface.heights, surface.size, modulus=bodies.modulus, film=bodies.film, work=work, reach=reach,
+        loads=[float(pressure) * whole for pressure in pressures],
+    )  # fmt: skip
+    numbers = of_map(surface, bodies, 1) | {"adhesion_range": reach, "points_at_edge": found[0].points_at_edge}
+    contacts = tuple(_as_contact(one, whole) for one in found)
+    return MapCurve(contacts, 1, numbers, {"attraction_residual": np.array([one.residual for one in found])})
+
+
+def _as_contact(one: AdhesiveContact, whole: float) -> MapContact:
+    """Faces that do not touch are infinitely far apart. The pressure is left out: it pulls also where there is contact."""
+    return MapContact(
+        load=one.load, mean_pressure=one.load / whole, nominal_area=whole, area=one.area, area_pixels=one.area_pixels,
+        perimeter=one.perimeter, separation=one.mean_gap, mean_gap=one.mean_gap, approach=None, stiffness=math.nan,
+        plastic_area=0.0, plastic_share=0.0, residual=math.nan, load_error=math.nan, steps=0, points=one.points,
+        load_at_ends=0.0, doubts=one.doubts,
+    )  # fmt: skip

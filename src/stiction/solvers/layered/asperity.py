@@ -1,0 +1,190 @@
+r"""One elastic asperity on a film, as formulas: without adhesion or with DMT's, and with the energy of its edge (JKR).
+
+The coordinate is u = x^(1/4), x = a^2/(R sigma). A row of parameters is ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1), t_1 the
+thickness of one film, the pull, and the coefficients of two or three of `solvers.layered.curves`: with z = (q - 1)/(q + 1), q =
+per_root u, the sphere's moduli E_P, E_S, B over that of the bodies without a film, and D in the approach D a^2/R.
+
+    w_H = D u^4,  P_H = E_P u^6,  dP_H/dw_H = (3/2) E_S u^2,  A = u^4
+
+DMT's adhesion is a pull of 2 pi n_g/theta. JKR's follows from energy alone, for bodies layered in any way: at a given radius
+the load is a flat punch's less than P_H, and the energy that the edge releases is the work of adhesion,
+
+    w = w_H - s u/sqrt(B),  P = P_H - (3/2) s E_S u^3/sqrt(B),  s = (2/3) sqrt(6 pi n_g/theta)
+
+in SI delta = delta_H - sqrt(4 pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare
+Barthel & Perriot 2007; the limit of short-ranged forces).
+"""
+
+import math
+
+from stiction.engine.compiled import formula
+from stiction.engine.vectorised import exponential
+from stiction.solvers.layered.curves import TERMS
+
+# Parameters before the coefficients; all of a contact without the edge's energy, and with it.
+HEAD = 3
+_APPROACH, PLAIN, EDGED = HEAD + TERMS, HEAD + 2 * TERMS, HEAD + 3 * TERMS
+_MOST_STEPS = 100
+
+
+@formula
+def _place(u, per_root):
+    """z, and (1 - z^2)/2 = dz/d ln u. At infinite u they are 1 and 0."""
+    rest = 1.0 / (per_root * u + 1.0)
+    return 1.0 - 2.0 * rest, 2.0 * rest * (1.0 - rest)
+
+
+@formula
+def _next(z, sums, coefficient):
+    """Horner's step of a polynomial and of its derivative."""
+    value, slope = sums
+    return value * z + coefficient, slope * z + value
+
+
+@formula
+def _polynomial(z, c):
+    """Sum c_k z^k and its derivative; step by step, because a loop over a tuple is not unrolled in time to be vectorised."""
+    sums = _next(z, _next(z, _next(z, (c[18], 0.0), c[17]), c[16]), c[15])
+    sums = _next(z, _next(z, _next(z, sums, c[14]), c[13]), c[12])
+    sums = _next(z, _next(z, _next(z, sums, c[11]), c[10]), c[9])
+    sums = _next(z, _next(z, _next(z, sums, c[8]), c[7]), c[6])
+    sums = _next(z, _next(z, _next(z, sums, c[5]), c[4]), c[3])
+    return _next(z, _next(z, _next(z, sums, c[2]), c[1]), c[0])
+
+
+@formula
+def _curve(z, by_u, c):
+    """Sum c_k z^k times 1 - z^2, and its derivative by ln u."""
+    value, slope = _polynomial(z, c)
+    return 2.0 * by_u * value, by_u * (2.0 * by_u * slope - 2.0 * z * value)
+
+
+@formula
+def _hertzian(u, row):
+    """z, dz/d ln u, E_P, D, and the derivatives of their logarithms by ln u."""
+    z, by_u = _place(u, row[1])
+    load, load_slope = _curve(z, by_u, row[HEAD:_APPROACH])
+    approach, approach_slope = _curve(z, by_u, row[_APPROACH:PLAIN])
+    E_P = exponential(0.5 * (1.0 - z) * row[0] + load)
+    return z, by_u, E_P, exponential(approach), load_slope - 0.5 * by_u * row[0], approach_slope
+
+
+@formula
+def plain(u, *row):
+    """Without the edge's energy: displacement, its derivative by u, load less the pull, area."""
+    _, _, E_P, D, _, approach_slope = _hertzian(u, row)
+    u3 = u * u * u
+    return D * u3 * u, D * u3 * (4.0 + approach_slope), E_P * u3 * u3 - row[2], u3 * u
+
+
+@formula
+def _edge(z, by_u, row):
+    """1/sqrt(B), and its logarithm's derivative by ln u."""
+    edge, edge_slope = _curve(z, by_u, row[PLAIN:EDGED])
+    return exponential(-0.25 * (1.0 - z) * row[0] - 0.5 * edge), -0.5 * edge_slope + 0.25 * by_u * row[0]
+
+
+@formula
+def _stiffness(E_P, D, load_slope, approach_slope):
+    """(3/2) E_S = (dP_H/du)/(dw_H/du)/u^2."""
+    return E_P * (6.0 + load_slope) / (D * (4.0 + approach_slope))
+
+
+@formula
+def parted(u, row):
+    """P_H, and by how much the load of an adhesive contact on the same radius is less."""
+    z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
+    u3, softness = u * u * u, _edge(z, by_u, row)[0]
+    return E_P * u3 * u3, _stiffness(E_P, D, load_slope, approach_slope) * row[2] * softness * u3
+
+
+@formula
+def edged(u, *row):
+    """With the edge's energy; the pull is s."""
+    z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
+    softness, softness_slope = _edge(z, by_u, row)
+    u3, back = u * u * u, row[2] * softness
+    stiffness = _stiffness(E_P, D, load_slope, approach_slope)
+    stretch = D * u3 * (4.0 + approach_slope) - back * (1.0 + softness_slope)
+    return u * (D * u3 - back), stretch, u3 * (E_P * u3 - stiffness * back), u3 * u
+
+
+@formula
+def plain_coordinate(w, *row):
+    """u at the displacement w, by Newton's method in logarithms: ln w_H rises with ln u, by slopes near to 4."""
+    if not w > 0.0:
+        return 0.0
+    if w == math.inf:
+        return math.inf
+    u = math.sqrt(math.sqrt(w))
+    for _ in range(_MOST_STEPS):
+        _, _, _, D, _, approach_slope = _hertzian(u, row)
+        step = math.log(D * u * u * u * u / w) / (4.0 + approach_slope)
+        u *= math.exp(-step)
+        if abs(step) <= 1e-14:
+            break
+    return u
+
+
+@formula
+def _approached(w, row):
+    """u at the displacement w >= 0: with w + v in place of w_H, v the edge's part, ln(w_H/(w + v)) rises with ln u (Newton)."""
+    u = max(math.sqrt(math.sqrt(w)), max(row[2], 1e-200) ** (1.0 / 3.0))
+    for _ in range(_MOST_STEPS):
+        z, by_u, _, D, _, approach_slope = _hertzian(u, row)
+        softness, softness_slope = _edge(z, by_u, row)
+        back = row[2] * softness * u
+        slope = 4.0 + approach_slope - back / (w + back) * (1.0 + softness_slope)
+        step = min(max(math.log(D * u * u * u * u / (w + back)) / slope, -2.0), 2.0)
+        u *= math.exp(-step)
+        if abs(step) <= 1e-14:
+            break
+    return u
+
+
+@formula
+def touch(row):
+    """u at which w = 0 under the edge's energy: where contact is made."""
+    return _approached(0.0, row)
+
+
+@formula
+def edged_coordinate(w, *row):
+    """u at the displacement w on the side where that grows with u."""
+    if w == math.inf:
+        return math.inf
+    if w >= 0.0:
+        return _approached(w, row)
+    low = high = touch(row)
+    while edged(low, *row)[0] > w and edged(low, *row)[1] > 0.0:
+        high = low
+        low = 0.9 * low
+    for _ in range(_MOST_STEPS):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        here = edged(middle, *row)
+        if here[0] < w or here[1] <= 0.0:
+            low = middle
+        else:
+            high = middle
+    return high
+
+
+@formula
+def pulled_off(row):
+    """u at which a contact that is drawn apart comes off at a given displacement: dw/du = 0, the first on the way back from
+    where it was made."""
+    low = high = touch(row)
+    while edged(low, *row)[1] > 0.0:
+        high = low
+        low = 0.97 * low
+    for _ in range(_MOST_STEPS):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        if edged(middle, *row)[1] > 0.0:
+            high = middle
+        else:
+            low = middle
+    return high

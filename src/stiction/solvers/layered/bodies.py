@@ -1,0 +1,69 @@
+"""The elastic bodies that the groups of a contact stand for: which pair meets, and which of the two carry a film."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.quantities.errors import InputError
+from stiction.solvers.layered.compliance import Layer, Pair
+from stiction.solvers.layered.waves import CoatedBody
+
+__all__ = ["Bodies", "bodies_of", "film_share", "per_root"]
+
+# A film that is not there; one without an end.
+_THINNEST, _THICKEST = 1e-60, 1e200
+_NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
+
+
+class Bodies(NamedTuple):
+    """pair: the two bodies, as their compliance counts; coated: those with a film, with elastic constants of their own. Of
+    their film the plane-strain modulus, over that of both bodies together without a film; of the other body, where that is
+    bare, the share in their compliance and Poisson's ratio."""
+
+    pair: Pair
+    coated: tuple[CoatedBody, ...]
+    film_modulus: float
+    bare_share: float
+    bare_nu: float
+
+
+def per_root(groups: Groups) -> np.ndarray:
+    """(R sigma)^(1/4)/sqrt(t_1), t_1 the thickness of one film (n,), of complete groups: times x^(1/4) it is sqrt(a/t_1)."""
+    aspect = np.broadcast_to(groups.film_aspect / groups.films, len(groups))
+    return 1.0 / np.sqrt(np.clip(aspect, _THINNEST, _THICKEST))
+
+
+def columns_of(groups: Groups) -> np.ndarray:
+    """What decides the bodies (6, n), of complete groups."""
+    return np.stack([np.broadcast_to(getattr(groups, name), len(groups)) for name in _NAMED])
+
+
+def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Of rows as of `columns_of`: the film's share (n,) in the compliance of the surfaces that meet, which is all of it if both
+    bodies are coated, and the modulus of the film over that of its body. Raises InputError for bodies that cannot be."""
+    n_E, bodies, first = given[:3]
+    one = bodies == 1.0
+    share = np.where(one, 1.0 - (1.0 - first) * n_E, 1.0)
+    if (share <= 0.0).any():
+        at = int(np.argmax(share <= 0.0))
+        raise InputError("n_E", float(n_E[at]), f"less than 1/(1 - coated_share), {1.0 / (1.0 - first[at]):.6g} here")
+    return share, np.where(one, first * n_E / share, n_E)
+
+
+def bodies_of(groups: Groups) -> tuple[list[Bodies], np.ndarray]:
+    """The different bodies among n contacts with a film, and which of them each contact has (n,). Complete groups."""
+    each, which = np.unique(columns_of(groups), axis=1, return_inverse=True)
+    return [_bodies(row) for row in each.T], np.ravel(which)
+
+
+def _bodies(given: np.ndarray) -> Bodies:
+    n_E, films, first, nu, nu_first, nu_second = map(float, given)
+    (share,), (ratio,) = film_share(given[:, None])
+    if films == 1.0:
+        body = CoatedBody(float(ratio), nu, nu_first)
+        pair = (Layer.of(float(share), body.ratio, nu, nu_first),)
+        return Bodies(pair, (body,), n_E / float(share), 1.0 - first, nu_second)
+    coated = CoatedBody(2.0 * n_E * first, nu, nu_first), CoatedBody(2.0 * n_E * (1.0 - first), nu, nu_second)
+    layers = sorted((Layer.of(0.5, one.ratio, nu, one.nu_below) for one in coated), key=lambda one: (one.ratio, one.excess))
+    return Bodies(tuple(layers), coated, 2.0 * n_E, 0.0, nu_second)

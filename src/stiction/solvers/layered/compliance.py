@@ -1,0 +1,83 @@
+r"""How an elastic half-space that carries a film yields to pressure, wave by wave; and two bodies that meet.
+
+A pressure p cos(kx) on the bonded film displaces its surface by u = C(k) p cos(kx). With x = k t, t the thickness,
+
+    C = (2/(E1 k)) c(x),  c = [1 + 4 x K e - L K e^2] / [1 - (L + K + 4 K x^2) e + L K e^2],  e = exp(-2 x),
+
+E1 the film's plane-strain modulus E/(1 - nu^2). Source: the frequency response of a layered half-space as Nogi & Kato (1997)
+and O'Sullivan & King (1988) have it, known here from secondary sources; derived again from displacements and tractions that
+are continuous at the interface (reference/make_layered.py solves these six equations one wave at a time). L and
+K, like everything that the surface of a bilayer shows under given pressure, depend on the elastic constants through Dundurs'
+two parameters only (Dundurs 1969): K = (alpha - beta)/(1 - beta), L = (alpha + beta)/(1 + beta). c is 1 for short waves,
+which know the film only, and E1/E2 for long ones, which know the substrate only.
+
+Without friction both bodies feel the same pressure and their displacements add: whatever they are, and whichever carries a
+film, a contact of two has the sum of their compliances. No approximation is needed for an elastic counterbody, nor for films on
+two unlike bodies.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+__all__ = ["Layer", "Pair", "compliance"]
+
+
+@dataclass(frozen=True)
+class Layer:
+    """A film on one of the two bodies.
+
+    share: of this film in the compliance of the two surfaces that meet, above 0, at most 1. ratio: plane-strain modulus of the
+    film over that of the body below, finite; 0 if that is rigid. excess: how Poisson's ratios enter, -1 to 1: 4 beta - alpha of
+    Dundurs' parameters, see `of`.
+    """
+
+    share: float
+    ratio: float
+    excess: float
+
+    @classmethod
+    def of(cls, share: float, ratio: float, nu: float, nu_below: float) -> "Layer":
+        """From Poisson's ratios, 0 to 0.5, of the film and of the body below."""
+        return cls(share, ratio, float(poisson_excess(ratio, nu, nu_below)))
+
+
+Pair = tuple[Layer, ...]
+"""One film, or one on each body, all of one thickness. What their shares leave of 1 is a body without a film."""
+
+
+def poisson_excess(ratio, nu, nu_below):
+    """4 beta - alpha, Dundurs' parameters of a film on a body; -1 to 1, for any ratio of moduli the same range. Arrays.
+
+    alpha = (E1 - E2)/(E1 + E2) of plane-strain moduli; beta = (m (1 - 2 nu_2) - (1 - 2 nu_1))/(2 m (1 - nu_2) + 2 (1 - nu_1)),
+    m the ratio of the shear moduli (Dundurs 1969, as commonly restated).
+    """
+    softness, softness_below = 1.0 - nu, 1.0 - nu_below
+    shear = ratio * softness / softness_below
+    beta = (shear * (2.0 * softness_below - 1.0) - (2.0 * softness - 1.0)) / (2.0 * (shear * softness_below + softness))
+    return 4.0 * beta - (ratio - 1.0) / (ratio + 1.0)
+
+
+def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
+    """c(x) of one film."""
+    alpha = (ratio - 1.0) / (ratio + 1.0)
+    beta = (excess + alpha) / 4.0
+    K, L = (alpha - beta) / (1.0 - beta), (alpha + beta) / (1.0 + beta)
+    e = np.exp(-2.0 * x)
+    return (1.0 + 4.0 * x * K * e - L * K * e * e) / (1.0 - (L + K + 4.0 * K * x * x) * e + L * K * e * e)
+
+
+def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
+    """Compliance (n,) of both bodies together at the wavenumbers x = k t (n,), over that of the two surfaces that meet as
+    half-spaces, 2/(E1 k); t is the thickness of one film."""
+    whole = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
+    for layer in pair:
+        whole += layer.share * _film(x, layer.ratio, layer.excess)
+    return whole
+
+
+def modulus_without_film(pair: Pair) -> float:
+    """Plane-strain modulus of both bodies together without any film, over that of the two surfaces that meet; infinite if both
+    are rigid."""
+    long_waves = 1.0 - sum(layer.share * (1.0 - layer.ratio) for layer in pair)
+    return 1.0 / long_waves if long_waves > 0.0 else np.inf

@@ -1,0 +1,69 @@
+r"""What a sphere that is pressed and dragged makes of a film at the trailing edge of its contact: von Mises.
+
+There the square of the von Mises stress is a square form in the mean pressure s and the mean traction q,
+
+    M = D (A s^2 + 2 B s q + q^2),
+
+A, B and D functions of the radius over the thickness: those of a half-space of the film for small contacts, those of a film
+that is stretched as the surface below it for wide ones. Under them all is `Stresses`, at one place of the surface.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from stiction.engine.one_thread import on_one_thread
+from stiction.solvers.layered.bodies import Bodies
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.first_yield import forms_of, stretched
+from stiction.solvers.layered.stresses import Radial, Stresses
+from stiction.solvers.layered.waves import CoatedBody
+
+__all__ = ["EDGE_TERMS", "FORMS", "edge_curves"]
+
+FORMS, EDGE_TERMS = 3, 17
+# Contact radii of the solutions, over the thickness of a film; what a film adds is good to exp(-_REACH).
+_RADII = np.concatenate([[1e-5, 1e-4, 1e-3, 0.005, 0.02, 0.06], np.geomspace(0.14, 200.0, 21)])
+_REACH = 12.0
+# What the size of the c_k counts: beyond the radii they are held by nothing else.
+_HOLD = 1e-3
+_PLACE = np.array([1.0]), np.array([0.0])
+
+
+@lru_cache(maxsize=256)
+@on_one_thread
+def edge_curves(bodies: Bodies) -> np.ndarray:
+    """ln D, A and B as rows (FORMS, 2 + EDGE_TERMS): the values f and g of a half-space of the film and of a film without
+    thickness, and c_k in (1 - z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k, z as in `curves`. Of two unlike bodies, at every
+    radius, that whose film the traction stresses more."""
+    each = [_of_body(bodies, body) for body in dict.fromkeys(bodies.coated)]
+    whole = np.stack(each)
+    worse = np.take_along_axis(whole, whole[:, :, :1].argmax(axis=0)[None], axis=0)[0]
+    root = np.sqrt(_RADII)
+    z = (root - 1.0) / (root + 1.0)
+    ends, inner = worse[[0, -1]], worse[1:-1]
+    left = inner - np.outer((1.0 - z) / 2.0, ends[0]) - np.outer((1.0 + z) / 2.0, ends[1])
+    held = np.concatenate([chebyshev.chebvander(z, EDGE_TERMS - 1), _HOLD * np.eye(EDGE_TERMS)])
+    wanted = np.concatenate([left / (1.0 - z * z)[:, None], np.zeros((EDGE_TERMS, FORMS))])
+    series = np.linalg.lstsq(held, wanted, rcond=None)[0]
+    powers = np.stack([np.pad(p, (0, EDGE_TERMS - p.size)) for p in map(chebyshev.cheb2poly, series.T)])
+    return np.column_stack([*ends, powers])
+
+
+def _of_body(bodies: Bodies, body: CoatedBody) -> np.ndarray:
+    """ln D, A and B without end, at the radii and without thickness: (radii + 2, FORMS)."""
+    solved = [_forms(Stresses(bodies.pair, body, float(radius), _REACH).in_film(*_PLACE)) for radius in _RADII]
+    return np.array([_forms(half_space(body.nu)), *solved, _forms(stretched(half_space(body.nu_below), body))])
+
+
+@lru_cache(maxsize=64)
+def half_space(nu: float) -> Radial:
+    """The stresses of a half-space there."""
+    return Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5).in_film(*_PLACE)
+
+
+def _forms(radial: Radial) -> tuple[float, float, float]:
+    """The traction is ahead of the edge that trails."""
+    A, B, D, _ = (float(one[0, 0]) for one in forms_of(radial))
+    return np.log(D), A / D, -B / D

@@ -1,0 +1,215 @@
+r"""Where a sphere that is pressed and dragged first makes its film, or the body below, yield: von Mises.
+
+The square of the von Mises stress at a place is a square form in the mean pressure s and the mean traction q. At depth z and
+radius r, in the direction theta from that of the traction,
+
+    M = A s^2 + 2 B s q cos(theta) + [C + (D - C) cos^2(theta)] q^2,
+
+of which the largest over theta has a closed form; the largest over r and z is looked for on a grid that is dense where
+stresses change, and between its points by parabolas. Its root N(s, q) is a norm, of the film and of the body: they yield where
+N reaches their yield stress. Without end it is a film's (or, for a contact much wider than the film, the body's) own half-space
+that is felt; a film on a wide contact is stretched as the surface below it.
+"""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from stiction.engine.one_thread import on_one_thread
+from stiction.solvers.layered.compliance import Layer
+from stiction.solvers.layered.stresses import Radial, Stresses
+from stiction.solvers.layered.waves import CoatedBody
+
+__all__ = ["ANGLES", "PARTS", "PLACES", "Yield", "at_interface", "first_yield", "norms", "table_of_norms"]
+
+# Where the largest is looked for by itself, so that each is a smooth function of a/t: on the film's surface, at the edge of the
+# contact, inside the film, where it meets the body, in the body.
+PARTS = 5
+# Directions in the plane of pressure and traction, arctan(q/s), of the tables; and z = (p - 1)/(p + 1), p = (a/t)^(1/2).
+ANGLES = np.linspace(0.0, np.pi / 2.0, 61)
+PLACES = np.linspace(-1.0, 1.0, 161)
+_SOLVED = np.concatenate(
+    [[-0.8, -0.65, -0.5, -0.4], np.linspace(-0.33, 0.33, 15), [0.42, 0.5, 0.58, 0.66, 0.74, 0.81, 0.87, 0.92]]
+)
+_REACH = 12.0
+# Radii over that of the contact, crowded at its edge; shares of the film's thickness, and of depths below it.
+_RADII = np.concatenate([np.sin(np.linspace(0.0, np.pi / 2.0, 23)), 1.0 + 0.6 * np.linspace(0.0, 1.0, 9)[1:] ** 2])
+_EDGE = 22  # where stresses on the surface have a cusp
+_IN_FILM = (1.0 - np.cos(np.linspace(0.0, np.pi, 11))) / 2.0
+_IN_BODY = 1.4 * np.linspace(0.0, 1.0, 15) ** 1.5
+_WIDE = np.linspace(0.0, 1.5, 24)
+# A, B, D and C of M.
+Forms = tuple[np.ndarray, ...]
+
+
+class Yield(NamedTuple):
+    """First yield under a mean pressure of 1 and a traction in proportion: by how much the von Mises stress is more than the
+    yield stress of the film (`excess`), and where: "film", "interface" (on either side) or "body", x ahead of the axis and z
+    below the surface, over the contact radius."""
+
+    excess: float
+    where: str
+    x: float
+    z: float
+
+
+def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0) -> Yield:
+    """Where it first yields under a traction that is this multiple of the pressure, 0 or more; film_strength: yield stress of
+    the film over that of the body below."""
+    found = []
+    for name, (radial, r, z), strength in zip(("film", "body"), _fields(stresses), (film_strength, 1.0), strict=True):
+        forms = forms_of(radial)
+        square, cosine = _over_directions(forms, 1.0, traction)
+        at = np.unravel_index(square.argmax(), square.shape)
+        ahead = r[at[1]] * cosine[at] * (-1.0 if forms[1][at] < 0.0 else 1.0)
+        between = abs(z[at[0]] - stresses.thickness) < 1e-9 * stresses.thickness
+        largest = _refined(square[..., None], np.ones(square.shape, dtype=bool))[0] ** 0.5
+        found.append(Yield(float(largest / strength), "interface" if between else name, float(ahead), float(z[at[0]])))
+    return max(found)
+
+
+def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
+    """The largest tension across the interface of film and body, 0 if there is none, and the largest shear on it, over the mean
+    pressure, under a traction that is this multiple of the pressure, 0 or more."""
+    r = np.unique(np.concatenate([_RADII, 2.0 * _WIDE * max(1.0, stresses.thickness)]))
+    radial = stresses.in_film(r, np.array([stresses.thickness]))
+    _, _, zz, rz = radial.pressed
+    _, _, zz_dragged, rz_dragged, _, tz = radial.dragged
+    tension = float((zz + traction * np.abs(zz_dragged)).max())
+    square, _ = _over_directions((rz * rz, rz * rz_dragged, rz_dragged**2, tz * tz), 1.0, traction)
+    return max(tension, 0.0), float(square.max() ** 0.5)
+
+
+def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
+    """N of the PARTS (PARTS, m) in the directions (m,) of ANGLES' kind: all but the last are of the film."""
+    (film, _, _), (body, _, _) = _fields(stresses)
+    return np.stack([*_of_film(forms_of(film), angles), _norm(forms_of(body), angles)])
+
+
+@lru_cache(maxsize=64)
+@on_one_thread
+def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
+    """ln N of the films and of the bodies below, whichever of two is larger: (2, PLACES, ANGLES). The body's is of N times
+    1 + (t/a)^2, which is finite where it is not felt."""
+    whole = np.stack([_table(pair, body) for body in bodies]).max(axis=0)
+    with np.errstate(divide="ignore"):
+        felt = -np.log1p(((1.0 - PLACES) / (1.0 + PLACES)) ** 4)[:, None]
+    film = np.concatenate([whole[:3], whole[3:4] + felt]).max(axis=0)
+    return np.stack([film, whole[4]])
+
+
+def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
+    """ln N of the PARTS (PARTS, PLACES, ANGLES), the last two of N times 1 + (t/a)^2."""
+    from scipy.interpolate import Akima1DInterpolator  # slow to import
+
+    radii = ((1.0 + _SOLVED) / (1.0 - _SOLVED)) ** 2
+    solved = np.stack([np.log(norms(Stresses(pair, body, radius, _REACH), ANGLES)) for radius in radii], axis=1)
+    solved[3:] += np.log1p(radii**-2.0)[:, None]
+    film, below = forms_of(_alone(body.nu)), _alone(body.nu_below)
+    thick = np.stack([*np.log(_of_film(film, ANGLES)[:3]), *solved[3:, 0]])
+    # A film of no thickness is stretched alike all through.
+    skin = np.log(_of_film(forms_of(stretched(below, body)), ANGLES))
+    thin = np.stack([*skin, skin.max(axis=0), skin.max(axis=0), np.log(_norm(forms_of(below), ANGLES))])
+    whole = np.concatenate([thick[:, None], solved, thin[:, None]], axis=1)
+    return Akima1DInterpolator(np.concatenate([[-1.0], _SOLVED, [1.0]]), whole, axis=1, method="makima")(PLACES)
+
+
+def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
+    """N of the parts of a film (4, m): its surface but the edge of the contact, the edge, inside, and the last of its depths;
+    the first two (2, m) of a film that is all surface."""
+    rest = np.arange(len(_RADII)) != _EDGE
+    depth, edge = np.arange(forms[0].shape[0])[:, None], ~rest[None, :]
+    surface, last = depth == 0, depth == depth.size - 1
+    places = surface & ~edge, surface & edge, ~surface & ~last & (edge | ~edge), last & (edge | ~edge)
+    square, _ = _squares(forms, angles)
+    return np.stack([np.sqrt(_refined(square, at)) for at in (places if depth.size > 1 else places[:2])])
+
+
+def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
+    """Stresses in film and body, at the radii and depths of the search."""
+    t = stresses.thickness
+    film_r, film_z = _RADII, t * np.minimum(_IN_FILM, 1.0) if t < 1.4 else _thick(t)
+    body_r = _WIDE * max(1.0, t) if t > 0.3 else _RADII
+    body_z = t + _IN_BODY * max(1.0, t)
+    return [
+        (stresses.in_film(film_r, film_z), film_r, film_z),
+        (stresses.in_body(body_r, body_z), body_r, body_z),
+    ]
+
+
+def _thick(t: float) -> np.ndarray:
+    """Depths in a thick film, dense where a half-space is stressed."""
+    return np.concatenate([_IN_BODY, np.geomspace(1.5, t, 4)[1:]]) if t > 1.6 else np.append(_IN_BODY, t)
+
+
+@lru_cache(maxsize=64)
+def _alone(nu: float) -> Radial:
+    """Of a half-space: of a film like its body, of any thickness."""
+    whole = Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5)
+    return whole.in_film(_RADII, _IN_BODY)
+
+
+def stretched(below: Radial, body: CoatedBody) -> Radial:
+    """A film of no thickness on the surface of a half-space, which stretches it."""
+    surface = Radial(*(tuple(one[:1] for one in part) for part in below))
+    stiffer, nu = body.ratio * (1.0 - body.nu**2) / (1.0 - body.nu_below**2), body.nu
+
+    def in_plane(rr, tt, zz):
+        x, y = (stiffer * (one - body.nu_below * (other + zz)) + nu * zz for one, other in ((rr, tt), (tt, rr)))
+        return (x + nu * y) / (1.0 - nu * nu), (y + nu * x) / (1.0 - nu * nu), zz
+
+    (rr, tt, zz, rz), (drr, dtt, dzz, drz, drt, dtz) = surface
+    return Radial((*in_plane(rr, tt, zz), rz), (*in_plane(drr, dtt, dzz), drz, body.shear_ratio * drt, dtz))
+
+
+def forms_of(radial: Radial) -> Forms:
+    """What the stresses make of M."""
+    *along, rt, tz = radial.dragged
+    return (
+        _product(radial.pressed, radial.pressed),
+        _product(radial.pressed, along),
+        _product(along, along),
+        3.0 * (rt * rt + tz * tz),
+    )
+
+
+def _product(one, other) -> np.ndarray:
+    """3/2 of the double contraction of two deviators."""
+    mean = (one[0] + one[1] + one[2]) * (other[0] + other[1] + other[2]) / 3.0
+    return 1.5 * (one[0] * other[0] + one[1] * other[1] + one[2] * other[2] - mean) + 3.0 * one[3] * other[3]
+
+
+def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
+    """The largest M over theta, and |cos(theta)| there. s, q: numbers or arrays that broadcast with the forms."""
+    A, B, D, C = forms
+    across = np.maximum(C - D, 1e-300) * q
+    cosine = np.where(np.abs(B) * s < across, np.abs(B) * s / np.maximum(across, 1e-300), 1.0)
+    cosine = np.where(C > D, cosine, 1.0)
+    return A * s * s + 2.0 * np.abs(B) * s * q * cosine + (C + (D - C) * cosine * cosine) * q * q, cosine
+
+
+def _squares(forms: Forms, angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """M (n, m, angles) in these directions, and |cos(theta)| of the worst place."""
+    return _over_directions(tuple(one[..., None] for one in forms), np.cos(angles), np.sin(angles))
+
+
+def _norm(forms: Forms, angles: np.ndarray) -> np.ndarray:
+    return np.sqrt(_refined(_squares(forms, angles)[0], np.ones(forms[0].shape, dtype=bool)))
+
+
+def _refined(square: np.ndarray, among: np.ndarray) -> np.ndarray:
+    """The largest of (n, m, angles) among some of the places (n, m): (angles,), by parabolas through it and its neighbours."""
+    n, m, count = square.shape
+    where = np.where(among.reshape(-1, 1), square.reshape(-1, count), -1.0).argmax(axis=0)
+    i, j, every = where // m, where % m, np.arange(count)
+    best = square[i, j, every]
+    rise = np.zeros(count)
+    at_edge = (i == 0) & (j == _EDGE)
+    for di, dj, last, at in ((1, 0, n, i), (0, 1, m, j)):
+        before = square[np.maximum(i - di, 0), np.maximum(j - dj, 0), every]
+        after = square[np.minimum(i + di, n - 1), np.minimum(j + dj, m - 1), every]
+        peak = (at > 0) & (at < last - 1) & ~at_edge & (best >= before) & (best >= after)
+        bend = np.maximum(2.0 * best - before - after, 1e-300)
+        rise += np.where(peak, (after - before) ** 2 / (8.0 * bend), 0.0)
+    return best + rise

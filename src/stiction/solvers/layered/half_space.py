@@ -1,0 +1,65 @@
+r"""Stresses that a round contact makes in a half-space, for any smooth pressure, on its surface and below.
+
+The pressure has the Hankel transform P(k) = Integral_0^1 g(s) cos(k s) ds (contact radius 1), g an even polynomial. The
+integrals that stresses are made of are then, with zeta = z + i s, R = sqrt(r^2 + zeta^2), w = r/(R + zeta),
+
+    H_mn = Integral_0^infinity k^m exp(-k z) J_n(k r) P(k) dk = Re Integral_0^1 g(s) K_mn(r, zeta) ds,
+    K_1n = w^n (n R + zeta)/R^3,    K_2n = w^n [(n^2 - 1) R^2 + 3 n R zeta + 3 zeta^2]/R^5
+
+(Lipschitz's integral of J_n, differentiated by zeta). On the real axis they are singular where s = r and z = 0. g is a
+polynomial, so that the path may leave it: from s = -i T, up to where the imaginary axis counts for nothing because g is even,
+along a quarter of an ellipse to s = 1, where nodes crowd. It is as smooth for the surface as for any depth.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+
+from stiction.engine.compiled import kernel
+from stiction.solvers.layered.sphere import value_of
+
+__all__ = ["integrals"]
+
+_CLOSEST = 1e-9  # to the axis, over the contact radius: r = 0 would divide by zero
+# The path's depth T, and what it may be times the order of g, which grows off the axis.
+_DEEPEST, _GROWTH = 0.35, 3.0
+
+
+def integrals(g: np.ndarray, r: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """H_mn at the radii r (m,) and depths z (n,), over the contact radius: (2, 4, n, m), for m = 1, 2 and n = 0 to 3.
+
+    g: coefficients of the pressure, as of `sphere.pressure`.
+    """
+    s, weights = _path(min(_DEEPEST, _GROWTH / g.size))
+    out = np.empty((2, 4, z.size, r.size))
+    _add_up(s, weights * value_of(g, s), np.maximum(r, _CLOSEST), z, out)
+    return out
+
+
+@kernel
+def _add_up(s, weighed, r, z, out):
+    for i in range(z.size):
+        for j in range(r.size):
+            sums = np.zeros(8)
+            for at in range(s.size):
+                zeta = z[i] + 1j * s[at]
+                R = np.sqrt(zeta * zeta + r[j] * r[j])
+                w, inverse = r[j] / (R + zeta), 1.0 / R
+                first = weighed[at] * inverse * inverse * inverse
+                for n in range(4):
+                    both = n * R + zeta
+                    sums[n] += (first * both).real
+                    sums[4 + n] += (first * inverse * inverse * ((n * n - 1) * R * R + 3.0 * zeta * both)).real
+                    first *= w
+            for n in range(4):
+                out[0, n, i, j], out[1, n, i, j] = sums[n], sums[4 + n]
+
+
+@lru_cache(maxsize=64)
+def _path(depth: float) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes s and weights ds of the quarter ellipse."""
+    v, weights = np.polynomial.legendre.leggauss(int(60.0 + 9.0 / depth))
+    v, weights = (v + 1.0) / 2.0, weights / 2.0
+    left, step = np.pi / 2.0 * v**2, np.pi * v
+    s = np.cos(left) - 1j * depth * np.sin(left)
+    return s, weights * step * (np.sin(left) + 1j * depth * np.cos(left))

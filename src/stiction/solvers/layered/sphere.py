@@ -1,0 +1,180 @@
+r"""A rigid paraboloid or flat punch pressed against bodies with a film: the exact elastic solution, without friction.
+
+The pressure p(r) on the contact of radius a is written as P(k) = Integral_0^a g(s) cos(k s) ds, its Hankel transform of order
+zero. Taken through Abel's transform, u(r) = delta - r^2/(2R) becomes a Fredholm equation of the second kind for g (Lebedev &
+Ufliand 1958; the numerical method of Perriot & Barthel 2004), written for a = 1 and moduli over that of the surfaces that meet:
+
+    g(s) + (2/pi) Integral_0^1 K(s, s') g(s') ds' = delta - s^2/R,
+    K(s, s') = Integral_0^infinity [c(k t) - 1] cos(k s) cos(k s') dk,    load = 2 E1 Integral_0^1 g ds,    g(1) = 0.
+
+It is solved by Galerkin's method in even Legendre polynomials, whose transforms are spherical Bessel functions: the equations
+are those of the least elastic energy among these pressures, and errors fall geometrically, at a = 1000 t too, where a boundary
+layer as wide as the film is resolved by the polynomials' crowding at the edge. With the solution g_0 of the flat punch (right
+side 1) and g_2 (right side s^2):
+
+    stiffness S = 2 a E_S, E_S = Integral g_0;   approach delta = D a^2/R, D = g_2(1)/g_0(1);
+    load P = 4 E_P a^3/(3R), E_P = (3/2)(D Integral g_0 - Integral g_2);   dS/da = 2 B, B = g_0(1)^2 (Krein's identity),
+
+and the slopes by ln a from the equation differentiated by s and by a. dP/d delta = S follows from all this, it is not put in.
+"""
+
+from collections.abc import Sequence
+from functools import lru_cache
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from stiction.solvers.layered.compliance import Pair, compliance
+
+__all__ = ["Response", "pressure", "respond", "spherical_waves", "value_of"]
+
+# Waves x = k t between which the compliance is smooth; beyond the last one it is the film's to 1e-9.
+_ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5, 12.0)
+# Most radians of a wave that one rule of nodes spans.
+_LONGEST = 60.0
+
+
+class Response(NamedTuple):
+    """What a sphere feels at one contact radius; moduli over the plane-strain modulus of the two surfaces that meet.
+
+    load: E_P in P = 4 E_P a^3/(3R); approach: D in delta = D a^2/R; stiffness: E_S in dP/d delta = 2 a E_S; edge: B in dS/da =
+    2 B, which is what an adhesive edge feels; load_slope, approach_slope, edge_slope: derivatives of ln E_P, ln D and ln B by
+    ln a.
+    """
+
+    load: float
+    approach: float
+    stiffness: float
+    edge: float
+    load_slope: float
+    approach_slope: float
+    edge_slope: float
+
+
+def respond(pair: Pair, radius: float) -> Response:
+    """The response at the contact radius, over the thickness of one film: above 0, and up to 1000 tried; to 1e-6."""
+    _, _, even, at_edge, edge_slope = _waves(float(radius))
+    softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))
+    to_edge_slope = even @ (softer * edge_slope)
+    edge_0, edge_2 = 1.0 - to_edge @ g_0, 1.0 - to_edge @ g_2
+    slope_0, slope_2 = -to_edge_slope @ g_0, 2.0 - to_edge_slope @ g_2
+    stiffness, approach = g_0[0], edge_2 / edge_0
+    load = 1.5 * (approach * stiffness - g_2[0])
+    rise = (slope_2 - approach * slope_0) / edge_0  # d delta/da, from dg/ds + dg/da = 0 at the edge
+    growth = slope_0 - edge_0 * (softer @ (at_edge * at_edge) + to_edge @ wider)
+    return Response(
+        float(load),
+        float(approach),
+        float(stiffness),
+        float(edge_0 * edge_0),
+        float(1.5 * stiffness * rise / load - 3.0),
+        float(rise / approach - 2.0),
+        float(2.0 * growth / edge_0),
+    )
+
+
+def pressure(pair: Pair, radius: float) -> np.ndarray:
+    """The pressure of a sphere (n,), as coefficients of orthonormal even polynomials in g; mean pressure and contact radius 1.
+
+    P(k) = Integral_0^1 g(s) cos(k s) ds is its Hankel transform. radius: as in `respond`.
+    """
+    _, g_0, g_2, _, to_edge = _solve(pair, float(radius))
+    g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2
+    g[0] -= value_of(g, np.array(1.0))  # the little that is left at the edge would be infinite there
+    return g / (2.0 * g[0])
+
+
+def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Wavenumbers over 1/a (m,), their weights with the factor 2/pi, and the transforms (n, m) of orthonormal even
+    polynomials."""
+    k, weights, even, _, _ = _waves(float(radius))
+    return k, weights, even
+
+
+def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
+    """g(s) of coefficients (n,) of orthonormal even polynomials on 0 to 1; s may be complex."""
+    series = np.zeros(2 * g.size - 1)
+    series[::2] = g * np.sqrt(4.0 * np.arange(g.size) + 1.0)
+    return np.polynomial.legendre.legval(s, series)
+
+
+def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
+    """P(k) at k (m,) > 0, over 1/a."""
+    order = np.arange(g.size)
+    return (g * np.sqrt(4.0 * order + 1.0) * (-1.0) ** order) @ _even_bessel(k, g.size)
+
+
+def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
+    """Weights of the waves times what the compliance is more than the surfaces'; g_0, g_2, and the solution for what the edge
+    adds, as coefficients; and what the edge gets of each coefficient."""
+    k, weights, even, at_edge, _ = _waves(radius)
+    softer = weights * (compliance(k / radius, pair) - 1.0)
+    matrix = (even * softer) @ even.T
+    matrix[np.diag_indices_from(matrix)] += 1.0
+    to_edge = even @ (softer * at_edge)
+    flat, square = np.zeros((2, len(matrix)))
+    flat[0], square[:2] = 1.0, (1.0 / 3.0, 2.0 / (3.0 * 5.0**0.5))
+    g_0, g_2, wider = np.linalg.solve(matrix, np.stack([flat, square, -to_edge], axis=1)).T
+    return softer, g_0, g_2, wider, to_edge
+
+
+@lru_cache(maxsize=256)
+def _waves(radius: float) -> tuple[np.ndarray, ...]:
+    """Wavenumbers k (m,) over 1/a, their weights with the factor 2/pi, the transforms (n, m) of orthonormal even polynomials on
+    0 to 1, cos k, and -k sin k. They know no material, and are kept."""
+    x, weights = gauss(_ENDS, radius)
+    k = radius * x
+    order = np.arange(int(9.0 + 4.0 * radius**0.5))
+    even = _even_bessel(k, order.size) * (np.sqrt(4.0 * order + 1.0) * (-1.0) ** order)[:, None]
+    return k, 2.0 / np.pi * radius * weights, even, np.cos(k), -k * np.sin(k)
+
+
+def gauss(ends: Sequence[float], radius: float) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and weights of Gauss-Legendre over waves x = k t between these ends, dense enough for cos^2(x radius)."""
+    nodes, weights = [], []
+    for low, high in pairwise(ends):
+        places = np.linspace(low, high, 2 + int((high - low) * radius / _LONGEST))
+        t, w = np.polynomial.legendre.leggauss(int(12.0 + (places[1] - low) * radius))
+        half = (places[1] - low) / 2.0
+        nodes.append((places[:-1, None] + half * (t + 1.0)).ravel())
+        weights.append(np.tile(half * w, places.size - 1))
+    return np.concatenate(nodes), np.concatenate(weights)
+
+
+def _even_bessel(k: np.ndarray, count: int) -> np.ndarray:
+    """Spherical Bessel functions (count, m) of the orders 0, 2, 4 ... at k (m,) > 0: by the recurrence upwards where k is above
+    the order, else by Miller's downwards."""
+    out = np.empty((count, k.size))
+    far = k > 2.0 * count
+    for chosen, part in ((far, _upwards(k[far], count)), (~far, _downwards(k[~far], count))):
+        out[:, chosen] = part
+    return out
+
+
+def _upwards(k: np.ndarray, count: int) -> np.ndarray:
+    out = np.empty((count, k.size))
+    before = np.sin(k) / k
+    out[0], now = before, before / k - np.cos(k) / k
+    for order in range(2, 2 * count - 1):
+        before, now = now, (2 * order - 1) / k * now - before
+        if order % 2 == 0:
+            out[order // 2] = now
+    return out
+
+
+def _downwards(k: np.ndarray, count: int) -> np.ndarray:
+    out = np.zeros((count, k.size))
+    above, now = np.zeros(k.size), np.full(k.size, 1e-250)
+    for order in range(2 * count + 40, 0, -1):
+        above, now = now, (2 * order + 1) / k * now - above
+        if order % 2 and order // 2 < count:
+            out[order // 2] = now
+        large = np.abs(now) > 1e200
+        for row in (above, now):
+            row[large] *= 1e-250
+        out[:, large] *= 1e-250
+    zeroth = np.sin(k) / k
+    first = zeroth / k - np.cos(k) / k
+    by_zeroth = np.abs(zeroth) > np.abs(first)
+    return out * np.where(by_zeroth, zeroth, first) / np.where(by_zeroth, now, above)

@@ -1,0 +1,171 @@
+r"""Stresses in a film and in the body below it under a sphere that is pressed and dragged.
+
+The pressure is that of the frictionless contact (`sphere`), and the traction is in proportion to it, as Hamilton (1983) has it
+for a half-space: both have one Hankel transform P(k), and a wave k makes the amplitudes of `waves` at every depth. Averaged
+over all directions, with s_xx, s_yy ... along and across the wave, the pressure makes
+
+    s_zz = <s_zz>_0,  s_rz = <s_xz>_1,  s_rr, s_tt = <s_xx + s_yy>_0/2 -+ <s_xx - s_yy>_2/2,  <f>_n = Int f k P(k) J_n(k r) dk
+
+and the traction, whose share cos(phi) is along a wave in the direction phi and -sin(phi) across it, cos(theta) or sin(theta)
+times what `_dragged` adds up. In the film it is the half-space's (`half_space`), and what the interface sends back; this falls
+as exp(-k (2 t - z)), so that both are good on the surface too. Below, all is one transform. Tension is positive.
+"""
+
+from collections.abc import Callable
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from scipy import special
+
+from stiction.solvers.layered.compliance import Pair
+from stiction.solvers.layered.half_space import integrals
+from stiction.solvers.layered.sphere import gauss, pressure, transform
+from stiction.solvers.layered.waves import CoatedBody, Waves, body_function, film_function, waves
+
+__all__ = ["Radial", "Stresses"]
+
+# Waves x = k t between which amplitudes are smooth; what is left beyond the last is exp(-x) of all.
+_ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5)
+# Up to this r k the Bessel functions of order 2 and 3 are taken from their series.
+_SMALL = 0.05
+
+
+class Radial(NamedTuple):
+    """Stresses at depths and radii (n, m), over the mean pressure, of a traction as large as the pressure. rr, tt, zz, rz:
+    under pressure. Under a traction in the direction x: rr, tt, zz, rz times cos(theta), rt, tz times sin(theta)."""
+
+    pressed: tuple[np.ndarray, ...]
+    dragged: tuple[np.ndarray, ...]
+
+
+class Stresses:
+    """Stresses under a sphere that touches on the radius a, in a coated body.
+
+    pair: the bodies that meet, body: one of them that has a film, as elastic constants of their own (it must be one of the
+    pair's layers). radius: a over the thickness of its film, 0.001 to 1000. Lengths are over a, stresses over the mean
+    pressure. What the film adds is good to exp(-reach).
+    """
+
+    def __init__(self, pair: Pair, body: CoatedBody, radius: float, reach: float = 36.0):
+        self.body, self.thickness = body, 1.0 / radius
+        self._g = pressure(pair, radius)
+        x, weights = _nodes(radius, reach)
+        self._k = radius * x
+        self._waves = waves(x, body)
+        self._weights = radius * weights * self._k * transform(self._g, self._k)
+
+    def in_film(self, r: np.ndarray, z: np.ndarray) -> Radial:
+        """At the radii r (m,) and depths z (n,), 0 to the thickness."""
+        near = integrals(self._g, r, z)
+        nu, depth = self.body.nu, z[:, None]
+
+        def of_half_space(constant: float, linear: float, order: int) -> np.ndarray:
+            return constant * near[0, order] + linear * depth * near[1, order]
+
+        half = _half_space(nu)
+        sent_back = self._transformed(r, z, nu, film_function, _across_film)
+        return _assembled(lambda name, order: of_half_space(*half[name], order) + sent_back(name, order))
+
+    def in_body(self, r: np.ndarray, z: np.ndarray) -> Radial:
+        """At the radii r (m,) and depths z (n,), from the thickness of the film on."""
+        return _assembled(self._transformed(r, z, self.body.nu_below, body_function, _across_body))
+
+    def _transformed(self, r, z, nu: float, function: Callable, across: Callable) -> Callable:
+        """<f>_n of an amplitude f, by its name and n: (n, m)."""
+        F = np.stack([function(self._waves, depth / self.thickness) for depth in z], axis=2)  # (3, 2, n, waves)
+        amplitudes = _amplitudes(F, nu)
+        sides = [across(self._waves, depth / self.thickness) for depth in z]
+        amplitudes |= {name: np.stack([one[at] for one in sides]) for at, name in enumerate(("across_z", "across_x"))}
+        bessel = _bessel(self._k, r) * self._weights[:, None]
+        return lambda name, order: amplitudes[name] @ bessel[order]
+
+
+def cartesian(radial: Radial, theta: np.ndarray, traction: float) -> tuple[np.ndarray, ...]:
+    """The six stresses x, y, z, xy, yz, xz under pressure and a traction in the direction x that is this multiple of it, at the
+    angles theta (m,) of the radii."""
+    c, s = np.cos(theta), np.sin(theta)
+    rr, tt, zz, rz = (one + traction * c * other for one, other in zip(radial.pressed, radial.dragged[:4], strict=True))
+    rt, tz = (traction * s * one for one in radial.dragged[4:])
+    return (
+        rr * c * c + tt * s * s - 2.0 * rt * c * s,
+        rr * s * s + tt * c * c + 2.0 * rt * c * s,
+        zz,
+        (rr - tt) * c * s + rt * (c * c - s * s),
+        rz * s + tz * c,
+        rz * c - tz * s,
+    )
+
+
+def _half_space(nu: float) -> dict[str, tuple[float, float]]:
+    """Amplitudes of a half-space: c and d in (c + d k z) exp(-k z)."""
+    return {
+        "pressed_zz": (-1.0, -1.0), "pressed_xz": (0.0, -1.0), "pressed_xx": (-1.0, 1.0), "pressed_yy": (-2.0 * nu, 0.0),
+        "dragged_zz": (0.0, -1.0), "dragged_xz": (-1.0, 1.0), "dragged_xx": (-2.0, 1.0), "dragged_yy": (-2.0 * nu, 0.0),
+        "across_z": (-1.0, 0.0), "across_x": (-1.0, 0.0),
+    }  # fmt: skip
+
+
+def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
+    """Stresses of the stress functions F, F', F'' (3, 2, n, waves) under pressure and shear."""
+    (p, q), (p1, q1), (p2, q2) = F
+    return {
+        "pressed_zz": -p, "pressed_xz": p1, "pressed_xx": p2, "pressed_yy": nu * (p2 - p),
+        "dragged_zz": q, "dragged_xz": q1, "dragged_xx": -q2, "dragged_yy": nu * (q - q2),
+    }  # fmt: skip
+
+
+def _across_film(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
+    """Shear across the wave, on planes of constant depth and in the plane, that the film adds."""
+    up, down = waves.across * np.exp((depth - 1.0) * waves.x), waves.across * np.exp(-(depth + 1.0) * waves.x)
+    return up - down, -up - down
+
+
+def _across_body(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
+    below = -waves.across_below * np.exp((1.0 - depth) * waves.x)
+    return below, below
+
+
+def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
+    """Stresses of the transforms `of(amplitude, order)`."""
+    mean = (of("pressed_xx", 0) + of("pressed_yy", 0)) / 2.0
+    difference = (of("pressed_xx", 2) - of("pressed_yy", 2)) / 2.0
+    pressed = mean - difference, mean + difference, of("pressed_zz", 0), of("pressed_xz", 1)
+    return Radial(pressed, _dragged(of))
+
+
+def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
+    """With psi between wave and radius: <cos^2 cos(kr cos)>, <sin^2 cos> are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 - J3)/4
+    and <cos sin^2 sin> (J1 + J3)/4."""
+    along, both = {}, {}
+    for name in ("dragged_xx", "dragged_yy"):
+        first, third = of(name, 1), of(name, 3)
+        along[name], both[name] = (3.0 * first - third) / 4.0, (first + third) / 4.0
+    turned, turned_3 = of("across_x", 1), of("across_x", 3)
+    shear_0, shear_2 = of("dragged_xz", 0) / 2.0, of("dragged_xz", 2) / 2.0
+    across_0, across_2 = of("across_z", 0) / 2.0, of("across_z", 2) / 2.0
+    twice = (turned + turned_3) / 2.0
+    return (
+        along["dragged_xx"] + both["dragged_yy"] + twice,
+        both["dragged_xx"] + along["dragged_yy"] - twice,
+        of("dragged_zz", 1),
+        shear_0 - shear_2 + across_0 + across_2,
+        both["dragged_yy"] - both["dragged_xx"] - (turned - turned_3) / 2.0,
+        -shear_0 - shear_2 - across_0 + across_2,
+    )
+
+
+@lru_cache(maxsize=64)
+def _nodes(radius: float, reach: float) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and weights of all waves x = k t, dense enough for J(k r) cos(k) up to r = 3."""
+    return gauss((*_ENDS, *((12.0,) if reach > 12.0 else ()), reach), 2.0 * radius)
+
+
+def _bessel(k: np.ndarray, r: np.ndarray) -> np.ndarray:
+    """J_0 to J_3 of k r: (4, k, r)."""
+    x = np.outer(k, r)
+    safe = np.maximum(x, _SMALL)
+    J0, J1 = special.j0(x), special.j1(x)
+    J2 = np.where(x < _SMALL, x * x / 8.0 * (1.0 - x * x / 12.0 * (1.0 - x * x / 32.0)), 2.0 * J1 / safe - J0)
+    J3 = np.where(x < _SMALL, x**3 / 48.0 * (1.0 - x * x / 16.0 * (1.0 - x * x / 40.0)), 4.0 * J2 / safe - J1)
+    return np.stack([J0, J1, J2, J3])

@@ -1,0 +1,172 @@
+"""What the set of solved surfaces says of a model near a contact: errors of its area, weighed by distance.
+
+A surface at a distance d weighs exp(-d^2/2). One that was not solved on both sides of a pressure or hardness, or of which a
+model says nothing on one, fades out towards that side, so that no number jumps.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from stiction.solving.accuracy.solved_near import (
+    Difference,
+    Place,
+    differences,
+    film_differences,
+    nearest_in_words,
+    pressure_difference,
+    squared_distance,
+)
+from stiction.solving.accuracy.solved_set import SolvedSet
+
+__all__ = ["ELASTIC", "LEVELS", "NORMAL_SCORES", "ErrorsNear", "bare_errors", "film_errors_near", "quantiles"]
+
+ELASTIC = 3.0  # hardness over E* h' from which on nothing flows
+LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # of the quantiles that are kept
+NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # of a normal number at LEVELS, in standard deviations
+_SLOPE = 5.0  # times the lightest pressure: how errors change up to there is how they go on below, down to a part of it
+_FARTHEST = 4.0
+_FLOWS = 0.1  # hardness over E* h' at which spots flow as much as not
+_COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts as near
+
+
+class ErrorsNear(NamedTuple):
+    """At k points, ln(A/solved A). levels: quantiles (k, 5) at LEVELS over surfaces near; relative: root mean square of
+    A/solved A - 1; middle, presumed: mean and root mean square of the logarithm over those near of the kind that is stated;
+    where neither map nor kind are known over Gaussian ones, which moments describe; distance: of the nearest; told: share of
+    the weight near on which the model says something; surfaces: how many count; nearest: in what the nearest differs."""
+
+    levels: np.ndarray
+    relative: np.ndarray
+    middle: np.ndarray
+    presumed: np.ndarray
+    distance: np.ndarray
+    told: np.ndarray
+    surfaces: np.ndarray
+    nearest: np.ndarray
+
+
+def bare_errors(known: SolvedSet, column: str, place: Place, anywhere: bool) -> ErrorsNear | None:
+    """None of a model that was not measured. anywhere: a solution of the map is as good on any surface: only pressure tells how
+    near."""
+    errors = known.errors(column)
+    if errors is None:
+        return None
+    return _together([_at_point(known, errors, place, at, anywhere) for at in range(place.pressure.size)])
+
+
+def film_errors_near(known: SolvedSet, errors: np.ndarray, place: Place, like: np.ndarray) -> ErrorsNear:
+    """Of errors (coated surfaces, films, loads); like: where (k,) the film is as in the set."""
+    return _together([_film_point(known, errors, place, at) if like[at] else _NONE for at in range(place.pressure.size)])
+
+
+def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """Return the quantiles at LEVELS of weighted values, between two of them by a straight line."""
+    order = np.argsort(values)
+    middles = np.cumsum(weights[order]) - 0.5 * weights[order]
+    return np.interp(LEVELS, middles / weights.sum(), values[order])
+
+
+def _together(rows: list[tuple]) -> ErrorsNear:
+    return ErrorsNear(*(np.array(values) for values in zip(*rows, strict=True)))
+
+
+_NONE = (np.full(len(LEVELS), math.nan), math.nan, math.nan, math.nan, math.inf, 0.0, 0, "")
+
+
+def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywhere: bool):
+    pressure, hardness = float(place.pressure[at]), float(place.hardness[at])
+    if not (pressure > 0.0 and hardness > 0.0):
+        return _NONE
+    of_pressure, inside, solved_hardness = pressure_difference(known, pressure, hardness)
+    found, there = _between(known, errors, inside, solved_hardness)
+    if of_pressure.ours < of_pressure.theirs[0]:
+        found = _at_lighter_load(known, errors, found, float(of_pressure.theirs[0] / of_pressure.ours), inside, solved_hardness)
+    found = found * min(hardness / solved_hardness, 1.0)  # softer than what was solved: areas tend to load over hardness
+    hardness = solved_hardness
+    _, solved = _between(known, known.areas, inside, hardness)
+    asked = np.where(np.isfinite(errors).any(axis=(1, 2)), solved, 0.0)  # of which the model says anything at all
+    of_kind = known.of_kind(None if anywhere else place.kind)
+    there, asked = there * of_kind, asked * of_kind
+    apart = [*([] if anywhere else differences(known, place, at)), of_pressure]
+    presumed = known.gaussian if place.shape is None and place.kind is None and not anywhere else of_kind
+    return _averaged(found, there, asked, apart, presumed)
+
+
+def _at_lighter_load(known: SolvedSet, errors: np.ndarray, found: np.ndarray, times: float, lightest: float, hardness: float):
+    """Return errors (s,) at a pressure so many times below the lightest that was solved.
+
+    Those of elastic surfaces go on with ln of the pressure as they change above; where spots flow they fade with the root of
+    the pressure, as the finest roughness of a plateau flows too (a judgement, grade C).
+    """
+    elastic = 1.0 / (1.0 + (_FLOWS / min(hardness, ELASTIC)) ** 2)
+    heavier, _ = _between(known, errors, _SLOPE * lightest, hardness)
+    slope = np.nan_to_num(found - heavier) / math.log(_SLOPE)
+    return (found + elastic * slope * math.log(min(times, _FARTHEST))) * times ** (-0.5 * (1.0 - elastic))
+
+
+def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):
+    if not place.pressure[at] > 0.0:
+        return _NONE
+    apart, loads = film_differences(known, place, at), known["film_loads"]
+    found = np.empty(loads.shape[:2])
+    for one in np.ndindex(*found.shape):
+        found[one] = np.interp(math.log(place.pressure[at]), np.log(loads[one]), errors[one])
+    gaussian, of_kind = (
+        np.broadcast_to(one[known["film_surfaces"], None], found.shape) for one in (known.gaussian, known.of_kind(place.kind))
+    )
+    presumed = gaussian if place.shape is None and place.kind is None else of_kind
+    there = np.isfinite(found) * of_kind.astype(float)
+    return _averaged(found.ravel(), there.ravel(), of_kind.astype(float).ravel(), apart, presumed.ravel())
+
+
+def _averaged(found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray):
+    """A row of ErrorsNear. there, asked: how far each surface counts (0 to 1) of those on which the model says something, and
+    of those that were solved; apart: what the squared distances are made of; presumed: which surfaces are ranked by."""
+    squared = np.where(asked > 0.0, squared_distance(apart).ravel(), np.inf)
+    if not np.isfinite(squared).any():
+        return _NONE
+    weights = np.exp(-0.5 * (squared - squared.min()))
+    told = float(np.sum(weights * there) / np.sum(weights * asked))
+    mine = there > 0.0
+    if not (mine & presumed).any():
+        return *_NONE[:4], math.sqrt(float(squared.min())), 0.0, 0, nearest_in_words(apart, int(np.argmin(squared)))
+    at = int(np.argmin(np.where(mine, squared, np.inf)))
+    count = int(np.count_nonzero(mine & (weights > _COUNTED)))
+    weights = weights * there
+    ends = quantiles(found[mine], weights[mine])
+    relative = math.sqrt(float(np.average(np.expm1(found[mine]) ** 2, weights=weights[mine])))
+    ranked = mine & presumed
+    of_ranked = np.exp(-0.5 * (squared[ranked] - squared[ranked].min())) * there[ranked]
+    middle = float(np.average(found[ranked], weights=of_ranked))
+    of_presumed = math.sqrt(float(np.average(found[ranked] ** 2, weights=of_ranked)))
+    return ends, relative, middle, of_presumed, math.sqrt(float(squared[at])), told, count, nearest_in_words(apart, at)
+
+
+def _between(known: SolvedSet, table: np.ndarray, pressure: float, hardness: float) -> tuple[np.ndarray, np.ndarray]:
+    """Values (s,) at a pressure and a hardness, read off between those of the set by straight lines over their logarithms, and
+    how far each counts: 1, and less towards an end that is missing."""
+    hard = np.minimum(known["hardnesses"], ELASTIC)
+    order = np.argsort(hard)
+    right = int(np.clip(np.searchsorted(hard[order], min(hardness, ELASTIC)), 1, len(order) - 1))
+    ends = order[right - 1], order[right]
+    part = math.log(min(hardness, ELASTIC) / hard[ends[0]]) / math.log(hard[ends[1]] / hard[ends[0]])
+    (lower, of_lower), (upper, of_upper) = (_at_pressure(known["loads"], table[:, end, :], pressure) for end in ends)
+    only_lower, only_upper = max(1.0 - 2.0 * part, 0.0), max(2.0 * part - 1.0, 0.0)
+    both = lower + part * (upper - lower)
+    values = np.where(of_lower == 0.0, upper, np.where(of_upper == 0.0, lower, both))
+    of_both = np.minimum(of_lower, of_upper)
+    counts = np.maximum(of_both, np.maximum(of_lower * only_lower, of_upper * only_upper))
+    return values, np.where(np.isfinite(values), counts, 0.0)
+
+
+def _at_pressure(loads: np.ndarray, table: np.ndarray, pressure: float) -> tuple[np.ndarray, np.ndarray]:
+    """The same at a pressure; the last that was solved stands for some more."""
+    right = int(np.clip(np.searchsorted(loads, pressure), 1, len(loads) - 1))
+    part = math.log(pressure / loads[right - 1]) / math.log(loads[right] / loads[right - 1])
+    left, next_one = table[:, right - 1], table[:, right]
+    has_left, has_next = np.isfinite(left), np.isfinite(next_one)
+    between = left + part * (next_one - left)
+    values = np.where(has_left & has_next, between, np.where(has_left, left, next_one))
+    return values, np.where(has_left & has_next, 1.0, np.where(has_left, 1.0 - part, np.where(has_next, part, 0.0)))

@@ -1,0 +1,196 @@
+"""How far the film law of a result was found from the truth near this contact: as data, in words, and as a cost.
+
+Measured are elastic contacts without adhesion: of one sphere against the exact solution, of rough surfaces against layered
+boundary elements (`solving/accuracy/film_tables`). Near is: the film's modulus over that of the bodies, and the radius of
+the mean contact, or the shortest wave, over the thickness of a film.
+"""
+
+import json
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear
+from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, OnMaps, on_a_sphere, on_maps
+from stiction.solving.problem import Problem
+
+__all__ = ["as_attributes", "film_errors", "in_words", "off_by", "read_film_errors"]
+
+SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
+_MAPS = 10
+_ROUNDING = 1e-3  # of the ends of what was measured
+_FLOWS = "films that flow were compared with nothing: what squeezes them out is solved nowhere here"
+
+
+def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
+    """A row for each thing that was measured of the film law near these normalised results (contacts' dimensions first).
+
+    law; against: what; error: lowest and highest relative error of the area at given load over the results, load_error: of the
+    load at given approach; rms: of ln(area), on rough surfaces; near: ends of what the errors were looked up by; outside: what
+    leaves the solved set, at some of the results; why_not: why there is no error, where there is none. Nothing for a contact
+    without a film.
+    """
+    law = _law(problem)
+    if law is None:
+        return []
+    rows = [row for row in (_of_sphere(problem, law, results), _of_maps(problem, law)) if row]
+    return rows or [{"law": law, "against": SPHERE, "why_not": _FLOWS}]
+
+
+def _law(problem: Problem) -> str | None:
+    if problem.chosen.film is not None:
+        return problem.chosen.film.key
+    return problem.record.key if problem.record.on_film else None
+
+
+def _of_sphere(problem: Problem, law: str, results: Mapping[str, np.ndarray]) -> dict[str, Any]:
+    width = a_over_t(problem, results)
+    if width is None:
+        return {}
+    n_E = np.broadcast_to(problem.groups.n_E[:, None], width.shape)
+    found = on_a_sphere(law, problem.options, n_E, width, _over_radius(problem))
+    if found is None:
+        return {}
+    row = {"law": law, "against": SPHERE, "near": {"n_E": _ends(n_E), "a_over_t": _ends(width)}}
+    outside = _outside(MEASURED, {"n_E": n_E, "a_over_t": width})
+    if np.isnan(found.area).all():
+        return row | {"why_not": outside or "nothing touches"}
+    errors = {"error": _ends(found.area - 1.0), "load_error": _ends(found.load - 1.0)}
+    return row | errors | ({"outside": outside} if outside else {})
+
+
+def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
+    found, near = _on_maps(problem, law)
+    if found is None:
+        return {}
+    row = {"law": law, "against": MAPS, "near": near}
+    outside = _outside(MEASURED_ON_MAPS, {name: np.array(ends) for name, ends in near.items()})
+    if np.isnan(found.rms).all():
+        return row | {"why_not": outside or "not measured there"}
+    errors = {"error": _ends(found.mean - 1.0), "rms": float(np.nanmax(found.rms))}
+    return row | errors | ({"outside": outside} if outside else {})
+
+
+def _on_maps(problem: Problem, law: str, beyond: bool = False) -> tuple[OnMaps | None, dict[str, Any]]:
+    """What was measured, and near what; beyond: where nothing was measured, the nearest."""
+    groups = problem.groups.resolved()
+    if groups.roughness_parameter is None or groups.film_aspect is None:
+        return None, {}
+    from stiction.laws.rough_surface.rough_on_film import thickness_over_wave  # which a bare contact does without
+
+    thickness = thickness_over_wave(groups)
+    near = {"n_E": _ends(groups.n_E), "thickness_over_shortest_wave": _ends(thickness)}
+    n_E = groups.n_E
+    if beyond:
+        n_E, thickness = (np.clip(one, *ends) for one, ends in zip((n_E, thickness), MEASURED_ON_MAPS.values(), strict=True))
+    return on_maps(law, problem.options, n_E, thickness), near
+
+
+# What errors are looked up by, in words.
+_WORDS = {
+    "n_E": "the film's modulus over that of the bodies",
+    "a_over_t": "the mean contact's radius over the thickness of a film",
+    "thickness_over_shortest_wave": "the thickness of a film over the shortest wave of the surface",
+}
+
+
+def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.ndarray]) -> str:
+    """Which of the given numbers leave what was solved, and what that is; "" where none does."""
+    said = []
+    for name, (low, high) in ranges.items():
+        known = given[name][np.isfinite(given[name]) & (given[name] > 0.0)]
+        beyond = known[(known < low / (1.0 + _ROUNDING)) | (known > high * (1.0 + _ROUNDING))]
+        if beyond.size:
+            share = "" if beyond.size == known.size else f" at {beyond.size} of {known.size} points"
+            said.append(f"{_WORDS[name]} is {_span(_ends(beyond), '.3g')}{share}, and only {low:g} to {high:g} was solved")
+    return "; ".join(said)
+
+
+def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
+    """Of an area law of surfaces on a film, on the maps of truth/films.csv near each contact, repeated for its points; None of
+    other models, which the set of solved surfaces has."""
+    if not problem.record.on_film:
+        return None
+    found, _ = _on_maps(problem, problem.record.key)
+    if found is None:
+        return None
+    near, middle = np.isfinite(found.rms), np.log(found.mean)
+    levels = middle[:, None] + np.array(NORMAL_SCORES) * found.rms[:, None]
+    nearest = np.full(near.shape, "")  # they are looked up by film alone
+    each = (
+        levels, np.expm1(found.rms), middle, found.rms, np.where(near, 0.0, np.inf), near.astype(float),
+        np.where(near, _MAPS, 0), nearest,
+    )  # fmt: skip
+    return ErrorsNear(*(np.repeat(one, points, axis=0) for one in each))
+
+
+def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:
+    """Radius of the mean contact over the thickness of one film (n, m); None where asperities are not counted."""
+    groups = problem.groups.resolved()
+    if "touching_asperities" not in results or groups.film_aspect is None:
+        return None
+    area, touching = (np.asarray(results[name]).reshape(len(groups), -1) for name in ("contact_area", "touching_asperities"))
+    mean = np.divide(area, touching, out=np.full(area.shape, np.nan), where=touching > 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.sqrt(np.maximum(mean, 0.0)) * (groups.films / groups.film_aspect)[:, None]
+
+
+def _over_radius(problem: Problem) -> np.ndarray:
+    """t/R (n, 1): (t/sqrt(R sigma))^2 over t/sigma; where that is not known, far off."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found = problem.groups.film_aspect**2 / problem.groups.tau
+    return np.where(np.isfinite(found) & (found > 0.0), found, 1.0)[:, None]
+
+
+def off_by(problem: Problem, results: Mapping[str, np.ndarray]) -> float:
+    """By how many factors of two the film law is off in area near these results, as far as they are elastic: the worst, 0 where
+    nothing was measured. Beyond what was measured the nearest counts."""
+    law = _law(problem)
+    if law is None:
+        return 0.0
+    width = a_over_t(problem, results)
+    if width is None:
+        found, _ = _on_maps(problem, law, beyond=True)
+        return 0.0 if found is None else float(np.nanmax(found.rms)) / math.log(2.0)
+    n_E = np.broadcast_to(np.clip(problem.groups.n_E, *MEASURED["n_E"])[:, None], width.shape)
+    sphere = on_a_sphere(law, problem.options, n_E, np.clip(width, *MEASURED["a_over_t"]), _over_radius(problem))
+    if sphere is None or "load_elastic" not in results:
+        return 0.0
+    load, elastic = (np.asarray(results[name]).reshape(width.shape) for name in ("load", "load_elastic"))
+    share = np.clip(np.divide(elastic, load, out=np.ones_like(load), where=load > 0.0), 0.0, 1.0)
+    doublings = np.abs(np.log2(sphere.area)) * share
+    return 0.0 if np.isnan(doublings).all() else float(np.nanmax(doublings))
+
+
+def _ends(values: np.ndarray) -> list[float]:
+    known = values[np.isfinite(values)]
+    return [float(known.min()), float(known.max())] if known.size else []
+
+
+def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, str]:
+    """Attributes of a result that say its measured errors, as JSON; a netCDF file keeps them."""
+    return {"measured_film_error": json.dumps(film_errors(problem, results))}
+
+
+def read_film_errors(text: str) -> list[dict[str, Any]]:
+    """The rows that `as_attributes` wrote."""
+    return [row for row in json.loads(text) if "law" in row]
+
+
+def in_words(row: Mapping[str, Any]) -> str:
+    """One row as a line of text."""
+    near = ", ".join(f"{name} = {_span(ends, '.3g')}" for name, ends in row.get("near", {}).items() if ends)
+    head = f"{row['law']} against {row['against']}" + (f", near {near}" if near else "")
+    if "why_not" in row:
+        return f"{head}: {row['why_not']}"
+    parts = [f"area {_span(row['error'], '+.0%')} at given load"]
+    parts += [f"load {_span(row['load_error'], '+.0%')} at given approach"] if "load_error" in row else []
+    parts += [f"off by {row['rms']:.2g} in ln(area), rms"] if "rms" in row else []
+    parts += [f"elsewhere nothing was measured: {row['outside']}"] if "outside" in row else []
+    return f"{head}: {', '.join(parts)}"
+
+
+def _span(ends: list[float], form: str) -> str:
+    return " to ".join(dict.fromkeys(format(end, form) for end in ends))

@@ -1,0 +1,368 @@
+"""How far a model is from solved surfaces near a contact: its measured error.
+
+The set (docs/truth.md) has the contact area of every model on surfaces whose contact was solved, by every way of finding
+asperities, at some mean pressures, hardnesses and films. Near a contact that means: at its pressure and hardness over E* h',
+read off between those of the set, for each surface of it; and the mean over surfaces, each weighing exp(-d^2/2) with its
+distance d in Nayak's alpha, and where the map is known in skewness, lay and the slope of its top. Numbers do not tell the kind
+of a surface: of a contact given by numbers the mean error is that on Gaussian surfaces, which moments describe and models are
+ranked by, and the interval is over all kinds: skewed, worn, with a lay, of two bands of waves. Where the kind is stated,
+both are over surfaces of that kind. Friction of an interface is its strength times the area, so that its error is that of the
+area, less where the strength rises with pressure, and unknown where the strength stated is above that of the bodies. Adhesion
+is not in the set.
+
+A solution of the map has the error of its points, and where the map is a window of a larger surface it is one sample of it.
+"""
+
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near
+from stiction.solving.accuracy.film_errors import on_solved_maps
+from stiction.solving.accuracy.solved_near import Place
+from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
+from stiction.solving.on_map import OnMap
+from stiction.solving.problem import ClosedForm
+from stiction.solving.problem_base import Problem
+from stiction.solving.state import state_of
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
+
+__all__ = ["MeasuredErrors", "measured_errors"]
+
+FAR = 2.0  # distance beyond which nothing near was measured
+_MOST_ADHESION = 0.1  # pull-off forces over the load, in the set there are none
+_FULL = 1.0  # pull over a load that is none
+_LEAST_SHARE = 0.8  # of the compliance that is the coated body's: in the set the other is rigid
+_MOST_POINTS = 200
+# Rms of ln of the solved area of a map of 8 points in its shortest wave, by the width of its points: at light loads, and where
+# p/(E* h') is larger than that.
+_LIGHT_ERROR, _OWN_ERROR, _LIGHT = 0.015, 0.005, 0.01
+_NORMAL_END = 1.645  # standard deviations to the 95 % quantile
+_LEAST_TOLD = 0.5  # of the weight of what is near: surfaces on which a model says something
+_ITSELF, _MAP, _MOMENTS = "the solution itself", "map", "moments"
+_SUM, _BY_MOMENTS = "greenwood_williamson_1966", "persson_widened"
+
+
+@dataclass(frozen=True)
+class MeasuredErrors:
+    """The measured errors of a model's area at k points.
+
+    levels: quantiles (k, 5) at errors_near.LEVELS of ln(A/solved A) over the surfaces near each, NaN where nothing near was
+    measured. relative: root mean square of A/solved A - 1 over them. area, expected: mean and root mean square of the logarithm
+    over surfaces of the kind that the model is made for, by which models are ranked: Gaussian ones where the map is not known.
+    friction: of mu as area, where it is of the interface. distance: of the nearest surface, pressure, hardness. surfaces: how
+    many count. trust: 1 near, 0 where nothing was measured, continuous between. sample: standard error of ln of the area as one
+    window of a larger surface, of models of its map. column: the model and the way of finding asperities. why_not: why nothing
+    is known at some points, "" if all are. nearest: in what the nearest surface differs, "" where it hardly does. kind_known:
+    whether the kind of surface is known, from the map or as stated; kind: that which is stated where there is no map."""
+
+    column: str
+    area: np.ndarray
+    levels: np.ndarray
+    relative: np.ndarray
+    expected: np.ndarray
+    friction: np.ndarray
+    distance: np.ndarray
+    surfaces: np.ndarray
+    trust: np.ndarray
+    sample: np.ndarray
+    why_not: str = ""
+    nearest: np.ndarray = field(default_factory=lambda: np.empty(0, dtype=str))
+    kind_known: bool = True
+    kind: str | None = None
+
+    @property
+    def low(self) -> np.ndarray:
+        """Return the 5 % quantile at each point."""
+        return self.levels[:, 0]
+
+    @property
+    def high(self) -> np.ndarray:
+        """Return the 95 % quantile at each point."""
+        return self.levels[:, -1]
+
+    @property
+    def known(self) -> bool:
+        """Whether anything was measured at any point."""
+        return bool(np.isfinite(self.area).any())
+
+    @property
+    def is_off(self) -> bool:
+        """Whether at any point the mean error is beyond the 90 % interval of its scatter over solved surfaces of that kind."""
+        scatter = np.sqrt(np.maximum(np.square(self.expected) - np.square(self.area), 0.0))
+        return bool((np.abs(self.area) > _NORMAL_END * scatter).any())
+
+    def as_data(self) -> dict[str, Any]:
+        """Relative errors: of the area and mu, mean; ends of the middle 90 % and root mean square of the area's; of the
+        sample; and how near; lists over the points, null where nothing was measured."""
+        return {
+            "measured_as": self.column,
+            "area": _plain(np.expm1(self.area)),
+            "area_low": _plain(np.expm1(self.low)),
+            "area_high": _plain(np.expm1(self.high)),
+            "area_rms": _plain(self.relative),
+            "friction": _plain(np.expm1(self.friction)),
+            "sample": _plain(self.sample),
+            "distance": _plain(self.distance),
+            "surfaces": self.surfaces.astype(int).tolist(),
+            "kind_known": self.kind_known,
+            "kind": self.kind,
+            "why_not": self.why_not,
+        }
+
+    @property
+    def words(self) -> str:
+        """In a line."""
+        if not self.known:
+            return f"not measured here: {self.why_not}"
+        some = np.isfinite(self.area)
+        most = self.relative[some].max()
+        if self.column == _ITSELF:
+            return f"the reference solution; points as wide as these leave {most:.1%}{self._of_sample}"
+        where = "" if some.all() else f" at {int(some.sum())} of {some.size} points"
+        of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
+        nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))] if self.nearest.size else ""
+        nearest = f"; {nearest}" if nearest else ""
+        count = int(self.surfaces[some].max())
+        mean, ends = _ends(self.area[some], self.area[some]), _ends(self.low[some], self.high[some])
+        if self.kind is not None:
+            of_kind = f"{ends} for 90% of {count} of this kind, {self.kind}{nearest}"
+            said = f"contact area {mean} against solved surfaces{where} ({of_kind})"
+        elif self.kind_known:
+            said = f"contact area {mean} against solved surfaces{where} (rms {most:.0%} over {count} like this one{nearest})"
+        else:
+            kinds = f"{ends} for 90% of {count} of all kinds, which numbers do not tell apart"
+            said = f"contact area {mean} against solved Gaussian surfaces{where} ({kinds}{nearest})"
+        return f"{said}{of_mu}{self._of_sample}"
+
+    @property
+    def _of_sample(self) -> str:
+        largest = float(np.max(self.sample, where=np.isfinite(self.sample), initial=0.0))
+        return f"; as one window of a larger surface +/-{largest:.0%} more, by its quadrants" if largest > 0.0 else ""
+
+
+def _ends(low: np.ndarray, high: np.ndarray) -> str:
+    return " to ".join(dict.fromkeys(f"{np.expm1(end):+.0%}" for end in (low.min(), high.max())))
+
+
+def _plain(values: np.ndarray) -> list[float | None]:
+    return [float(f"{value:.3g}") if math.isfinite(value) else None for value in np.ravel(values)]
+
+
+def column_of(problem: Problem) -> str:
+    """The column of the set for a model as it is applied here: "model|way of finding asperities"; "" where it has none."""
+    chosen, record = problem.chosen, problem.record
+    if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
+        return ""
+    if record.takes_surface_moments:
+        method = "map" if getattr(problem, "map", None) is not None and record.area_on_map is not None else "moments"
+        return f"{record.key}|{method}"
+    measured = None if problem.subject is None else problem.subject.measured
+    method = "mccool" if measured is None else measured.method
+    return f"{_name(chosen, record)}|{method}"
+
+
+def _name(chosen, record) -> str:
+    """As a comparison shows it."""
+    if chosen.asperity is None or chosen.asperity.key == record.asperity:
+        name = record.key
+    else:
+        name = chosen.asperity.key if record.key == _SUM else f"{record.key} with {chosen.asperity.key}"
+    return name
+
+
+def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> MeasuredErrors:
+    """At the points of these normalised results, contacts first: flat over both."""
+    load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
+    column = column_of(problem)
+    if isinstance(problem, OnMap):
+        return _of_solution(problem, load, area)
+    near_none, why = _adhesion(problem, results)
+    why = _why_not(problem, column, load.size) or why
+    if why:
+        return _unknown(column, load.size, why)
+    place = Place.of(problem, load)
+    found = _near(problem, column, place, load.size // len(problem.groups), area)
+    if found is None:
+        kind = "" if place.kind is None else f" on such surfaces, {place.kind}"
+        return _unknown(column, load.size, f"this model was not measured{kind}")
+    far = ~(found.distance <= FAR) | ~(found.told > _LEAST_TOLD)
+    relative, error, expected = (np.where(far, np.nan, one) for one in (found.relative, found.middle, found.presumed))
+    levels = np.where(far[:, None], np.nan, found.levels)
+    why = _far(found.distance[far], found.nearest[far]) if far.any() else ""
+    trust = np.clip(FAR - found.distance, 0.0, 1.0) * np.clip((found.told - _LEAST_TOLD) / (0.5 * _LEAST_TOLD), 0.0, 1.0)
+    own = sample = np.zeros(load.size)
+    if isinstance(problem, ClosedForm) and problem.map is not None:
+        own, sample = _own_error(place.pressure), _sample_error(problem.map, place)
+    return MeasuredErrors(
+        column, error, _widened(error, levels, own), np.hypot(relative, own), np.hypot(expected, own),
+        _of_friction(problem, results, error), found.distance, found.surfaces, trust * near_none,
+        sample, why, found.nearest, place.shape is not None or place.kind is not None, place.kind,
+    )  # fmt: skip
+
+
+def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> MeasuredErrors:
+    """Of the contact of the map itself: what the width of its points leaves, and what a window does."""
+    surface = problem.surface()
+    place = Place.of(problem, load, surface)
+    there = np.where(np.isfinite(area.ravel()), 0.0, np.nan)
+    own, nothing = there + _own_error(place.pressure), np.zeros(load.size)
+    levels = _widened(there, np.repeat(there[:, None], len(LEVELS), axis=1), own)
+    return MeasuredErrors(
+        _ITSELF, there, levels, own, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place)
+    )
+
+
+def _own_error(pressure: np.ndarray) -> np.ndarray:
+    """Root mean square error of ln of a solved area, of the width of points; pressure: over E* h'."""
+    light = 1.0 / (1.0 + np.square(np.maximum(pressure, 0.0) / _LIGHT))
+    return _OWN_ERROR + (_LIGHT_ERROR - _OWN_ERROR) * light
+
+
+def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.ndarray:
+    """Return quantiles (k, 5) with a normal error of that root mean square (k,) more, about the middle (k,)."""
+    if not more.any():
+        return levels
+    apart = levels - middle[:, None]
+    scores = np.array(NORMAL_SCORES)
+    return middle[:, None] + np.where(apart == 0.0, np.sign(scores), np.sign(apart)) * np.hypot(apart, scores * more[:, None])
+
+
+def _sample_error(surface: "HeightMap", place: Place) -> np.ndarray:
+    """Standard error of ln of the area as one window of a larger surface; 0 of one period."""
+    from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
+
+    if place.pressure.size > _MOST_POINTS:
+        return np.full(place.pressure.size, np.nan)
+    area, found = map_area(surface), np.empty(place.pressure.size)
+    h = area.slopes.gradient
+    for hardness in np.unique(place.hardness):
+        at = place.hardness == hardness
+        found[at] = area.sample_error(np.maximum(place.pressure[at], 0.0) * h, float(hardness) * h)
+    return found
+
+
+def _near(problem: Problem, column: str, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
+    """What was measured near each point; None of a model that was not."""
+    known = solved_set()
+    if not problem.groups.has_film:
+        return bare_errors(known, column, place, anywhere=column.endswith(f"|{_MAP}"))
+    found = _on_film(known, column, place, problem)
+    return _on_other_maps(problem, place, points, area) if found is None else found
+
+
+def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
+    """Of area laws of surfaces on a film, by the Gaussian maps of truth/films.csv; by numbers wider by what other kinds of
+    surface do to the bare law, and off by what a kind that is stated does to it, at the pressure at which it has this area
+    (Persson 2001)."""
+    from scipy.special import erfinv
+
+    found = on_solved_maps(problem, points)
+    if found is None or place.shape is not None:
+        return found
+    share = np.minimum(math.pi * problem.groups.roughness_parameter[:, None] * area, 1.0 - 1e-9).ravel()
+    bare_place = replace(place, pressure=np.where(place.pressure > 0.0, erfinv(share) / math.sqrt(2.0), place.pressure))
+    bare = bare_errors(solved_set(), f"{_BY_MOMENTS}|{_MOMENTS}", bare_place, anywhere=False)
+    if bare is None:
+        return found
+    middle = found.middle if place.kind is None else found.middle + bare.middle
+    middle = np.where(np.asarray(place.pressure) > 0.0, middle, np.nan)  # without pressure there is no area to be off
+    own, other = found.levels - found.middle[:, None], bare.levels - bare.middle[:, None]
+    levels = middle[:, None] + np.where(np.abs(own) > np.abs(other), np.sign(own), np.sign(other)) * np.hypot(own, other)
+    relative = np.hypot(found.relative, bare.relative)
+    presumed = found.presumed if place.kind is None else np.hypot(found.presumed, bare.presumed)
+    return found._replace(middle=middle, presumed=presumed, levels=levels, relative=relative, surfaces=bare.surfaces)
+
+
+def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
+    nothing, zero = np.full(points, np.nan), np.zeros(points)
+    levels = np.full((points, len(LEVELS)), np.nan)
+    return MeasuredErrors(column, nothing, levels, *3 * (nothing,), nothing, zero, zero, zero, why)
+
+
+def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
+    """distance, and what is said of the nearest solved surface, at the points where nothing near was measured."""
+    at = int(np.argmin(distance))
+    if math.isinf(distance[at]):
+        return "the film is not as in the set, elastic and on one body under a rigid one"
+    return f"no solved surface is like this one: {nearest[at]}" if distance[at] > FAR else "it carries no such load there"
+
+
+def _why_not(problem: Problem, column: str, points: int) -> str:
+    if not column:
+        return "not with these options"
+    if problem.groups.roughness_parameter is None:
+        return "the roughness is not known as a surface"
+    if points > _MOST_POINTS:
+        return f"asked for {_MOST_POINTS} points at most"
+    return ""
+
+
+def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
+    """How near to dry surfaces that do not adhere, 1 to 0, and why it is not near where it is 0."""
+    state, why = state_of(problem, results), "menisci would pull, the solved surfaces are dry"
+    pull = _largest(state.get("meniscus_share"))
+    if "load_meniscus" in results:
+        pulled, load = (np.abs(np.asarray(results[name], dtype=float)) for name in ("load_meniscus", "load"))
+        share = np.divide(pulled, load, out=np.where(pulled > 0.0, _FULL, 0.0), where=load > 0.0)
+        pull, why = _largest(share), "menisci pull, the solved surfaces are dry"
+    sticks = _largest(state.get("adhesion_share"))
+    if sticks > max(pull, _MOST_ADHESION):
+        pull, why = sticks, "the contact adheres, the solved surfaces do not"
+    near = float(np.clip(2.0 - 2.0 * max(pull, sticks) / _MOST_ADHESION, 0.0, 1.0))
+    return near, "" if pull <= _MOST_ADHESION else why
+
+
+def _largest(share: np.ndarray | None) -> float:
+    """The largest of what is known of a share; -inf of nothing."""
+    known = np.empty(0) if share is None else share[np.isfinite(share)]
+    return float(np.max(known, initial=-np.inf))
+
+
+def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem) -> ErrorsNear | None:
+    """On a film that is elastic, on one body, the other rigid."""
+    groups, film = problem.groups, problem.chosen.film
+    name = column.split("|")[0]
+    own = film is not None and f"{film.key}|mccool"
+    candidates = [f"{name} + {film.key}|{one}" if film else column for one in ("mccool", "moments")] + [own or column]
+    errors = next((one for one in map(known.film_errors, candidates) if one is not None), None)
+    if errors is None or not known.of_kind(place.kind)[known["film_surfaces"]].any():
+        return None
+    elastic = (groups.n_H * place.hardness.reshape(len(groups), -1)[:, 0] / np.maximum(groups.film_modulus, 1.0)) > 1.0
+    like = elastic & (groups.coated_share >= _LEAST_SHARE) & (groups.films == 1.0)
+    return film_errors_near(known, errors, place, np.repeat(like, place.pressure.size // len(groups)))
+
+
+def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.ndarray) -> np.ndarray:
+    """ln of mu over what it would be with the solved area: of a law of the interface, mu = tau_0 A/P + beta."""
+    tangential = problem.chosen.tangential
+    if tangential is None or not tangential.interfacial or "friction_force" not in results:
+        return np.full(error.shape, np.nan)
+    error = np.where(np.repeat(_can_be(problem.groups), error.size // len(problem.groups)), error, np.nan)
+    beta = problem.groups.pressure_coefficient
+    if beta is None or "pressure_coefficient" not in (*tangential.needs, *tangential.takes):
+        return error
+    friction, load = (
+        np.asarray(results[name], dtype=float).reshape(len(problem.groups), -1) for name in ("friction_force", "load")
+    )
+    of_load = np.reshape(beta, (-1, 1)) * load
+    solved = (friction - of_load) * np.exp(-error.reshape(load.shape)) + of_load
+    return np.log(friction / solved).ravel()
+
+
+def _can_be(groups: Groups) -> np.ndarray:
+    """Return where (n,) the interface is weaker than the surfaces that meet: else the area grows and mu has another error."""
+    ratio = groups.strength_over_bodies
+    return np.broadcast_to(True if ratio is None else ratio < 1.0 - 1e-12, len(groups))
+
+
+def as_attributes(found: MeasuredErrors) -> dict[str, str]:
+    """Attributes of a result: in words, and as JSON."""
+    return {"measured_error": json.dumps(found.as_data()), "measured_error_in_words": found.words}

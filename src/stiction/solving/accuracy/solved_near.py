@@ -1,0 +1,207 @@
+"""Where a contact is among the solved surfaces, and in what the nearest of them differs from it.
+
+The distance of a contact from a solved surface is the root of the sum of squares of their differences, each over what counts as
+1: half of a logarithm of Nayak's alpha, and so on, as below.
+"""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.solving.accuracy.solved_set import OF_KIND, SolvedSet, solved_set
+from stiction.solving.problem_base import Problem
+from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, slope_over_sharpness
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
+
+__all__ = [
+    "Difference", "Place", "differences", "film_differences", "kind_of_map", "nearest_in_words", "pressure_difference",
+    "squared_distance",
+]  # fmt: skip
+
+_SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # that count as a distance of 1; logarithms but skewness
+_LEAST_TOP = 0.03
+_ALIKE, _FEWEST = 2.0, 8  # distance in shape of the nearest solved surface, points on a side, for a map to have a kind
+_PRESSURE = 1.4  # ln of the pressure beyond those of the set, a distance of 1; where all flows it hardly counts
+_FLOWING, _FLOWING_PRESSURE = 0.1, 7.0  # hardness over E* h' below that is so
+_FILM_SCALES = (0.7, 0.8)  # ln of the modulus over the substrate's, of the thickness over sqrt(m2/m4)
+_SAID = 0.25  # share of the squared distance from which on a difference is said
+_NAMES = {
+    "alpha": "Nayak's alpha",
+    "skewness": "skewness",
+    "lay": "rms slope across over along the lay",
+    "top": "rms slope of the highest 5 % over that of all",
+}
+_OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "nominal pressure over hardness"
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where k points are. pressure, hardness: over E* h'; alpha: Nayak's; shape: skewness, lay and top of the map, None where
+    there is none; kind: of surface, as stated where there is no map; thickness, modulus: of the film, over sqrt(m2/m4) and
+    the substrate's."""
+
+    pressure: np.ndarray
+    hardness: np.ndarray
+    alpha: np.ndarray
+    shape: tuple[float, float, float] | None
+    modulus: np.ndarray | None = None
+    thickness: np.ndarray | None = None
+    kind: str | None = None
+
+    @classmethod
+    def of(cls, problem: Problem, load: np.ndarray, surface: "HeightMap | None" = None) -> "Place":
+        """At loads (n, m) of n contacts. surface: the map of the contact, None: as its roughness says."""
+        groups, points = problem.groups, load.shape[1]
+        density = groups.roughness_parameter[:, None]
+        pressure = reduced_pressure(load, density)
+        hardness = groups.eta[:, None] * (4.0 / 3.0) / math.pi / slope_over_sharpness(density)
+        alpha, shape = np.broadcast_to(bandwidth(density), load.shape).ravel(), None
+        if surface is None and problem.subject is not None:
+            surface = problem.subject.with_surface_moments().map
+        if surface is not None:
+            pressure, hardness, alpha, shape = _of_map(surface, problem, load)
+        modulus, thickness = _film_of(groups, points) if groups.has_film else (None, None)
+        kind = problem.subject.surface_kind if shape is None and problem.subject is not None else None
+        hardness = np.broadcast_to(hardness, load.shape).ravel()
+        return cls(pressure.ravel(), hardness, alpha, shape, modulus, thickness, kind)
+
+
+def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
+    """The same by the map itself, whose slopes decide, whatever the asperities."""
+    from stiction.solvers.boundary_elements.map_area import map_area
+
+    area, whole = map_area(surface), problem.subject.with_surface_moments()
+    h = area.slopes.gradient
+    factors = problem.subject.scales().factors()
+    strength = whole.contact_modulus * h
+    pressure = load * float(factors["N"]) / whole.nominal_area / strength
+    groups = problem.groups
+    of_load = groups.eta[:, None] * (4.0 / 3.0) / math.pi * groups.sharpness[:, None] / h
+    shape = _skewness(surface), area.slopes.lay, area.slopes.top(0.05)
+    return pressure, of_load, np.full(load.size, area.slopes.alpha), shape
+
+
+def _skewness(surface: "HeightMap") -> float:
+    z = surface.heights - surface.heights.mean()
+    return float(np.mean(z**3)) / float(np.mean(z**2)) ** 1.5
+
+
+def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
+    """sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) (Nayak 1971); film_aspect is t/sqrt(R sigma)."""
+    thickness = groups.film_aspect * np.sqrt(6.0 * math.pi * math.sqrt(3.0) * groups.roughness_parameter)
+    return np.repeat(groups.film_modulus, points), np.repeat(thickness, points)
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Between a contact and solved ones in one feature, of a name. ours: of the contact; theirs: of each of them; squared: its
+    part of the squared distance from each."""
+
+    name: str
+    ours: float
+    theirs: np.ndarray
+    squared: np.ndarray
+
+
+def differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
+    """Of a point from every surface (s,); where no map is known by alpha alone, of every kind of surface."""
+    alpha = float(place.alpha[at])
+    apart = ((np.log(known.feature("alpha")) - math.log(alpha)) / _SCALES["alpha"]) ** 2
+    if place.shape is None:
+        return [Difference(_NAMES["alpha"], alpha, known.feature("alpha"), apart)]
+    return [Difference(_NAMES["alpha"], alpha, known.feature("alpha"), apart), *_of_shape(known, place.shape)]
+
+
+def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Difference]:
+    """Of skewness, lay and top of a map from every surface (s,)."""
+    skewness, lay, top = shape
+    tops = np.maximum(known.feature("top"), _LEAST_TOP)
+    each = {
+        "skewness": (skewness, ((known.feature("skewness") - skewness) / _SCALES["skewness"]) ** 2),
+        "lay": (lay, (np.log(known.feature("lay") / lay) / _SCALES["lay"]) ** 2),
+        "top": (top, (np.log(tops / max(top, _LEAST_TOP)) / _SCALES["top"]) ** 2),
+    }
+    return [Difference(_NAMES[name], ours, known.feature(name), square) for name, (ours, square) in each.items()]
+
+
+def kind_of_map(surface: "HeightMap") -> str | None:
+    """Return the kind of surface, a key of OF_KIND, that most solved surfaces of such skewness, lay and top are of.
+
+    None of a profile, of a map with missing points, and where no solved surface is alike.
+    """
+    from stiction.solvers.boundary_elements.area_estimates import map_slopes
+
+    if surface.is_profile or not surface.complete or min(surface.heights.shape) < _FEWEST:
+        return None
+    slopes, known = map_slopes(surface.heights, surface.size, surface.periodic), solved_set()
+    squared = squared_distance(_of_shape(known, (_skewness(surface), slopes.lay, slopes.top(0.05))))
+    if not squared.min() < _ALIKE**2:
+        return None
+    weights = np.exp(-0.5 * squared)
+    return max(OF_KIND, key=lambda kind: float(weights[known.of_kind(kind)].sum()))
+
+
+def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
+    """Of a point on a film from every film of every coated surface (s, f)."""
+    assert place.modulus is not None and place.thickness is not None
+    some, shape = known["film_surfaces"], known["film_loads"].shape[:2]
+    moduli, thicknesses = known["films"].T
+    waves = (known["gradient_over_shortest"][some] / known.feature("wave")[some])[:, None]
+    modulus, thickness, pressure = (float(one[at]) for one in (place.modulus, place.thickness, place.pressure))
+    by_film = ((np.log(moduli / modulus) / _FILM_SCALES[0]) ** 2)[None, :]
+    by_thickness = (np.log(thicknesses[None, :] * waves / thickness) / _FILM_SCALES[1]) ** 2
+    low, high = known["film_loads"][..., 0], known["film_loads"][..., -1]
+    beyond = np.maximum(np.maximum(np.log(low / pressure), np.log(pressure / high)), 0.0) / _PRESSURE
+    bare = [
+        Difference(one.name, one.ours, one.theirs[some][:, None], one.squared[some][:, None])
+        for one in differences(known, place, at)
+    ]
+    films = [
+        Difference("film modulus over that of the body", modulus, moduli[None, :], by_film),
+        Difference("film thickness over sqrt(m2/m4)", thickness, thicknesses[None, :] * waves, by_thickness),
+        Difference(_OVER_STIFFNESS, pressure, np.clip(pressure, low, high), beyond**2),
+    ]
+    return [
+        Difference(one.name, one.ours, np.broadcast_to(one.theirs, shape), np.broadcast_to(one.squared, shape))
+        for one in (*bare, *films)
+    ]
+
+
+def pressure_difference(known: SolvedSet, pressure: float, hardness: float) -> tuple[Difference, float, float]:
+    """Of a pressure from those of the set, and at which of them to read it, with which hardness; all over E* h'. Below the
+    least hardness of the set all flows: what counts is the pressure over the hardness."""
+    low, high = float(known["loads"][0]), float(known["loads"][-1])
+    softest = float(known["hardnesses"][1:].min())
+    name, unit = _OVER_STIFFNESS, 1.0
+    if hardness < softest:
+        name, unit = _OVER_HARDNESS, softest
+        pressure, hardness = pressure * softest / hardness, softest
+    scale = _FLOWING_PRESSURE if hardness <= _FLOWING else _PRESSURE
+    beyond = max(math.log(low / pressure), math.log(pressure / high), 0.0) / scale
+    inside = min(max(pressure, low), high)
+    every = np.ones(len(known["surfaces"]))
+    return Difference(name, pressure / unit, inside / unit * every, beyond**2 * every), inside, hardness
+
+
+def squared_distance(found: Iterable[Difference]) -> np.ndarray:
+    """From each of the solved ones."""
+    return np.asarray(sum(one.squared for one in found))
+
+
+def nearest_in_words(found: Iterable[Difference], at: int) -> str:
+    """In what the solved one at this place, counted flat, differs most: "the nearest has Nayak's alpha 5 where this has 24"; ""
+    where it is at a distance below 1."""
+    found = list(found)
+    parts = [float(one.squared.flat[at]) for one in found]
+    if not 1.0 < sum(parts) < math.inf:
+        return ""
+    said = sorted(zip(parts, found, strict=True), key=lambda pair: -pair[0])
+    large = [one for part, one in said if part >= _SAID * sum(parts)]
+    each = (f"{one.name} {one.theirs.flat[at]:.2g} where this has {one.ours:.2g}" for one in large)
+    return "the nearest has " + " and ".join(each)

@@ -1,0 +1,103 @@
+"""The set of solved surfaces that models are measured by, as it is kept in the package (made by `make truth`, docs/truth.md).
+
+Errors are logarithms of a model's contact area over the solved one. They are kept in a byte each, as their signed root in steps
+of 1/60: to 0.002 where they are 1 %, to 0.03 where they are a factor of ten.
+"""
+
+import lzma
+from dataclasses import dataclass
+from functools import cache, cached_property
+from pathlib import Path
+
+import numpy as np
+
+__all__ = ["FEATURES", "FILE", "OF_KIND", "PACKED", "SolvedSet", "coded", "solved_set"]
+
+FILE = Path(__file__).parent / "solved_set.npz"
+# What is kept of each surface: Nayak's alpha; of its heights; root of the ratio of the eigenvalues of the gradient tensor; rms
+# gradient of the highest 5 % over that of all; sqrt(m2/m4) [m].
+FEATURES = ("alpha", "skewness", "kurtosis", "lay", "top", "wave")
+# Kind of surface that a contact states -> kinds of the set. A periodic surface is a wave along x with roughness on it.
+OF_KIND = {
+    "gaussian": ("gaussian",),
+    "skewed": ("skewed", "peaked"),
+    "worn": ("worn", "flat"),
+    "lay": ("lay", "mixed", "periodic"),
+    "two-scale": ("bimodal", "periodic"),
+}
+# Tables that are packed better than a zip file does.
+PACKED = ("errors", "film_errors")
+_NOTHING, _STEP = -128, 1.0 / 60.0
+
+
+def coded(errors: np.ndarray) -> np.ndarray:
+    """Logarithms as bytes (int8)."""
+    whole = np.clip(np.round(np.sign(errors) * np.sqrt(np.abs(errors)) / _STEP), -127, 127)
+    return np.where(np.isfinite(errors), whole, _NOTHING).astype(np.int8)
+
+
+def decoded(codes: np.ndarray) -> np.ndarray:
+    """The reverse; not a number where there is none."""
+    root = codes * _STEP
+    return np.where(codes == _NOTHING, np.nan, np.sign(root) * root**2)
+
+
+@dataclass(frozen=True)
+class SolvedSet:
+    """content: arrays by name, as in the file. Of s surfaces, h hardnesses (the first infinite) and p mean pressures, both over
+    E* h'; of films on some of them, by plane-strain modulus over the substrate's and thickness over the shortest wave."""
+
+    content: dict[str, np.ndarray]
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.content[name]
+
+    def feature(self, name: str) -> np.ndarray:
+        """(s,), one of FEATURES."""
+        return self["features"][:, FEATURES.index(name)].astype(float)
+
+    @cached_property
+    def gaussian(self) -> np.ndarray:
+        """Which surfaces (s,) are Gaussian and isotropic."""
+        return self["kinds"] == "gaussian"
+
+    @cache  # noqa: B019
+    def of_kind(self, kind: str | None) -> np.ndarray:
+        """Which surfaces (s,) are of this kind, a key of OF_KIND; all where it is not known."""
+        return np.ones(len(self["kinds"]), dtype=bool) if kind is None else np.isin(self["kinds"], OF_KIND[kind])
+
+    @cached_property
+    def areas(self) -> np.ndarray:
+        """Solved A/A0 (s, h, p), not a number where it was not solved."""
+        found = self["areas"]
+        return np.where(found == 65535, np.nan, np.exp(-2e-4 * found.astype(float)))
+
+    @cache  # noqa: B019 - there is one set, for ever
+    def errors(self, column: str) -> np.ndarray | None:
+        """ln(A/solved A) (s, h, p) of "model|way of finding asperities"; None of a model that was not measured."""
+        return self._of("columns", "which", "errors", column)
+
+    @cache  # noqa: B019
+    def film_errors(self, column: str) -> np.ndarray | None:
+        """The same on films (coated surfaces, films, loads)."""
+        return self._of("film_columns", "film_which", "film_errors", column)
+
+    def _of(self, names: str, which: str, tables: str, column: str) -> np.ndarray | None:
+        at = np.flatnonzero(self[names] == column)
+        if not at.size:
+            return None
+        return decoded(np.cumsum(self[tables][self[which][at[0]]], axis=-1, dtype=np.int8))
+
+    def __hash__(self) -> int:
+        return id(self)
+
+
+@cache
+def solved_set() -> SolvedSet:
+    """The set of the package."""
+    with np.load(FILE, allow_pickle=False) as file:
+        content = {name: file[name] for name in file.files}
+    for name in PACKED:
+        plain = np.frombuffer(lzma.decompress(content[name].tobytes()), np.int8)
+        content[name] = plain.reshape(content.pop(f"{name}_shape"))
+    return SolvedSet(content)

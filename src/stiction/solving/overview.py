@@ -1,0 +1,131 @@
+"""What the program knows and where a result comes from: the registry and the bibliography for users."""
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import nearest
+from stiction.records.registry import AsperityMethod, FilmLaw, Limit, Record, records, text_of
+from stiction.records.sources import bibliography, bibtex
+from stiction.solving.accuracy.film_tables import summary
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
+    """One dict for each record of the registry, with at least key, kind, title, grade, source, validity, needs, options,
+    verified, notes and text; texts and lists of texts. `text`, in Markdown, is what the file of the model says: assumptions,
+    equations, check numbers.
+
+    keys: only records with these keys. Raises InputError for one that is not known.
+    """
+    if keys is None:
+        return [_row(record) for record in records()]
+    wanted = list(keys)
+    known = {record.key for record in records()}
+    for key in wanted:
+        if key not in known:
+            raise InputError("key", key, nearest(key, sorted(known)))
+    return [_row(record) for record in records() if record.key in wanted]
+
+
+def _row(record: Record) -> dict[str, Any]:
+    row: dict[str, Any] = {
+        "key": record.key,
+        "kind": record.kind,
+        "title": record.title,
+        "grade": record.grade,
+        "source": [str(source) for source in record.sources],
+        "validity": [f"{rule.quantity} {rule.range}: {rule.why}" for rule in record.validity],
+        "needs": list(record.needs),
+        "options": {name: list(values) for name, values in record.options.items()} | _parameters(record),
+        "accuracy": record.accuracy,
+        "verified": record.verified,
+        "limits": [_limit(limit) for limit in record.limits],
+        "notes": record.notes,
+        "text": text_of(record),
+    }
+    if isinstance(record, FilmLaw):
+        row["measured_film_error"] = _measured(record)
+    if isinstance(record, AsperityMethod):
+        row["options_mean"] = {name: option.meaning for name, option in record.parameters.items()}
+    return row | {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}
+
+
+def _measured(record: FilmLaw) -> list[str]:
+    """What was measured of a film law on a sphere, in words, a line for each of its options and moduli."""
+    lines = []
+    for one in summary(record.key):
+        for at, n_E in enumerate(one["n_E"]):
+            cells = [
+                f"a/t = {width:g}: {area:+.0%}, {load:+.0%}"
+                for width, area, load in zip(one["a_over_t"], one["area"][at], one["load"][at], strict=True)
+            ]
+            lines.append(f"{one['options']}, n_E = {n_E:g}: ".removeprefix(", ") + "; ".join(cells))
+    return lines
+
+
+def _parameters(record: Record) -> dict[str, list[str]]:
+    """Options of a way of finding asperities, put as those of laws: the default, if there is one, then what else is allowed."""
+    said: dict[str, list[str]] = {}
+    for name, option in record.parameters.items() if isinstance(record, AsperityMethod) else ():
+        others = [str(value) for value in option.values if value != option.default] or [option.allowed]
+        said[name] = others if option.default is None else [f"{option.default}", *others]
+    return said
+
+
+def _limit(limit: Limit) -> str:
+    """A limit in words."""
+    values = [f"{name} = {value:g}" for name, value in limit.groups.items()]
+    values += [f"{name} {value}" for name, value in limit.options.items()]
+    return f"{limit.parent} at {', '.join(values)}: {' and '.join(limit.quantities)} within {limit.within:.0e}"
+
+
+# What the kinds of records have beyond the common columns, and how it is put.
+_MORE: dict[str, Callable[[Any], Any]] = {
+    "traits": sorted,
+    "wants": dict,
+    "jumps": lambda jumps: [f"{jump.where}: load times {jump.load:g}, contact area times {jump.area:g}" for jump in jumps],
+    "departures": lambda departures: [str(one) for one in departures],
+    "asperity": str,
+    "tangential": str,
+    "default_film": str,
+    "own_asperity": bool,
+    "bares_substrate": bool,
+    "confined": bool,
+    "interchangeable": bool,
+    "interfacial": bool,
+    "yielded": str,
+    "below": str,
+    "above": str,
+    "property": str,
+    "label": str,
+    "order": int,
+    "of_profiles": bool,
+    "of_summits": bool,
+    "of_moments": bool,
+}
+
+
+def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
+    """BibTeX of exactly what a result used.
+
+    what: a result of `solve`; or the key of a model or of a bibliography entry, or several; or None for all.
+    Raises InputError for an unknown key.
+    """
+    if what is None:
+        return entries()
+    if hasattr(what, "attrs"):
+        return entries(what.attrs["sources"].split())
+    keys: list[str] = []
+    for key in [what] if isinstance(what, str) else what:
+        named = [source.key for record in records() if record.key == key for source in record.sources]
+        keys += named or [key]
+    return entries(keys)
+
+
+def entries(keys: Iterable[str] | None = None) -> str:
+    """Return the BibTeX of these entries, of the bibliography and of the records; by default all. Raises InputError."""
+    more = {key: entry for record in records() for key, entry in record.entries.items()}
+    return bibtex([*bibliography(), *more] if keys is None else keys, more)

@@ -1,0 +1,99 @@
+"""All that is said of one case, for a report: its answer at a working load, all models beside it, and its scans."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from stiction.case.read import Case
+from stiction.laws.proportion import questions
+from stiction.quantities.errors import InputError
+from stiction.quantities.progress import Progress, silent
+from stiction.solving.choice import DEFAULT_MODEL, Choice
+from stiction.studies.answered import Answered, answered
+from stiction.studies.case_results import RECOMMENDED
+from stiction.studies.comparison.compare import working_load
+from stiction.studies.prediction.predict import is_predicted, prediction_of
+
+if TYPE_CHECKING:
+    from stiction.studies.scans.analysis import Analysis
+
+__all__ = ["Findings", "find_out", "places_in"]
+
+
+@dataclass(frozen=True)
+class Findings:
+    """What a report tells.
+
+    case. text: its file as it was written, "" where there was none. answer: the curve with its spreads, the result at the
+    working load, all models. prediction: what `predict` gives, None where a model is named or nothing is predicted.
+    not_compared: why models are not compared, "" if they are. analyses: body -> what is said of its scan. questions: about
+    numbers that were hardly meant.
+    """
+
+    case: Case
+    text: str
+    answer: Answered
+    not_compared: str = ""
+    analyses: "Mapping[str, Analysis]" = field(default_factory=dict)
+    questions: tuple[str, ...] = ()
+    prediction: Any = None
+
+    @property
+    def result(self) -> Any:
+        """The result at the working load; where there is none, all of it."""
+        return self.answer.data if self.answer.here is None else self.answer.here
+
+
+def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> Findings:
+    """All that is said of a case. load: the working load [N]; by default the middle one of the case; of numbers that are
+    several there is none, and models are not compared. progress: from a text, what wraps a list of steps. Raises InputError."""
+    if case.is_several and load is not None:
+        raise InputError("--load", load, "nothing, where numbers of the case are several: it is solved at its own points")
+    at = None if case.is_several else working_load(case, load)
+    why = "numbers of the case are several, and models are compared for one contact" if case.is_several else ""
+    why = why or ("" if at is not None else "nothing presses at any of its points, and models are judged at a load above 0")
+    prediction = prediction_of(case, at) if is_predicted(case) else None
+    found = _answered(case, at, progress) if prediction is not None else answered(case, at, progress)
+    asked = tuple(str(one) for one in questions(case.subject))
+    return Findings(case, text, found, why, _analyses(case, progress), asked, prediction)
+
+
+def _answered(case: Case, load: float | None, progress: Progress) -> Answered:
+    """Return the case by the recommended model; where none is recommended, by the default one."""
+    try:
+        return answered(replace(case, choice=Choice(RECOMMENDED)), load, progress)
+    except InputError:
+        return answered(replace(case, choice=Choice(DEFAULT_MODEL)), load, progress)
+
+
+def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":
+    if case.measured is None:
+        return {}
+    from stiction.studies.scans.analysis import analyse
+
+    maps = case.measured.solvable.maps
+    return {body: analyse(one, progress=progress(f"Analysing the {body} body")) for body, one in maps.items()}
+
+
+def places_in(text: str) -> frozenset[tuple[str, ...]]:
+    """The places of all values in the text of a case file: ("contact", "first", "hardness"). None where it is no TOML."""
+    found: set[tuple[str, ...]] = set()
+
+    def walk(table: Mapping, path: tuple[str, ...]) -> None:
+        for key, value in table.items():
+            found.add((*path, key))
+            if isinstance(value, Mapping):
+                walk(value, (*path, key))
+
+    try:
+        walk(tomllib.loads(text), ())
+    except tomllib.TOMLDecodeError:
+        return frozenset()
+    return frozenset(found)
+
+
+def text_of_file(path: Path) -> str:
+    """The text of a case file that was read already."""
+    return path.read_text(encoding="utf-8-sig")

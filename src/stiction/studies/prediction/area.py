@@ -1,0 +1,164 @@
+"""The contact area that carries the load: area laws, each corrected by its measured error, combined by stacking.
+
+A law's area on the drawn contacts is divided by its error on solved surfaces near the nominal contact, drawn from the
+distribution of that error over those surfaces (docs/truth.md). What is left of a law is how it follows load, hardness and
+roughness; its bias is gone. Laws are combined by weights that score best on solved surfaces left out (`make truth`).
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.solving.accuracy.errors_near import NORMAL_SCORES
+from stiction.solving.accuracy.measured_error import MeasuredErrors, measured_errors
+from stiction.solving.choice import Choice
+from stiction.solving.points import points_of, solve_points
+from stiction.solving.problem import Problem, make_problem
+from stiction.solving.state import state_of
+from stiction.studies.prediction.area_weights import area_weights
+from stiction.studies.prediction.asked import Asked
+
+__all__ = ["AreaLaw", "area_laws", "grown_to"]
+
+_SUM = "greenwood_williamson_1966"
+_ON_FILM = ((Choice("rough_on_film", tangential="none"), 1.0),)
+# A film that the area law refuses: no solved surface is near, and the width says so.
+_OTHER_FILMS = (
+    (Choice(_SUM, asperity="zhao_maietta_chang_2000", film="layered", tangential="none"), 0.5),
+    (Choice(_SUM, asperity="zhao_maietta_chang_2000", film="sequential", tangential="none"), 0.5),
+)
+# Heights that are not Gaussian are known to sums alone.
+_OTHER_HEIGHTS = ((Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none"), 1.0),)
+# Standard deviation of ln of the area where no solved surface is near, a judgement (grade C): a factor of 2 at 90 %.
+_FAR, _FAR_ON_MAP = 0.42, 0.03  # the latter of the solution of a map, which only the light load sets apart
+# Share of the nominal area from which on a law that says nothing of a draw means that it is pressed flat; below, that spots
+# would bear more than they can: then the area is the least that carries the load.
+_HALF = 0.5
+_POWER = 3.5  # of the mean of elastic and plastic area
+_SOLVED = 0.005  # standard deviation of ln of what the solved areas themselves are known to
+
+
+def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.ndarray:
+    """Return an area that grows by a factor while it is small, and to the nominal one at most."""
+    open_share = np.maximum(1.0 - area / nominal, 1e-300)
+    return nominal * -np.expm1(np.log(open_share) * factor)
+
+
+@dataclass(frozen=True)
+class AreaLaw:
+    """What one law says of the area.
+
+    name: of the law in words. weight: by stacking. log_area: ln of the area [m2], array (n, m) over draws and loads. levels:
+    quantiles of ln(A/solved A), array (m, 5), see errors_near.LEVELS. far: how far (m,) no solved surface is near, 0
+    to 1. sample: standard error of ln of the area as one window of a larger surface, (m,). touching: number of asperities that
+    touch (m,), infinite where it is not known. yields_at: mean pressure of spots (n or 1, m) that flow [Pa].
+    far_error: standard deviation of ln of the area where no solved surface is near.
+    """
+
+    name: str
+    weight: float
+    log_area: np.ndarray
+    levels: np.ndarray
+    far: np.ndarray
+    sample: np.ndarray
+    touching: np.ndarray
+    yields_at: np.ndarray
+    far_error: float
+
+    def corrected(self, rows: np.ndarray, loads: np.ndarray, level: np.ndarray, nominal: np.ndarray) -> np.ndarray:
+        """Return the area [m2] (n, m) of these rows of the inputs, without the error at these quantile levels (n,).
+
+        Spots that flow bound it from below: no area is less than the load over their pressure. Where no solved surface is near,
+        the part that is elastic is uncertain: area is a power mean of both, as in the law (persson_widened). nominal: area [m2]
+        (n, 1).
+        """
+        from scipy.special import ndtri
+
+        score = ndtri(level)
+        near = np.array([_between(score, levels) for levels in self.levels]).T
+        area = np.exp(self.log_area[rows])
+        plastic = loads / self.yields_at[rows % len(self.yields_at)]
+        area = np.maximum(grown_to(np.minimum(area, nominal), np.exp(-near * (1.0 - self.far)), nominal), plastic)
+        elastic = np.maximum(area**_POWER - plastic**_POWER, 0.0) ** (1.0 / _POWER)
+        wide = ((elastic * np.exp(self.far_error * score[:, None] * self.far)) ** _POWER + plastic**_POWER) ** (1.0 / _POWER)
+        return grown_to(np.minimum(area, nominal), wide / area, nominal)
+
+
+def _between(score: np.ndarray, levels: np.ndarray) -> np.ndarray:
+    """Return the quantile at normal scores (n,), by straight lines between the known ones; beyond the last as a normal number
+    with the width of all of them."""
+    ends = NORMAL_SCORES[0], NORMAL_SCORES[-1]
+    slope = (levels[-1] - levels[0]) / (ends[1] - ends[0])
+    return np.interp(score, NORMAL_SCORES, levels) + slope * (score - np.clip(score, *ends))
+
+
+def area_laws(asked: Asked) -> list[AreaLaw]:
+    """Return the laws that answer for a contact, with weights that sum to 1. Raises InputError where none does."""
+    found, refusal = [], None
+    for choices in _in_turn(asked):
+        for choice, weight in choices:
+            try:
+                found.append(_law(asked, choice, weight))
+            except (InputError, ArithmeticError) as error:
+                refusal = error
+        if found:
+            break
+    if not found:
+        assert refusal is not None
+        raise refusal
+    total = sum(law.weight for law in found)
+    return [replace(law, weight=law.weight / total) for law in found]
+
+
+def _in_turn(asked: Asked) -> tuple[tuple[tuple[Choice, float], ...], ...]:
+    """Return the sets of laws in the order in which they are asked, each if the one before refuses."""
+    contact = asked.contact
+    if contact.has_film:
+        return _ON_FILM, _OTHER_FILMS
+    if asked.on_map:
+        return area_weights("map"), area_weights("numbers")
+    if contact.heights[0] != "gaussian":
+        return (_OTHER_HEIGHTS,)
+    return (area_weights("numbers" if contact.surface_kind is None else "kind"),)
+
+
+def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:
+    nominal = asked.nominal(choice.model_key)
+    points = points_of(make_problem(nominal, choice), asked.loads)
+    tables = solve_points(points, refuse=False).tables
+    errors = measured_errors(points.problem, tables)
+    area = tables["contact_area"].reshape(1, -1) * float(np.ravel(points.factors[QUANTITIES["contact_area"].scale])[0])
+    if "mean_separation" in tables:  # results where a load is nowhere carried are those at another one
+        area = np.where(np.isnan(tables["mean_separation"]).reshape(1, -1), np.nan, area)
+    drawn, flat = area, ~(area < _HALF * float(np.mean(nominal.nominal_area)))
+    if asked.levels.size:
+        drawn = asked.areas(choice) if nominal.map is None else area * asked.by_numbers().variation(choice)
+    drawn = np.where(np.isnan(drawn), np.where(flat, np.inf, 0.0), drawn)
+    touching = state_of(points.problem, tables).get("touching_asperities", np.full(len(asked.loads), np.inf))
+    with np.errstate(divide="ignore"):
+        far_error = _FAR if nominal.map is None else _FAR_ON_MAP
+        known = *_known(errors), np.ravel(touching), _yields_at(asked, points.problem, tables, area)
+        return AreaLaw(replace(choice, tangential=None).name, weight, np.log(drawn), *known, far_error)
+
+
+def _known(errors: MeasuredErrors) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return levels, how far nothing is known, and the error of the sample, at each load."""
+    known = np.isfinite(errors.levels).all(axis=1)
+    trust = np.where(known, np.clip(errors.trust, 0.0, 1.0), 0.0)
+    levels = np.where(known[:, None], errors.levels, 0.0)
+    scores, middle = np.array(NORMAL_SCORES), levels[:, 2:3]
+    levels = middle + np.sign(scores) * np.hypot(levels - middle, _SOLVED * scores)
+    return levels, 1.0 - trust, np.nan_to_num(errors.sample)
+
+
+def _yields_at(asked: Asked, problem: Problem, tables: Mapping[str, np.ndarray], area: np.ndarray) -> np.ndarray:
+    """Return the mean pressure of spots that flow: the hardness of each draw, or what the body below a hard film carries."""
+    hardness = asked.bodies.hardness
+    over_below = state_of(problem, tables).get("pressure_over_body_below")
+    if over_below is None:
+        return np.broadcast_to(hardness, (len(hardness), area.shape[1]))
+    carried = asked.loads / area[0] / np.ravel(over_below)
+    return np.fmin(hardness, carried)

@@ -1,0 +1,18 @@
+"""Weights of area laws, found by stacking on solved surfaces (made by truth/stack.py)."""
+
+import json
+from functools import cache
+from pathlib import Path
+
+from stiction.solving.choice import Choice
+
+__all__ = ["FILE", "area_weights"]
+
+FILE = Path(__file__).parent / "area_weights.json"
+
+
+@cache
+def area_weights(known: str) -> tuple[tuple[Choice, float], ...]:
+    """Return laws and their weights, by what is known of the surface: "numbers", "kind" or "map"."""
+    rows = json.loads(FILE.read_text(encoding="utf-8"))[known]
+    return tuple((Choice(row["model"], asperity=row["asperity"], tangential="none"), row["weight"]) for row in rows)

@@ -1,0 +1,34 @@
+"""Numbers of a surface that is known by its finish, as uncertain numbers of a case."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from stiction.case.distribution import of_samples
+from stiction.case.read import Case
+from stiction.case.uncertain import Uncertain, expanded
+from stiction.contact.contact import Contact
+
+__all__ = ["with_finish"]
+
+_NUMBERS = ("asperity_height_deviation", "asperity_radius", "asperity_density")
+_NAME = "finish of the surface"  # the one dimension along which the three are drawn
+_ROWS, _SEED = 512, 1
+
+
+def with_finish(case: Case) -> Case:
+    """Return the case with sigma, R and N drawn together from what its finish leaves open; as it is where they are stated."""
+    contact = case.subject
+    if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:
+        return case
+    from scipy.stats import qmc
+
+    open_numbers = len(contact.roughness.unknowns)
+    points = qmc.Sobol(open_numbers, rng=np.random.default_rng(_SEED)).random(_ROWS)
+    drawn = contact.roughness.drawn(np.clip(points.T, 1e-6, 1.0 - 1e-6))
+    order = np.argsort(drawn[1], kind="stable")  # by radius, so that a level has a meaning
+    paths = [("contact", "roughness", name) for name in _NUMBERS]
+    more = [Uncertain.of(path, of_samples(path[-1], row[order], False), _NAME) for path, row in zip(paths, drawn, strict=True)]
+    tables = expanded(case.tables)
+    tables = {**tables, "contact": {**tables["contact"], "roughness": contact.roughness}}
+    return replace(case, tables=tables, uncertain=(*case.uncertain, *more))

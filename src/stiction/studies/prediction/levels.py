@@ -1,0 +1,66 @@
+"""Quantile levels of every part of a prediction: drawn together, exchanged one part at a time for the shares of variance."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+__all__ = ["COLUMNS", "PARTS", "Levels", "draw_levels"]
+
+# Names of the parts, and the columns of levels that each of them has beside the uncertain numbers of the case.
+COLUMNS: Mapping[str, tuple[str, ...]] = {
+    "inputs": (),
+    "interface": ("state", "strength", "coefficient"),
+    "area model": ("area_model", "area_error"),
+    "adhesion": ("pull_model", "pull_error"),
+    "junctions": ("growth", "confinement"),
+    "chance": ("chance",),
+}
+PARTS = tuple(COLUMNS)
+
+
+@dataclass(frozen=True)
+class Levels:
+    """Levels between 0 and 1 of n draws.
+
+    inputs: array (n, k), a column for each uncertain number of the case. others: name of a column of COLUMNS -> array (n,).
+    """
+
+    inputs: np.ndarray
+    others: Mapping[str, np.ndarray]
+
+    def __len__(self) -> int:
+        return len(self.inputs)
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.others[name]
+
+    def with_rows(self, parts: tuple[str, ...], rows: np.ndarray) -> "Levels":
+        """Return the levels with those of some parts, but for inputs, taken from other rows."""
+        moved = {name for part in parts for name in COLUMNS[part]}
+        return Levels(self.inputs, {name: one[rows] if name in moved else one for name, one in self.others.items()})
+
+
+def draw_levels(inputs: int, count: int, seed: int) -> Levels:
+    """Return the levels of `count` draws: points of one scrambled Sobol sequence over all columns.
+
+    Parameters
+    ----------
+    inputs : int
+        Number of uncertain numbers of the case.
+    count : int
+        Number of draws, a power of two.
+    seed : int
+        Seed of the scrambling.
+
+    Notes
+    -----
+    The sequence is scrambled as Owen (1997) does, so that its points are uniform, and the same seed gives the same draws.
+    """
+    from scipy.stats import qmc
+
+    names = [name for columns in COLUMNS.values() for name in columns]
+    points = qmc.Sobol(inputs + len(names), rng=np.random.default_rng(seed)).random(count)
+    points = np.clip(points, 1e-9, 1.0 - 1e-9)  # quantiles at 0 and 1 are infinite
+    # Inputs last: what has no uncertain number keeps its levels when it gets one.
+    return Levels(points[:, len(names) :], dict(zip(names, points[:, : len(names)].T, strict=True)))

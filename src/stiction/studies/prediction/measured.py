@@ -1,0 +1,74 @@
+"""A prediction that knows measured friction: its draws count by how well they meet the measured values."""
+
+from dataclasses import dataclass
+from os import PathLike
+
+import numpy as np
+
+from stiction.case.measurements import Measurements, read_measurements
+from stiction.case.read import Case
+from stiction.quantities.errors import InputError
+
+__all__ = ["Measured", "chosen_draws", "read_measured"]
+
+# Relative standard error of a measured coefficient whose error is not stated: that of the values among themselves where they
+# are three or more, and at least the first; else the second. Judgements (grade C).
+_LEAST_ERROR, _USUAL_ERROR = 0.05, 0.15
+_FEW = 10.0  # draws that count, below which the measured values are beyond what is predicted
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Measured friction coefficients (k,) at loads [N], with the standard errors of their logarithms."""
+
+    load: np.ndarray
+    log_mu: np.ndarray
+    error: np.ndarray
+
+
+def read_measured(path: str | PathLike, case: Case) -> Measured:
+    """Read measured friction from a CSV file, as `stiction fit` takes it. Raises InputError, also for other quantities."""
+    found: Measurements = read_measurements(path, case.tables)
+    others = set(found.quantity) - {"friction_coefficient", "friction_force"}
+    if others:
+        raise InputError(
+            "--data", ", ".join(sorted(others)), "friction_coefficient or friction_force; others need a table [fit]"
+        )
+    if any(found.known):
+        raise InputError("--data", "numbers of the contact", "none of them: a fit of several contacts needs a table [fit]")
+    force = np.array([one == "friction_force" for one in found.quantity])
+    mu = np.where(force, found.value / found.load, found.value)
+    if not (mu > 0.0).all():
+        raise InputError("--data", float(mu.min()), "measured friction above 0")
+    relative = np.where(force, found.error / found.load, found.error) / mu
+    spread = np.std(np.log(mu), ddof=1) if len(mu) >= 3 else _USUAL_ERROR
+    return Measured(found.load, np.log(mu), np.where(np.isfinite(relative), relative, max(spread, _LEAST_ERROR)))
+
+
+def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.ndarray, list[str]]:
+    """Return rows of the draws, each as often as it counts, and warnings.
+
+    Parameters
+    ----------
+    measured : Measured
+        k values.
+    mu : numpy.ndarray, shape (n, k)
+        Predicted friction at the loads of the values.
+    count : int
+        Number of rows that are returned.
+
+    Notes
+    -----
+    A draw counts by its likelihood, exp(-chi^2/2), of values with independent lognormal errors. Rows are resampled
+    systematically in the order of mu, so that its quantiles scatter least (Kitagawa 1996).
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        squares = ((np.log(mu) - measured.log_mu) / measured.error) ** 2
+    chi = np.where(np.isfinite(squares).all(axis=1), squares.sum(axis=1), np.inf)
+    weights = np.exp(-0.5 * (chi - chi.min()))
+    weights /= weights.sum()
+    order = np.argsort(mu[:, 0], kind="stable")  # the draws are an even sequence, which even steps along it would not be
+    rows = order[np.minimum(np.searchsorted(np.cumsum(weights[order]), (np.arange(count) + 0.5) / count), len(order) - 1)]
+    few = 1.0 / np.sum(weights**2) < _FEW or chi.min() / len(measured.log_mu) > 9.0
+    text = "The measured friction is beyond what the stated contact allows: check the interface and the inputs."
+    return rows, [text] if few else []

@@ -1,0 +1,141 @@
+"""All parts of a prediction together: mu, friction force and area of every draw."""
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.studies.prediction.area import AreaLaw, area_laws, grown_to
+from stiction.studies.prediction.asked import Asked
+from stiction.studies.prediction.junctions import grown, squeezed
+from stiction.studies.prediction.levels import Levels
+from stiction.studies.prediction.pull import Pull, pull_of
+from stiction.studies.prediction.strength import Strength
+
+__all__ = ["Mixture", "Samples"]
+
+# Variance of ln of the area of n elastic spots under a given load, times n: of Hertz spots whose depths d are exponential, area
+# and load go with d and d^1.5, so that it is E a^2/(E a)^2 + E w^2/(E w)^2 - 2 E aw/(E a E w) = 2 + 32/(3 pi) - 5 = 0.395.
+_OF_SPOTS = 0.395
+_MOST_SCATTER = 1.0  # standard deviation of ln of an area that so few asperities carry that none is sure to touch
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Results of the draws, arrays (n, m) over draws and loads, NaN where a draw cannot be.
+
+    force [N], area [m2], pull: factor of the area by adhesion and menisci, growth: by shear, strength: tau_0 [Pa] (n, 1),
+    pressure: mean pressure of spots over the hardness, before shear.
+    """
+
+    force: np.ndarray
+    area: np.ndarray
+    pull: np.ndarray
+    growth: np.ndarray
+    strength: np.ndarray
+    pressure: np.ndarray
+
+    def some(self, rows: np.ndarray, loads: int) -> "Samples":
+        """Return these rows of the draws, at the first of the loads."""
+        return Samples(*(getattr(self, one.name)[rows, :loads] for one in fields(self)))
+
+
+@dataclass(frozen=True)
+class Mixture:
+    """The parts of a prediction, ready to be drawn from."""
+
+    asked: Asked
+    laws: list[AreaLaw]
+    pull: Pull
+    strength: Strength
+
+    @classmethod
+    def of(cls, asked: Asked) -> "Mixture":
+        """Return the parts for a contact. Raises InputError where no law answers for it."""
+        _refuse_flattened(asked)
+        return cls(asked, area_laws(asked), pull_of(asked), Strength(asked))
+
+    @property
+    def touching(self) -> np.ndarray:
+        """Return the number of asperities that touch at each load (m,)."""
+        return np.sum([law.weight * law.touching for law in self.laws], axis=0)
+
+    def samples(self, levels: Levels, inputs: np.ndarray) -> Samples:
+        """Return the results at these levels; inputs: the row of the drawn contacts that each draw takes."""
+        asked, bodies = self.asked, self.asked.bodies
+        load = asked.loads[None, :]
+        nominal, hardness, shear, hardest = (
+            self._of(one, inputs)
+            for one in (asked.column(asked.drawn.nominal_area), bodies.hardness, bodies.shear_strength, bodies.hardest)
+        )
+        pull = self.pull.factor(levels["pull_model"], levels["pull_error"], inputs)
+        dry = np.minimum(self._dry_area(levels, inputs, nominal), nominal)
+        area = grown_to(dry, pull, nominal)
+        borne = load * area / dry  # the load that would make this area alone
+        area, pressure = self._squeezed(levels, inputs, area, borne, hardness, hardest)
+        area = grown_to(area, np.exp(self._chance(levels, pressure / hardness)), nominal)
+        area = np.maximum(area, np.minimum(borne / hardest, nominal))
+        strength, coefficient = self.strength.at(levels["state"], levels["strength"], levels["coefficient"], inputs)
+        growth = np.ones_like(area)
+        if asked.metallic:
+            growth = grown(levels["growth"], borne / area, strength, hardness, shear)
+        area = np.minimum(area * growth, nominal)
+        return Samples(strength * area + coefficient * borne, area, pull, growth, strength, pressure / hardness)
+
+    def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
+        """Return the rows of a column (n, 1), or of one number, for these rows of the inputs."""
+        return column[inputs % len(column)]
+
+    def weights_of_laws(self, levels: Levels, rows: np.ndarray) -> dict[str, float]:
+        """Return the share of each law of the area among these rows of the draws."""
+        which = self._laws_drawn(levels)[rows]
+        return {law.name: float(np.mean(which == at)) for at, law in enumerate(self.laws)}
+
+    def _laws_drawn(self, levels: Levels) -> np.ndarray:
+        """Return the number of the law of the area of each draw (n,)."""
+        ends = np.cumsum([law.weight for law in self.laws])
+        return np.minimum(np.searchsorted(ends, levels["area_model"]), len(ends) - 1)
+
+    def _dry_area(self, levels: Levels, inputs: np.ndarray, nominal: np.ndarray) -> np.ndarray:
+        """Return the area (n, m) without what pulls: of the law drawn by its weight, less the error drawn for it."""
+        which = self._laws_drawn(levels)
+        areas = np.empty((len(levels), len(self.asked.loads)))
+        for at, law in enumerate(self.laws):
+            mine = which == at
+            rows = inputs[mine] % len(law.log_area)
+            areas[mine] = law.corrected(
+                rows, self.asked.loads, levels["area_error"][mine], self._of(nominal, np.flatnonzero(mine))
+            )
+        return areas
+
+    def _squeezed(self, levels, inputs, area, borne, hardness, hardest):
+        """Return area and mean pressure (n, m), of a soft film that is squeezed out of spots wider than it is thick."""
+        coating, touching = self.asked.drawn.coating, self.touching
+        if coating is None or not np.isfinite(touching).all():
+            return area, borne / area
+        radius = np.sqrt(area / (np.pi * np.maximum(touching, 1.0)))
+        thickness = self._of(self.asked.column(coating.thickness), inputs)
+        times = squeezed(levels["confinement"], borne / area, radius, thickness, hardness, hardest)
+        return area / times, borne / area * times
+
+    def _chance(self, levels: Levels, pressure: np.ndarray) -> np.ndarray:
+        """Return ln of the area (n, m) over its mean, as one contact with few spots has it: none where all is plastic, or where
+        the map says which spots there are."""
+        from scipy.special import ndtri
+
+        elastic = 1.0 - np.clip(pressure, 0.0, 1.0) ** 2
+        number = 1.0 / np.maximum(self.touching, 1e-9)
+        varied = self.asked.contact.strength_variation
+        sample = sum(law.weight * law.sample**2 for law in self.laws)
+        of_spots = _OF_SPOTS * number * elastic if not self.asked.on_map else 0.0
+        variance = of_spots + sample + (0.0 if varied is None else 2.0 * np.mean(varied) ** 2 * number)
+        return ndtri(levels["chance"])[:, None] * np.minimum(np.sqrt(variance), _MOST_SCATTER)
+
+
+def _refuse_flattened(asked: Asked) -> None:
+    """Raise InputError for a load that presses the faces together with more than the hardness."""
+    most = float(np.median(asked.bodies.hardest)) * float(np.mean(asked.drawn.nominal_area))
+    heaviest = float(asked.loads.max())
+    if heaviest > most:
+        shown = (asked.contact.show(one, "load", 3) for one in (heaviest, most))
+        raise InputError("load", next(shown), f"at most {next(shown)}, the hardness times the nominal area")

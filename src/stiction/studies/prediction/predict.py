@@ -1,0 +1,183 @@
+"""One answer: the friction coefficient of a contact with an interval that holds the truth as often as it says."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.case.read import Case, as_case, case_in
+from stiction.case.uncertain import named, with_ranges
+from stiction.contact.contact import Contact
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.studies.prediction.asked import Asked
+from stiction.studies.prediction.finish import with_finish
+from stiction.studies.prediction.levels import draw_levels
+from stiction.studies.prediction.measured import Measured, chosen_draws, read_measured
+from stiction.studies.prediction.mixture import Mixture, Samples
+from stiction.studies.prediction.regime import next_step, regime_of, warnings_of
+from stiction.studies.prediction.shares import shares_of_variance
+from stiction.studies.pressing_loads import pressing_loads
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["is_predicted", "predict", "prediction_of"]
+
+_COUNT, _MANY, _SEED = 512, 16384, 0  # draws; with measured values; seed of both
+_RESULTS = ("friction_coefficient", "friction_force", "contact_area")
+
+
+def predict(contact: Any, *, load: Any = None, level: float = 0.9, measured: Any = None) -> "xarray.Dataset":
+    """Predict the static friction of a contact, with an interval.
+
+    Parameters
+    ----------
+    contact : Contact, Case, dict or path
+        A contact, or a case as `read_case` takes it. Uncertain numbers of a case are drawn; so are numbers of material presets
+        within their ranges, unless the case switches that off.
+    load : number, text with a unit, or a sequence of these, optional
+        Normal load [N], above 0; by default the loads of the case.
+    level : float, optional
+        Share of the predictive distribution within the interval, between 0 and 1.
+    measured : path, optional
+        CSV file of measured friction of this contact, with heads like `load [N],friction_coefficient`: draws then count by how
+        well they meet the measured values.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `load`: `friction_coefficient`, `friction_force` [N] and `contact_area` [m^2], medians, each with `_low` and
+        `_high`, the ends of the interval; `friction_coefficient_samples` (sample, load). Attributes, at the middle load:
+        `level`, `regime` (a sentence), `shares` (part -> share of the variance of ln mu), `warnings` (a list, the main one
+        first), `next_step`, `models` (law of the area -> weight), `excluded` (share of draws that cannot be), `strength` (tau_0
+        [Pa]: median and ends). With measured friction `shares` is empty.
+
+    Raises
+    ------
+    InputError
+        A number is out of bounds, the load does not press, or no law answers for the contact.
+
+    Notes
+    -----
+    mu = (tau_0 A + alpha W)/P, with A the contact area under the load P and what pulls beside it, W = P + pull. Drawn together
+    are the inputs; tau_0 and alpha, by the state of the interface; the area, by laws whose error on solved surfaces near the
+    contact is known; what pulls; how plastic junctions grow under shear; and chance, where few asperities touch. Bodies bound
+    all: tau_0 is at most the shear strength of the weaker body, A at most the nominal area, pressure at most the hardness.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> pair = st.Contact(
+    ...     first="copper", second="copper", interface="oxidised metal", nominal_area="1 cm^2",
+    ...     roughness=dict(asperity_height_deviation="0.2 um", asperity_radius="20 um", asperity_density="1e10 1/m^2"),
+    ... )
+    >>> answer = st.predict(pair, load="10 N")
+    >>> bool(answer.friction_coefficient_low < answer.friction_coefficient < answer.friction_coefficient_high)
+    True
+    """
+    if not 0.0 < level < 1.0:
+        raise InputError("level", level, "a share above 0 and below 1, e.g. 0.9")
+    case, loads, at = _case_and_loads(contact, load)
+    if measured is None:
+        levels = draw_levels(len(case.unknowns), _COUNT, _SEED)
+        mixture = Mixture.of(Asked(case, loads, levels.inputs))
+        samples = mixture.samples(levels, np.arange(_COUNT))
+        attributes = _attributes(mixture, samples, at, level, shares_of_variance(mixture, levels, at))
+    else:
+        samples, attributes = _given(read_measured(measured, case), case, loads, at, level)
+    data = _dataset(samples, loads, level).assign_attrs(attributes)
+    data = data.assign_attrs({"case": case.title} if case.title else {}, working_load=float(loads[at]))
+    return data.isel(load=0) if load is not None and np.ndim(load) == 0 else data
+
+
+def is_predicted(case: Case) -> bool:
+    """Return whether the prediction answers for a case: one contact of materials, and no model, law or option named."""
+    named = {name: value for name, value in case.choice.arguments().items() if value is not None}
+    return isinstance(case.subject, Contact) and not case.is_several and named in ({}, {"model": "recommended"})
+
+
+def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
+    """Return the prediction of a case at a load [N]; None of what is not predicted: normalised numbers, and where nothing
+    presses."""
+    if load is None or not isinstance(case.subject, Contact):
+        return None
+    return predict(case, load=load)
+
+
+def _case_and_loads(given: Any, load: Any) -> tuple[Case, np.ndarray, int]:
+    """Return the case, its loads (m,) and the place of the working load among them. Raises InputError."""
+    if isinstance(given, Contact):
+        if load is None:
+            raise InputError("load", None, 'a load above 0, e.g. load="1 N"')
+        given = case_in({"contact": given, "solve": {"load": ["1 N"]}})
+    case = with_finish(_with_ranges(as_case(given)))
+    if not isinstance(case.subject, Contact):
+        raise InputError("indices", "given", "[contact]: a prediction needs materials and lengths")
+    for name, _ in case.subject.arrays():
+        raise InputError(name, "several values", "one number, or its uncertainty; vary it with stiction sweep")
+    if load is None:
+        loads, at = pressing_loads(case)
+        if not loads.size:
+            raise InputError("load", None, "a load above 0: nothing presses at any point of the case")
+        return case, loads, at
+    read = case.subject.read
+    loads = np.atleast_1d(np.asarray([read(one, "load") for one in load] if np.ndim(load) else read(load, "load"), dtype=float))
+    if not loads.size or not (np.isfinite(loads) & (loads > 0.0)).all():
+        raise InputError("load", float(loads.min()) if loads.size else None, "above 0 N: mu is friction over load")
+    return case, loads, (len(loads) - 1) // 2
+
+
+def _with_ranges(case: Case) -> Case:
+    """Return the case with the ranges of its materials as uncertain numbers, unless it says otherwise."""
+    if "ranges" in case.uncertainty.model_fields_set:
+        return case
+    taken = [*case.several, *(one.path for one in case.uncertain)]
+    return replace(case, uncertain=tuple(named([*case.uncertain, *with_ranges(case.tables, taken)])))
+
+
+def _dataset(samples: Samples, loads: np.ndarray, level: float) -> "xarray.Dataset":
+    import xarray
+
+    tables = {"friction_coefficient": samples.force / loads, "friction_force": samples.force, "contact_area": samples.area}
+    ends = {"": 0.5, "_low": 0.5 - 0.5 * level, "_high": 0.5 + 0.5 * level}
+    known = np.isfinite(samples.force)
+    variables: dict[str, tuple] = {}
+    for name in _RESULTS:
+        quantity = QUANTITIES[name]
+        values = np.where(known, tables[name], np.nan)
+        for end, share in ends.items():
+            meaning = f"{quantity.meaning}, " + ("median" if not end else f"quantile {share:.3g}")
+            attributes = {"units": quantity.unit or "1", "long_name": meaning}
+            variables[name + end] = ("load", np.nanquantile(values, share, axis=0), attributes)
+    variables["friction_coefficient_samples"] = (("sample", "load"), np.where(known, tables["friction_coefficient"], np.nan))
+    return xarray.Dataset(variables, coords={"load": ("load", loads, {"units": "N", "long_name": "load"})})
+
+
+def _given(known: Measured, case: Case, loads: np.ndarray, at: int, level: float) -> tuple[Samples, dict[str, Any]]:
+    """Return the draws that meet measured values, and the attributes of their prediction."""
+    levels = draw_levels(len(case.unknowns), _MANY, _SEED)
+    mixture = Mixture.of(Asked(case, np.concatenate([loads, known.load]), levels.inputs))
+    samples = mixture.samples(levels, np.arange(_MANY))
+    mu = samples.force[:, len(loads) :] / known.load
+    rows, warnings = chosen_draws(known, mu, _COUNT)
+    chosen = samples.some(rows, len(loads))
+    found = _attributes(mixture, chosen, at, level, {})
+    weights = mixture.weights_of_laws(levels, rows)
+    found |= {"warnings": [*warnings, *found["warnings"]], "models": weights, "measured": len(known.load), "next_step": ""}
+    return chosen, found
+
+
+def _attributes(mixture: Mixture, samples: Samples, at: int, level: float, shares: Mapping[str, float]) -> dict[str, Any]:
+    strength = np.quantile(samples.strength, [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level])
+    return {
+        "level": level,
+        "regime": regime_of(mixture, samples, at),
+        "shares": dict(shares),
+        "strength": strength.tolist(),
+        "warnings": warnings_of(mixture, samples, at),
+        "next_step": next_step(shares, mixture),
+        "models": {law.name: law.weight for law in mixture.laws},
+        "excluded": float(np.mean(~np.isfinite(samples.force))),
+    }

@@ -1,0 +1,73 @@
+"""What pulls beside the load: by what factor adhesion and menisci raise the area.
+
+Solved surfaces are dry and do not adhere. The factor is that of sums over asperities: the area with the pull over that without
+it, of one law. It goes to 1 without a step where nothing pulls. Two laws of adhesion answer, equally likely: JKR asperities
+that yield (the 2015 model) and the elastic ones of Maugis. No surface was solved with adhesion: a quarter of ln of the factor
+is its standard deviation (a judgement, grade C). The pull of menisci was found .4 to 2.5 times that of solved maps.
+"""
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+from stiction.studies.prediction.asked import Asked
+
+__all__ = ["Pull", "pull_of"]
+
+_SUM = "greenwood_williamson_1966"
+_ADHESION = (Choice("soft_coating_2015", tangential="none"), Choice(_SUM, asperity="maugis_1992", tangential="none"))
+_DRY = Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none", meniscus="none")
+_WET = Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none", meniscus="equilibrium_meniscus")
+_ADHESION_ERROR = 0.25  # standard deviation of ln of the factor, over ln of the factor
+_FLAT = 1e6  # factor of the area of faces that adhesion pulls flat
+_MENISCUS_BIAS, _MENISCUS_ERROR = 0.2, 0.45  # of ln of the pull: median and standard deviation
+
+
+class Pull:
+    """Factors of the area by what pulls: adhesion, a list of arrays (n, m), one a law; menisci, an array (n, m)."""
+
+    def __init__(self, adhesion: list[np.ndarray], menisci: np.ndarray):
+        self.adhesion, self.menisci = adhesion, menisci
+
+    def factor(self, model: np.ndarray, error: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """Return the factor (n, m) at levels (n,) of which law answers and of its error, for these rows of the inputs."""
+        from scipy.special import ndtri
+
+        score = ndtri(error)[:, None]
+        laws = np.stack([table[rows % len(table)] for table in self.adhesion])
+        which = np.minimum((model * len(laws)).astype(int), len(laws) - 1)
+        log_factor = np.log(laws[which, np.arange(len(which))]) * np.exp(_ADHESION_ERROR * score)
+        pulled = (self.menisci[rows % len(self.menisci)] - 1.0) * np.exp(_MENISCUS_BIAS + _MENISCUS_ERROR * score)
+        return np.exp(log_factor) * (1.0 + pulled)
+
+
+def pull_of(asked: Asked) -> Pull:
+    """Return the factors of a contact by what it has of work of adhesion and liquid. Raises InputError where no law answers."""
+    contact, one = asked.contact, np.ones((1, len(asked.loads)))
+    adhesion = _by_adhesion(asked) if contact.adheres else [one]
+    menisci = one
+    if contact.liquid is not None:
+        wet, dry = (asked.areas(choice, ("liquid",)) for choice in (_WET, _DRY))
+        menisci = _factor(wet, dry)
+    return Pull(adhesion, menisci)
+
+
+def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:
+    """Return one area over the other, at least 1. A sum whose area passes the nominal one says nothing (NaN): where the pull
+    makes it so the faces are pulled flat, and where the load alone does the pull adds nothing."""
+    flat = np.where(np.isnan(alone), 1.0, _FLAT)
+    return np.where(np.isnan(pulled), flat, np.maximum(pulled / np.where(np.isnan(alone), pulled, alone), 1.0))
+
+
+def _by_adhesion(asked: Asked) -> list[np.ndarray]:
+    found, refusal = [], None
+    for choice in _ADHESION:
+        try:
+            pulled, faint = (asked.areas(choice, ("work_of_adhesion",), faint) for faint in (False, True))
+            found.append(_factor(pulled, faint))
+        except (InputError, ArithmeticError) as error:
+            refusal = error
+    if not found:
+        assert refusal is not None
+        raise refusal
+    return found

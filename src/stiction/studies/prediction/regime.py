@@ -1,0 +1,76 @@
+"""What state a contact is in, in a sentence, and what would tell the most about its friction."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from stiction.studies.prediction.mixture import Mixture, Samples
+
+__all__ = ["next_step", "regime_of", "warnings_of"]
+
+_STICKS = 2.0  # factor of the area by adhesion above which it, and not the load, makes the contact
+_FLAT = 0.95  # of the nominal area
+_PLASTIC = 0.9  # mean pressure over hardness
+_GROWN = 1.5  # area after shear over that before
+_FEW = 10.0
+_MANY = 0.05  # share of draws that cannot be, from which on it is said
+
+
+def regime_of(mixture: Mixture, samples: Samples, at: int) -> str:
+    """Return the state of the contact at the load of this number, in one or two sentences."""
+    asked = mixture.asked
+    area, pull, growth, pressure = (
+        float(np.nanmedian(np.broadcast_to(one, samples.area.shape)[:, at]))
+        for one in (samples.area, samples.pull, samples.growth, samples.pressure)
+    )
+    nominal = float(np.median(asked.drawn.nominal_area))
+    touching = float(mixture.touching[at])
+    said = []
+    if pull > _STICKS:
+        said.append("Adhesion carries more than the load: the contact sticks by itself, and the friction force is the answer.")
+    if area > _FLAT * nominal:
+        said.append("Pressed flat: mu = tau_0 A_n/P.")
+    elif pressure > _PLASTIC:
+        grows = ", times the growth of junctions under shear" if growth > _GROWN else ""
+        said.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
+    else:
+        said.append(f"Contacts bear {pressure:.0%} of the hardness on average: mu follows the real contact area.")
+    if touching < _FEW:
+        said.append(f"About {max(touching, 1.0):.0f} asperities touch: mu varies from one place to the next.")
+    return " ".join(said[:2])
+
+
+def warnings_of(mixture: Mixture, samples: Samples, at: int) -> list[str]:
+    """Return what limits the prediction, the most serious first."""
+    impossible = float(np.mean(~np.isfinite(samples.force[:, at])))
+    found = []
+    if impossible > _MANY:
+        found.append(f"{impossible:.0%} of the draws cannot be and are excluded.")
+    if len(mixture.strength.states) > 1:
+        names = ", ".join(one.name for one, _ in mixture.strength.states)
+        found.append(f"The interface is not stated: mu is a mixture over {names}.")
+    if (times := mixture.strength.over_body) > 1.0:
+        found.append(f"The stated interface is {times:.3g} times as strong as the weaker body: mu is that of the body.")
+    found += [] if mixture.asked.contact.measured is None else list(mixture.asked.contact.measured.doubts)
+    if max(float(law.far[at]) * law.weight * law.far_error for law in mixture.laws) > 0.2:
+        found.append("No solved surface is near this contact: its area is known within a factor of 2.")
+    return found
+
+
+_STEPS = {
+    "interface": "measure mu once: stiction fit CASE.toml --data FILE",
+    "area model": "measure the surface: give a scan in place of numbers",
+    "adhesion": "measure the pull-off force, which tells the work of adhesion",
+    "junctions": "measure mu once at this load: stiction fit CASE.toml --data FILE",
+    "chance": "measure at several places, or press with more load",
+}
+
+
+def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
+    """Return what to measure or state next: what the width comes from most."""
+    if len(mixture.strength.states) > 1:
+        return "state the interface (stiction interfaces), or measure mu once: stiction fit"
+    if not shares:
+        return ""
+    largest = max(shares, key=lambda name: shares[name])
+    return _STEPS.get(largest, f"measure {largest.replace('_', ' ')}")

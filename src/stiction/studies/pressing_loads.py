@@ -1,0 +1,25 @@
+"""The loads of a case that press, and the one at which models are judged."""
+
+import numpy as np
+
+from stiction.case.read import Case
+from stiction.solving.choice import DEFAULT_MODEL
+from stiction.solving.solve import solve
+
+__all__ = ["pressing_loads"]
+
+
+def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
+    """Return the loads of a case above 0, and the place among them of its working load.
+
+    The working load is the middle one of the case, or the one nearest to it in the list that presses. Where the case names
+    separations, the loads are those that its own model carries there. The array is empty where nothing presses.
+    """
+    loads = case.load
+    if loads is None:
+        key = DEFAULT_MODEL if case.choice.model_key == "recommended" else case.choice.model_key
+        own = case.choice.arguments() | {"model": key}  # named: loads do not depend on what friction ignores
+        loads = solve(case.subject.as_numbers(), separation=case.separation, **own)["load"].values
+    pressing = np.flatnonzero(loads > 0.0)
+    middle = (len(loads) - 1) // 2
+    return loads[pressing], int(np.argmin(np.abs(pressing - middle))) if pressing.size else 0

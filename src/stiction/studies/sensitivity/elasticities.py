@@ -1,0 +1,113 @@
+"""Elasticities of a result: d ln y/d ln x for every number of a contact, at its nominal numbers.
+
+Central differences of two widths in the logarithm of x, extrapolated (Richardson 1911): the error is of the fourth order in the
+width, and what the two widths differ by bounds it. All points are solved together.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from stiction.case.distribution import Distribution
+from stiction.case.read import Case
+from stiction.case.uncertain import Uncertain, named
+from stiction.contact.subject import Subject
+from stiction.quantities.inputs import Input
+from stiction.quantities.table import QUANTITIES
+from stiction.solving.choice import Choice
+from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw
+
+__all__ = ["Elasticities", "elasticities", "numbers_of"]
+
+# Half the width of the wider difference, in ln x.
+_WIDTH = 0.02
+_STENCIL = np.array([-1.0, -0.5, 0.5, 1.0]) * _WIDTH
+# Numbers of a contact that decide nothing of it, or that a roughness is measured by.
+_LEFT_OUT = ("surface_energy",)
+
+
+@dataclass(frozen=True)
+class Elasticities:
+    """names: of the inputs (k,); tables: result -> d ln y/d ln x (k, *shape), not a number where y is none or is 0; errors: how
+    far the extrapolation changes it. dims: result -> the dimensions of that shape."""
+
+    names: list[str]
+    tables: dict[str, np.ndarray]
+    errors: dict[str, np.ndarray]
+    dims: dict[str, tuple[str, ...]]
+
+
+@dataclass(frozen=True)
+class _Steps:
+    """In place of the distribution of a number: its values at given numbers, which stand for shares."""
+
+    nominal: float
+    words: str = ""
+
+    def ppf(self, step: Any) -> np.ndarray:
+        return self.nominal * np.exp(np.asarray(step))
+
+
+def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
+    """Every number of the contact above 0, by name: those that are uncertain together are one."""
+    together = {one.path: one for one in case.uncertain}
+    table = "contact" if case.tables.get("contact") is not None else "indices"
+    found = []
+    for path, value in _numbers(case.subject, (table,)):
+        if path in case.several or path[-1] in _LEFT_OUT or (path[1] == "roughness" and case.measured is not None):
+            continue
+        found.append(_stepped(together[path] if path in together else _alone(path, value), value))
+    by_name: dict[str, list[Uncertain]] = {}
+    for one in named(found):
+        by_name.setdefault(one.dimension, []).append(one)
+    return by_name
+
+
+def _alone(path: tuple[str, ...], value: float) -> Uncertain:
+    return Uncertain.of(path, Distribution(path[-1], value, "values", (value,), ""), ".".join(path[1:]))
+
+
+def _stepped(one: Uncertain, value: float) -> Uncertain:
+    return replace(one, values=np.array([value]), distribution=_Steps(value))
+
+
+def _numbers(record: Input, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], float]]:
+    """Where each number above 0 stands that was given, and the number."""
+    for name in type(record).model_fields:
+        value = getattr(record, name)
+        if isinstance(value, Input) and name != "surface":
+            yield from _numbers(value, (*path, name))
+        elif name in QUANTITIES and isinstance(value, float) and value > 0.0 and _given(record, name):
+            yield (*path, name), value
+
+
+def _given(record: Input, name: str) -> bool:
+    """Whether a group was given: one that only has a default is no number of the user's."""
+    return not isinstance(record, Subject) or name in record.model_fields_set
+
+
+def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> Elasticities:
+    """The elasticities of results of a case for every number of its contact. Raises InputError."""
+    inputs = numbers_of(case)
+    steps = np.zeros((len(inputs), len(_STENCIL), len(inputs)))
+    for at in range(len(inputs)):
+        steps[at, :, at] = _STENCIL
+    stepped = replace(case, uncertain=tuple(one for group in inputs.values() for one in group))
+    assert list(stepped.unknowns) == list(inputs)
+    found = draw(stepped, steps.reshape(-1, len(inputs)), [Variant(choice)], names=names, progress=progress)
+    each = {name: _slopes(found, name, len(inputs)) for name in found.tables}
+    tables, errors = ({name: pair[at] for name, pair in each.items()} for at in (0, 1))
+    return Elasticities(list(inputs), tables, errors, found.dims)
+
+
+def _slopes(found: Draws, name: str, inputs: int) -> tuple[np.ndarray, np.ndarray]:
+    """Extrapolated slope of ln y over ln x (inputs, *shape), and how far that is from the narrower difference."""
+    table = found.tables[name]
+    y = table.reshape(inputs, len(_STENCIL), *table.shape[1:])
+    positive = np.asarray(np.all(y > 0.0, axis=1))
+    logs = np.log(np.where(positive[:, None], y, 1.0))
+    wide, narrow = (logs[:, 3] - logs[:, 0]) / (2.0 * _WIDTH), (logs[:, 2] - logs[:, 1]) / _WIDTH
+    slope = np.where(positive, narrow + (narrow - wide) / 3.0, np.nan)
+    return slope, np.where(positive, np.abs(slope - narrow), np.nan)

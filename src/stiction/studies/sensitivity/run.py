@@ -1,0 +1,217 @@
+"""Which input should be measured better: Sobol indices, Morris effects and elasticities of the results of a case."""
+
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.case.read import Case, as_case
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import require_callable
+from stiction.quantities.progress import Progress, silent
+from stiction.quantities.units import several_in_words
+from stiction.solving.candidates import choice_of
+from stiction.solving.solve import solve
+from stiction.studies.case_results import choice_of_case
+from stiction.studies.comparison.compare import compare, working_load
+from stiction.studies.sensitivity.elasticities import Elasticities, elasticities
+from stiction.studies.sensitivity.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
+from stiction.studies.uncertainty.bands import words
+from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw, shares_of_points
+from stiction.studies.uncertainty.spreads import weights_of_models
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["sensitivity"]
+
+METHOD_INPUT, MODEL_INPUT = "asperity_method", "model"
+_LOADS = 9  # at most so many of the loads of a case
+_LITTLE = 0.05  # models with less of the weight are not drawn
+_ENDS = (0.025, 0.975)  # shares of a distribution between which effects are taken
+_PER_TRAJECTORY = 16  # points of the indices for each trajectory
+
+
+def sensitivity(
+    case: Any,
+    *,
+    load: Any = None,
+    models: Sequence[str] | None = None,
+    ranges: bool | None = None,
+    progress: Progress = silent,
+) -> "xarray.Dataset":
+    """Which input should be measured better, at nine of the loads of a case at most.
+
+    case: path of a case file, its tables as a dict, or a Case. load: only at this one. models: names of models as `compare`
+    shows them, among which is drawn evenly, none for that of the case alone; by default those of the family that `compare`
+    recommends at the working load, by their weights. ranges: whether numbers of materials vary within their ranges, in place of
+    what the case says. progress: from a text, what wraps a list of steps.
+
+    Returns, for y of friction_coefficient, contact_area, load (at separations) and pull_off_force, over `input`, which is what
+    is uncertain, with the way of finding asperities where scans say the roughness and the model:
+    y_first_order and y_total_order, Sobol indices of ln y, each with its 95 % interval (_low, _high): the share of the variance
+    of ln y that goes if the input were known, and that stays if all others were; y_effect, the mean size of the elementary
+    effects of Morris on ln y, from the 2.5 % to the 97.5 % end of the input, with y_effect_error and y_effect_deviation.
+    Over `number`, which are all numbers of the contact: y_elasticity, d ln y/d ln x at the nominal numbers by the model of the
+    case. Attributes: `working_load`, the `models` that are drawn and their weights, `doubts_of_points`. Where nothing is
+    uncertain there are elasticities only. Raises InputError for bad input.
+    """
+    require_callable(progress, "progress")
+    case = as_case(case, ranges)
+    if case.is_several:
+        where, array = next(iter(case.subject.arrays()))
+        raise InputError(where, several_in_words(array, where), "one number, or an uncertain one, for sensitivity")
+    case = case if load is None else case.at_load(load)
+    at = working_load(case, None)
+    case = _at_few_loads(case, at)
+    choice = choice_of_case(case, case.choice)
+    with_models = bool(case.uncertain) or len(case.by_method) > 1
+    variation = _variation(case, choice, models, at if with_models else None, progress)
+    slopes = elasticities(case, choice, progress=progress("Elasticities"))
+    said = solve(case.subject.as_numbers(), separation=case.separation, load=case.load, **choice.arguments())
+    found = _with_elasticities(said, slopes)
+    if variation.inputs:
+        found = _with_indices(found, case, variation, progress)
+    attributes = {} if at is None else {"working_load": at}
+    return found.assign_attrs(said.attrs | attributes, case=case.title).assign_attrs(_told(case, variation))
+
+
+def _at_few_loads(case: Case, working: float | None) -> Case:
+    """The case at nine of its loads at most, the working load among them."""
+    if case.load is None or case.load.size <= _LOADS:
+        return case
+    places = np.linspace(0, case.load.size - 1, _LOADS).round().astype(int)
+    chosen = {*places.tolist()}
+    if working is not None:
+        nearest = int(np.argmin(np.abs(case.load - working)))
+        chosen = {*(one for one in places.tolist() if one != min(places, key=lambda one: abs(one - nearest))), nearest}
+    return replace(case, load=case.load[sorted(chosen)])
+
+
+@dataclass(frozen=True)
+class _Variation:
+    """What varies: numbers of the case, and which variant answers. methods, models: their names, weights: of the models."""
+
+    numbers: list[str]
+    methods: list[str]
+    models: list[str]
+    weights: np.ndarray
+    variants: list[Variant]
+
+    @property
+    def inputs(self) -> list[str]:
+        more = [METHOD_INPUT] * (len(self.methods) > 1) + [MODEL_INPUT] * (len(self.models) > 1)
+        return [*self.numbers, *more]
+
+    def rows(self, shares: np.ndarray) -> np.ndarray:
+        """The variant of each row of shares (n, inputs)."""
+        inputs, rows = self.inputs, np.zeros(len(shares), dtype=int)
+        if METHOD_INPUT in inputs:
+            count = len(self.methods)
+            method = np.minimum((shares[:, inputs.index(METHOD_INPUT)] * count).astype(int), count - 1)
+            rows += method * len(self.models)
+        if MODEL_INPUT in inputs:
+            below = np.cumsum(self.weights)[:-1]
+            rows += np.searchsorted(below, shares[:, inputs.index(MODEL_INPUT)], side="right")
+        return rows
+
+
+def _variation(case: Case, choice: Any, models: Sequence[str] | None, at: float | None, progress: Progress) -> _Variation:
+    by_method = case.measured.by_method if case.measured is not None and case.by_method else {}
+    own = choice.name
+    names, weights = [own], np.ones(1)
+    choices = [choice]
+    if models is not None and not (isinstance(models, list | tuple) and all(isinstance(one, str) for one in models)):
+        raise InputError("models", models, "a list of names")
+    if models:
+        names = list(dict.fromkeys(models))
+        choices, weights = [choice_of(name, {}, case.subject) for name in names], np.full(len(names), 1.0 / len(names))
+    elif models is None and at is not None:
+        told = compare(case.subject.as_numbers(), load=at, separations=[0.0], progress=progress("Asking the models"))
+        names, weights = weights_of_models(told, _LITTLE)
+        names = names or [own]
+        choices = [choice_of(name, {}, case.subject) for name in names] if len(weights) else [choice]
+        weights = weights if len(weights) else np.ones(1)
+    surfaces: list[Any] = [*by_method.values()] or [None]
+    variants = [Variant(one, surface) for surface, one in product(surfaces, choices)]
+    return _Variation(list(case.unknowns), list(by_method), names, weights, variants)
+
+
+def _told(case: Case, variation: _Variation) -> dict[str, Any]:
+    drawn = zip(variation.models, variation.weights.tolist(), strict=True)
+    return {
+        "uncertain_inputs": "\n".join(f"{name}: {words(case, name)}" for name in case.unknowns),
+        "models": json.dumps(dict(drawn)),
+        "methods": " ".join(variation.methods),
+        "uncertainty": f"{case.uncertainty.count} points, seed {case.uncertainty.seed}",
+    }
+
+
+def _with_elasticities(said: "xarray.Dataset", slopes: Elasticities) -> "xarray.Dataset":
+    import xarray
+
+    variables: dict[str, Any] = {}
+    for name, table in slopes.tables.items():
+        if name in said.coords:
+            continue  # what is asked for
+        text = f"elasticity of the {said[name].attrs.get('long_name', name)}, d ln y/d ln x"
+        dims = ("number", *slopes.dims[name])
+        variables[f"{name}_elasticity"] = (dims, table, {"units": "1", "long_name": text})
+        variables[f"{name}_elasticity_error"] = (dims, slopes.errors[name], {"units": "1", "long_name": f"error of the {text}"})
+        variables[name] = said[name].variable
+    coords = {str(name): one for name, one in said.coords.items() if name in ("load", "mean_separation", "separation")}
+    return xarray.Dataset(variables, coords=coords | {"number": slopes.names})
+
+
+def _with_indices(found: "xarray.Dataset", case: Case, variation: _Variation, progress: Progress) -> "xarray.Dataset":
+    columns, wanted = len(variation.inputs), case.uncertainty
+    points = points_of_indices(columns, wanted.count, wanted.seed)
+    drawn = _drawn(case, variation, points.reshape(-1, columns), progress("Sobol indices"))
+    paths = trajectories(columns, max(8, wanted.count // _PER_TRAJECTORY), wanted.seed)
+    shares = _ENDS[0] + (_ENDS[1] - _ENDS[0]) * paths
+    screened = _drawn(case, variation, shares.reshape(-1, columns), progress("Morris effects"))
+    variables: dict[str, tuple] = {}
+    for name in drawn.tables:
+        if name not in found.coords:
+            dims = ("input", *drawn.dims[name])
+            variables |= {f"{name}_{end}": (dims, *table) for end, table in _of_result(name, drawn, screened, points, paths)}
+    doubts = json.dumps(shares_of_points(drawn), ensure_ascii=False)
+    return found.assign_coords(input=variation.inputs).assign(variables).assign_attrs(doubts_of_points=doubts)
+
+
+def _drawn(case: Case, variation: _Variation, shares: np.ndarray, progress: Any) -> Draws:
+    rows = variation.rows(shares)
+    return draw(case, shares[:, : len(variation.numbers)], variation.variants, rows, OUTPUTS, progress)
+
+
+def _of_result(
+    name: str, drawn: Draws, screened: Draws, points: np.ndarray, paths: np.ndarray
+) -> Iterator[tuple[str, tuple[np.ndarray, dict[str, str]]]]:
+    """Indices and effects (inputs, *shape) of the logarithm of one result: how its name ends, values and meaning."""
+    shape = drawn.tables[name].shape[1:]
+    logs = [_log(one.tables[name]).reshape(*grid.shape[:-1], -1) for one, grid in ((drawn, points), (screened, paths))]
+    indices = [sobol_indices(logs[0][..., at]) for at in range(logs[0].shape[-1])]
+    screens = [effects(paths, logs[1][..., at]) for at in range(logs[1].shape[-1])]
+
+    def table(rows: list, field: str) -> np.ndarray:
+        return np.stack([getattr(one, field) for one in rows], axis=-1).reshape(-1, *shape)
+
+    for order in ("first", "total"):
+        text = f"{order} Sobol index of the logarithm"
+        yield f"{order}_order", (table(indices, order), {"units": "1", "long_name": text})
+        for end in ("low", "high"):
+            said = {"units": "1", "long_name": f"{end} end of its 95 % interval, {text}"}
+            yield f"{order}_order_{end}", (table(indices, f"{order}_{end}"), said)
+    for end, field, text in (
+        ("effect", "size", "mean size of the effects of Morris on the logarithm, from end to end"),
+        ("effect_error", "size_error", "standard error of the mean size of the effects"),
+        ("effect_deviation", "deviation", "deviation of the effects: how much they depend on where the others are"),
+    ):
+        yield end, (table(screens, field), {"units": "1", "long_name": text})
+
+
+def _log(values: np.ndarray) -> np.ndarray:
+    return np.log(np.where(values > 0.0, values, np.nan))

@@ -1,0 +1,61 @@
+r"""Summits that a surface would have if it were Gaussian, isotropic but for a stretch: McCool's, from spectral moments.
+
+No asperity is looked for. The mean squares of height, slope and second derivative along profiles (m0, m2, m4), put into Nayak's
+statistics (1971) as McCool (1986) does, give sigma, R and N; stiction.surfaces.theory.moments has the relations.
+
+*Assumes*: the surface is Gaussian, isotropic but for a stretch. *Source*: [mccool_1986], [nayak_1971]. From the mean squares
+$m_0,m_2,m_4$ of height, slope and second derivative along profiles,
+
+$$
+N=\frac{m_4/m_2}{6\pi\sqrt3},\qquad R=\frac38\sqrt{\frac\pi{m_4}},\qquad\sigma^2=\left(1-\frac{0.8968}\alpha\right)m_0,\qquad
+\alpha=\frac{m_0m_4}{m_2^2}
+$$
+"""
+
+from math import inf
+
+from stiction.quantities.errors import InputError
+from stiction.records.registry import AsperityMethod, Parameter, Validity
+from stiction.records.sources import Source
+from stiction.surfaces.asperity_set import Asperities
+from stiction.surfaces.gaussian_asperities import LEAST, of_moments
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.statistics import moments_by_differences
+from stiction.surfaces.theory.moments import LEAST_DENSITY
+
+
+def mccool(surface: HeightMap, cutoff: float | None) -> Asperities:
+    """Summits of the Gaussian surface with the moments of this one, by finite differences; isotropic, or stretched (a lay).
+
+    cutoff: [m], as of `moments_by_differences`, None for two pitches. Differences see less of the waves near the cutoff than
+    there is; for moments by the spectrum see `of_moments`. InputError as of both, and for grooves all along one line.
+    """
+    moments = moments_by_differences(surface, cutoff).equivalent
+    if moments is None:
+        raise InputError("asperities by mccool", "slopes along one line only", "a surface with summits, not grooves")
+    return of_moments("mccool", moments, "from moments by finite differences")
+
+
+RECORD = AsperityMethod(
+    key="mccool",
+    title="Summits that a Gaussian surface with the measured spectral moments has, isotropic or stretched; none is looked for",
+    label="moments (McCool)",
+    grade="B",
+    sources=(
+        Source("mccool_1986", "", "asperities from spectral moments"),
+        Source("nayak_1971", "", "summits of a Gaussian surface"),
+    ),
+    verified="an egg crate in closed form; generated Gaussian surfaces of known moments, isotropic to 3 % and with a lay",
+    find=mccool,
+    order=5,
+    validity=(Validity("roughness_parameter", LEAST_DENSITY, inf, LEAST),),
+    of_summits=True,
+    of_moments=True,
+    parameters={
+        "cutoff": Parameter(
+            "shortest wavelength: differences span half of it; default: twice the larger pitch", None, lower=0.0
+        ),
+    },
+    notes="Heights are taken for Gaussian: there are averages only. Differences see less of the shortest waves than there is: "
+    "with 4 points to them the radius is 6 to 10 % too large.",
+)

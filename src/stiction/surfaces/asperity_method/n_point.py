@@ -1,0 +1,103 @@
+r"""n-point asperities: neighbouring points of a row or a column of a map that are above a level, each such row one asperity.
+
+Hariri, Zu & Ben Mrad (2006) let the level move with the separation of the surfaces; a fixed one, as here, is a departure that a
+sum over fixed heights makes necessary. Height and radius of an asperity are a reconstruction: see
+stiction.surfaces.theory.n_point.
+
+*Assumes*: an asperity is $n$ neighbouring sampled points of a profile whose $n-2$ middle ones are above a level. *Source*:
+[hariri_zu_ben_mrad_2006], its abstract. *Unknown*: every formula. *Reconstruction*: with the highest point at $t$ above the
+level and the chord $L=(n-1)\ell$, the radius is that of the parabola, and $D$ places per length where the profile comes up
+through the level give as many per area as peaks would:
+
+$$
+R_n=\frac{L^2}{8t},\qquad N=\frac{2\pi}{3\sqrt3}D_xD_y
+$$
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from stiction.records.registry import AsperityMethod, Parameter
+from stiction.records.sources import Source
+from stiction.surfaces.asperity_method.shared.profiles import DIRECTIONS, RELATION, directions_of, per_area, places_of, profiles
+from stiction.surfaces.asperity_set import Asperities, of_samples, rounding
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.theory.n_point import n_point_asperities
+
+
+def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
+    """Rows of neighbouring points above a level, each one asperity: stiction.surfaces.theory.n_point has height and radius.
+
+    level: [m], over the mean plane. directions: a value of DIRECTIONS. Every asperity begins where the profile comes up through
+    the level: these places are counted, per length of neighbours that are there. Heights and radii are of those asperities that
+    no end and no missing point cuts, which are a little shorter than all. Per area by the relation of peaks, for want of one
+    for n-point asperities. InputError if fewer than two are found.
+    """
+    heights, curvatures = [np.zeros(0)], [np.zeros(0)]
+    per_length: list[float] = []
+    points: list[tuple[np.ndarray, np.ndarray]] = []
+    for lines, pitch in profiles(surface, directions):
+        found = [(line, start, n_point_asperities(row, pitch, level)) for line, start, row in _unbroken(lines)]
+        heights += [one.height + level for _, _, one in found]
+        curvatures += [1.0 / one.radius for _, _, one in found]
+        each = [np.column_stack((np.full(len(one.middle), line), start + one.middle)) for line, start, one in found]
+        points.append(tuple(np.concatenate([np.zeros((0, 2), dtype=int), *each]).T))
+        per_length.append(_rises(lines, level) / pitch)
+    return of_samples(
+        "n_point",
+        np.concatenate(heights),
+        np.concatenate(curvatures),
+        per_area(per_length),
+        f"rows of points more than {level:g} m over the mean plane on the profiles along {directions_of(surface, directions)}; "
+        f"{RELATION}",
+        places=places_of(points, surface, directions),
+    )
+
+
+def _rises(lines: np.ndarray, level: float) -> float:
+    """Share of the neighbours of all lines (lines, points) between which the height comes up through the level."""
+    rises = np.count_nonzero((lines[:, :-1] <= level) & (lines[:, 1:] > level + rounding(lines)))  # never beside NaN
+    known = np.isfinite(lines)
+    return float(rises / max(int(np.count_nonzero(known[:, :-1] & known[:, 1:])), 1))
+
+
+def _unbroken(lines: np.ndarray) -> Iterator[tuple[int, int, np.ndarray]]:
+    """The stretches of every line that have no missing point and at least three: which line, from which point, its heights."""
+    known = np.isfinite(lines)
+    whole = known.all(axis=1)
+    for row, (line, complete) in enumerate(zip(lines, whole.tolist(), strict=True)):
+        if complete:
+            yield row, 0, line
+        else:
+            ends = np.flatnonzero(np.diff(np.concatenate([[False], known[row], [False]]).astype(np.int8)))
+            yield from ((row, start, line[start:stop]) for start, stop in ends.reshape(-1, 2) if stop - start >= 3)
+
+
+RECORD = AsperityMethod(
+    key="n_point",
+    title="Neighbouring points of a profile above a level, with the parabola of their height over their chord",
+    label="n-point asperities",
+    grade="C",
+    sources=(
+        Source(
+            "hariri_zu_ben_mrad_2006",
+            "abstract",
+            "reconstructed: height and radius of an asperity (the abstract does not print their definitions), and the level, "
+            "which is fixed here and moves with the separation there",
+        ),
+        Source("nayak_1971", "", "from asperities per length to N, as of peaks: a convention"),
+    ),
+    verified="profiles made by hand and sinusoids in closed form; on Gaussian surfaces N is 1/alpha of that of the summits, as "
+    "Rice's and Nayak's formulas give it, to 4 %",
+    find=n_point,
+    order=4,
+    accuracy=0.02,
+    parameters={
+        "level": Parameter("over the mean plane, above which points are counted", 0.0),
+        "directions": DIRECTIONS,
+    },
+    notes="An asperity at the level of the mean plane is a hill that carries many summits, and its radius that of the hill. "
+    "Rows of points above a level are no summits, so that N rests on a convention. The chord ends at the points below the "
+    "level: of a row of n points the radius is up to 4/n too large.",
+)

@@ -1,0 +1,52 @@
+"""Profiles of a map, its rows and columns, and how many asperities there are per area if so many are found along them.
+
+From asperities per length D to asperities per area N, the relation of the peaks of an isotropic Gaussian surface is used (Nayak
+1971): peaks (1/2 pi) sqrt(m4/m2) per length, summits m4 / (6 pi sqrt(3) m2) per area, and thus
+
+    N = 2 pi / (3 sqrt(3)) D_x D_y = 1.2092 D_x D_y.                                                                       (1)
+"""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+from stiction.records.registry import Parameter
+from stiction.surfaces.asperity_set import over_mean_plane
+from stiction.surfaces.heightmap import HeightMap
+
+__all__ = ["DIRECTIONS", "RELATION", "directions_of", "per_area", "places_of", "profiles"]
+
+_SUMMITS_PER_PEAKS_SQUARED = 2.0 * math.pi / (3.0 * math.sqrt(3.0))  # of equation (1)
+RELATION = f"N = {_SUMMITS_PER_PEAKS_SQUARED:.4f} D_x D_y (one direction: D^2) of an isotropic Gaussian surface"
+
+DIRECTIONS = Parameter("along which the profiles run; of a single profile only x is used", "xy", ("xy", "x", "y"))
+
+
+def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, float]]:
+    """(lines (lines, points) [m] over the mean plane, pitch [m]) along each direction; InputError if they are too short."""
+    heights = over_mean_plane(surface)
+    dy, dx = surface.pitch
+    along = {"x": (heights, dx), "y": (heights.T, dy)}
+    chosen = [along[one] for one in directions_of(surface, directions)]
+    if any(lines.shape[1] < 3 for lines, _ in chosen):
+        raise InputError("heights", f"shape {surface.heights.shape}", "3 or more points along a profile")
+    return chosen
+
+
+def directions_of(surface: HeightMap, directions: str) -> str:
+    """Those of the directions, a value of DIRECTIONS, that the surface has."""
+    return "x" if surface.is_profile else directions
+
+
+def places_of(points: Sequence[tuple[np.ndarray, np.ndarray]], surface: HeightMap, directions: str) -> np.ndarray:
+    """(n, 2), row and column in the map of points (line, point) on the profiles along each direction, one after the other."""
+    chosen = directions_of(surface, directions)
+    along = [one if way == "x" else one[::-1] for way, one in zip(chosen, points, strict=True)]
+    return np.concatenate([np.column_stack(one) for one in along])
+
+
+def per_area(per_length: Sequence[float]) -> float:
+    """Equation (1), from asperities per length [1/m] along two directions, or one that stands for both."""
+    return _SUMMITS_PER_PEAKS_SQUARED * per_length[0] * per_length[-1]

@@ -1,0 +1,78 @@
+r"""Peaks of profiles: points higher than both neighbours along a row or a column of a map.
+
+A profile hardly ever crosses a summit: it passes over its shoulders. So its peaks are lower than the summits and, on a smooth
+Gaussian surface, blunter: their mean curvature is sqrt(pi m4/2), that of the summits (8/3) sqrt(m4/pi), 1.20 times as large
+(Nayak 1971). Where there are ever smaller waves, three points see ever smaller and sharper peaks as the pitch shrinks, a fixed
+share of all points, whatever carries the load. That is Greenwood's doubt about three-point peaks (Greenwood & Wu 2001): they
+are here to be compared with.
+
+*Assumes*: an asperity is a sampled point of a profile that is higher than both neighbours. *Source*:
+[greenwood_williamson_1966] for the peaks, [nayak_1971] for the number of summits of an isotropic Gaussian surface by that of
+the peaks of its profiles, $D$ per length. With the pitch $\ell$,
+
+$$
+\kappa_i=\frac{2z_i-z_{i-1}-z_{i+1}}{\ell^2},\qquad N=\frac{2\pi}{3\sqrt3}D_xD_y,\qquad\frac1R=\bar\kappa
+$$
+"""
+
+import numpy as np
+
+from stiction.records.registry import AsperityMethod
+from stiction.records.sources import Source
+from stiction.surfaces.asperity_method.shared.profiles import DIRECTIONS, RELATION, directions_of, per_area, places_of, profiles
+from stiction.surfaces.asperity_set import Asperities, of_samples, rounding
+from stiction.surfaces.heightmap import HeightMap
+
+
+def three_point(surface: HeightMap, directions: str) -> Asperities:
+    """Points higher than both neighbours along a profile, with the curvature of the second difference.
+
+    directions: a value of DIRECTIONS. Peaks of all profiles are taken together; with one direction D_x D_y is D^2. Neighbours
+    must be lower, not equal: plateaus are not counted. Points beside missing ones are left out. InputError if fewer than two
+    peaks are found.
+    """
+    found = [_peaks(lines, pitch) for lines, pitch in profiles(surface, directions)]
+    heights, curvatures = np.concatenate([one[0] for one in found]), np.concatenate([one[1] for one in found])
+    return of_samples(
+        "three_point",
+        heights,
+        curvatures,
+        per_area([one[2] for one in found]),
+        f"peaks higher than both neighbours on the profiles along {directions_of(surface, directions)}; {RELATION}",
+        places=places_of([one[3] for one in found], surface, directions),
+    )
+
+
+def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, float, tuple[np.ndarray, np.ndarray]]:
+    """Heights and curvatures of the peaks of all lines (lines, points), how many there are per length, and their lines and
+    points."""
+    middle = lines[:, 1:-1] - rounding(lines)
+    peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # never beside NaN
+    line, point = np.nonzero(peak)
+    heights = lines[line, point + 1]
+    curvatures = (2.0 * heights - lines[line, point] - lines[line, point + 2]) / (pitch * pitch)
+    known = np.isfinite(lines)
+    triples = np.count_nonzero(known[:, :-2] & known[:, 1:-1] & known[:, 2:])
+    return heights, curvatures, len(heights) / (max(int(triples), 1) * pitch), (line, point + 1)
+
+
+RECORD = AsperityMethod(
+    key="three_point",
+    title="Points of a profile that are higher than both neighbours, with the second difference for their curvature",
+    label="three-point peaks",
+    grade="B",
+    sources=(
+        Source("greenwood_williamson_1966", "", "asperities as points of a profile that are higher than both neighbours"),
+        Source("nayak_1971", "", "from peaks per length to summits per area"),
+        Source("whitehouse_archard_1970", "", "which share of the points are peaks"),
+        Source("greenwood_wu_2001", "", "why such peaks are no asperities"),
+    ),
+    verified="arrays of paraboloids in closed form; the peaks of Gaussian profiles (Nayak) to 3 %; of sampled ones, the share "
+    "of the points that are peaks (Whitehouse & Archard)",
+    find=three_point,
+    order=1,
+    parameters={"directions": DIRECTIONS},
+    notes="Peaks of profiles pass over the shoulders of summits: radii are at least 1.20 times too large. Where there are "
+    "waves shorter than the pitch, a fixed share of all points are peaks, so that N and R are of the instrument. Plateaus are "
+    "not counted. From peaks per length to N, the surface is taken for isotropic and Gaussian.",
+)

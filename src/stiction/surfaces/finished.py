@@ -1,0 +1,178 @@
+"""A rough surface known by its finish: sigma, R and N from Sq and what the finish says of slope and N R sigma.
+
+Sq, the rms slope h' and N R sigma fix the spectral moments of a Gaussian surface: m0 = Sq^2, m2 = h'^2/2, m4 = alpha m2^2/m0,
+alpha being Nayak's, from N R sigma (stiction.surfaces.theory.moments). Its summits are the asperities (McCool 1986), so that
+
+    R = (3/4) (pi/alpha)^(1/2) Sq/h'^2,
+
+0.54 Sq/h'^2 at alpha = 6. Moments of two independent surfaces add.
+"""
+
+from collections.abc import Mapping
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import BeforeValidator, Field, model_validator
+
+from stiction.quantities.errors import InputError, InWords, field_named
+from stiction.quantities.inputs import Input, OptionalNumber, as_text
+from stiction.quantities.ranges import range_in_words
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
+from stiction.surfaces.finishes import Finish, finish, surface_kind_of
+from stiction.surfaces.roughness import Roughness
+from stiction.surfaces.theory.moments import Moments, bandwidth, combine
+
+__all__ = ["Finished", "FinishedBodies", "is_finished", "roughness_of_finish"]
+
+SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as it is in practice
+_ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
+_HEIGHTS = ("rms_height", "mean_height")
+_RULES = 0.8  # share of the mean square slope from which on one of two bodies decides the kind of surface
+
+
+def _finish(value):
+    with field_named(""):
+        return finish(value).name
+
+
+class Finished(Input):
+    """A rough body known by its finish.
+
+    finish: name of a finish class (docs/interfaces.md). rms_height: Sq; mean_height: Ra, of which Sq is 1.25 times; left out
+    both, the height is not known either. kind: as of Roughness; left out, that of the finish. Raises InputError.
+    """
+
+    finish: Annotated[str, BeforeValidator(_finish)] = Field(description="the name of a finish class")
+    rms_height: OptionalNumber = None
+    mean_height: OptionalNumber = None
+    kind: str | None = Field(default=None, description="gaussian, skewed, worn, lay, two-scale or a finish")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _no_asperities(cls, given):
+        for name in _ASPERITIES:
+            if isinstance(given, Mapping) and given.get(name) is not None:
+                allowed = f"nothing beside {name}: leave out finish to keep sigma, R and N, or these to keep the finish"
+                raise InputError("finish", given.get("finish"), allowed)
+        return given
+
+    @model_validator(mode="after")
+    def _one_height(self):
+        if self.rms_height is not None and self.mean_height is not None:
+            raise InputError(
+                "mean_height", InWords(as_text(self.mean_height, "mean_height")), "nothing beside rms_height: leave out one"
+            )
+        if self.kind is not None:
+            surface_kind_of(self.kind)
+        return self
+
+    @property
+    def height(self) -> Any:
+        """Sq [m] as stated; None where it is not."""
+        return self.rms_height if self.mean_height is None else SQ_OVER_RA * self.mean_height
+
+    @property
+    def unknowns(self) -> tuple[str, ...]:
+        """The numbers that are known as ranges only."""
+        return ("rms_slope", "roughness_parameter", *(["rms_height"] if self.height is None else []))
+
+    def moments(self, levels: Mapping[str, Any]) -> Moments:
+        """Return the spectral moments at quantile levels of the unknowns, the median of each that is not named."""
+        made = finish(self.finish)
+        slope, density, *drawn = (made.quantile(name, levels.get(name, 0.5)) for name in self.unknowns)
+        m0, m2 = (drawn[0] if drawn else self.height) ** 2, slope**2 / 2.0
+        return Moments(m0, m2, bandwidth(density) * m2**2 / m0)
+
+    def notes(self) -> list[str]:
+        """Return what is taken from the finish, in a line, and how Ra was read."""
+        made = finish(self.finish)
+        words = "; ".join(_median(made, name) for name in self.unknowns)
+        of_ra = [] if self.mean_height is None else [f"Sq = {SQ_OVER_RA} Ra, as of Gaussian heights"]
+        return [f"as of a {self.finish} surface: {words}", *of_ra]
+
+
+def _median(made: Finish, name: str) -> str:
+    ends = range_in_words(*made.range[name], name)
+    median = show(float(made.quantile(name, 0.5)), name, 2)
+    return f"{QUANTITIES[name].symbol} {median} (90 % within {ends}, grade {made.grade[name]})"
+
+
+def _body(value):
+    """A finish, or the numbers of a body."""
+    if not isinstance(value, Mapping):
+        return value
+    return Roughness(**value) if value.keys() & set(_ASPERITIES) and "finish" not in value else Finished(**value)
+
+
+_Body = Annotated[Finished | Roughness, BeforeValidator(_body, json_schema_input_type=Finished | Roughness)]
+
+
+class FinishedBodies(Input):
+    """Two rough bodies of which one at least is known by its finish, or one against a smooth body. Raises InputError."""
+
+    first: _Body | None = Field(default=None, description="a table with the finish, or the numbers, of the first body")
+    second: _Body | None = Field(default=None, description="a table with the finish, or the numbers, of the second body")
+
+    @property
+    def bodies(self) -> dict[str, Finished | Roughness]:
+        """The rough bodies by name."""
+        return {name: body for name in ("first", "second") if (body := getattr(self, name)) is not None}
+
+    @property
+    def unknowns(self) -> tuple[str, ...]:
+        """Names of the numbers that are known as ranges only: "first.rms_slope"."""
+        finished = {name: body for name, body in self.bodies.items() if isinstance(body, Finished)}
+        return tuple(f"{name}.{number}" for name, body in finished.items() for number in body.unknowns)
+
+    def asperities(self, levels: Mapping[str, Any]) -> tuple[Any, Any, Any]:
+        """Return sigma [m], R [m] and N [1/m^2] at quantile levels of the unknowns, the median of each that is not named."""
+        each = [_moments(body, name, levels) for name, body in self.bodies.items()]
+        both = each[0] if len(each) == 1 else combine(*each)
+        return both.asperities()
+
+    def roughness(self) -> Roughness:
+        """Return the roughness at the medians, which remembers the ranges."""
+        numbers = dict(zip(_ASPERITIES, self.asperities({}), strict=True))
+        return Roughness(**numbers, kind=self._kind()).as_finished(self)
+
+    def with_first(self, **changes: Any) -> "FinishedBodies":
+        """Return the same with another height or finish of the first body. Raises InputError where there are two."""
+        if len(self.bodies) > 1 or not isinstance(self.first, Finished):
+            raise InputError(next(iter(changes)), "one number", "first or second before it: each body has its own")
+        return self.replace(first=self.first.replace(**changes))
+
+    def notes(self) -> list[str]:
+        """Return what is taken from each finish."""
+        return [
+            f"{name} body {line}" for name, body in self.bodies.items() if isinstance(body, Finished) for line in body.notes()
+        ]
+
+    def _kind(self) -> str | None:
+        """The kind of the body that is much the steeper, or of both; None where they differ."""
+        kinds = {name: body.kind or getattr(body, "finish", None) for name, body in self.bodies.items()}
+        slopes = {name: float(np.mean(_moments(body, name, {}).m2)) for name, body in self.bodies.items()}
+        ruling = [kinds[name] for name in slopes if slopes[name] >= _RULES * sum(slopes.values())] or list(kinds.values())
+        return ruling[0] if len({kind and surface_kind_of(kind) for kind in ruling}) == 1 else None
+
+
+def _moments(body: Finished | Roughness, name: str, levels: Mapping[str, Any]) -> Moments:
+    if isinstance(body, Finished):
+        return body.moments({number: levels.get(f"{name}.{number}", 0.5) for number in body.unknowns})
+    return Moments.from_asperities(body.asperity_height_deviation, body.asperity_radius, body.asperity_density)
+
+
+def is_finished(table: Any) -> bool:
+    """Return whether a table of a roughness names a finish or a height for it, and no scan."""
+    if not isinstance(table, Mapping):
+        return False
+    if table.keys() & {"finish", *_HEIGHTS}:
+        return True
+    bodies = [table[name] for name in ("first", "second") if table.get(name) is not None]
+    numbers = [isinstance(body, Roughness | Finished) or (isinstance(body, Mapping) and "file" not in body) for body in bodies]
+    return all(numbers) and any(isinstance(body, Finished) or is_finished(body) for body in bodies)
+
+
+def roughness_of_finish(table: Mapping[str, Any]) -> Roughness:
+    """Return the roughness of a table for which `is_finished` is true. Raises InputError."""
+    return FinishedBodies(**(table if table.keys() & {"first", "second"} else {"first": Finished(**table)})).roughness()

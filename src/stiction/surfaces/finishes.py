@@ -1,0 +1,98 @@
+"""Finish classes: what is known of a surface by the way it was made, from finish_data/."""
+
+from collections.abc import Iterable
+from functools import cache
+from typing import Any, Literal, get_args
+
+import numpy as np
+from pydantic import model_validator
+
+from stiction.quantities.data_files import read_tables
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input, nearest
+from stiction.quantities.lognormal import lognormal_quantile
+from stiction.quantities.ranges import Ranges
+from stiction.quantities.table import QUANTITIES
+
+__all__ = ["NUMBERS", "SURFACE_KINDS", "Finish", "finish", "finish_names", "finishes", "surface_kind_of"]
+
+# What the heights of a surface look like. "lay": rougher across than along; "two-scale": fine roughness on coarse.
+SurfaceKind = Literal["gaussian", "skewed", "worn", "lay", "two-scale"]
+SURFACE_KINDS: tuple[str, ...] = get_args(SurfaceKind)
+
+# What a finish says of a surface: Sq, asperity radius, rms slope and N R sigma.
+NUMBERS = ("rms_height", "asperity_radius", "rms_slope", "roughness_parameter")
+
+
+class Finish(Input):
+    """A finish class: the 5 and 95 % quantiles of the numbers of a surface that was made this way.
+
+    range: of NUMBERS, each lognormal with its median at the geometric mean. surface_kind: one of SURFACE_KINDS.
+    source, grade: of each number (data_files.GRADES). Raises InputError.
+    """
+
+    name: str = "unnamed"
+    surface_kind: SurfaceKind
+    range: Ranges
+    source: dict[str, str]
+    grade: dict[str, Literal["A", "B", "C"]]
+
+    @model_validator(mode="after")
+    def _has_its_numbers(self):
+        for name in NUMBERS:
+            if name not in self.range or self.range[name][0] <= 0.0:
+                raise InputError(f"range.{name}", self.range.get(name), "its low and its high end, above 0")
+        return self
+
+    def quantile(self, name: str, level: Any) -> np.ndarray:
+        """Return one of NUMBERS [SI] at quantile levels between 0 and 1. Raises InputError."""
+        if name not in NUMBERS:
+            raise InputError("quantity", name, ", ".join(NUMBERS))
+        low, high = self.range[name]
+        return lognormal_quantile(level, (low * high) ** 0.5, low, high)
+
+
+def finish_names() -> list[str]:
+    """Names of the finish classes, in alphabetical order."""
+    return sorted(_finishes())
+
+
+def finish(name: str, /) -> Finish:
+    """Return the finish class of that name. Raises InputError for an unknown name, listing those near to it."""
+    if not isinstance(name, str) or name not in _finishes():
+        raise InputError("finish", name, "a finish: " + nearest(name, finish_names()))
+    return _finishes()[name]
+
+
+def surface_kind_of(word: Any) -> str:
+    """Return the kind of surface, one of SURFACE_KINDS, that a kind or the name of a finish stands for. Raises InputError."""
+    if isinstance(word, str) and word in SURFACE_KINDS:
+        return word
+    if isinstance(word, str) and word in _finishes():
+        return _finishes()[word].surface_kind
+    known = [*SURFACE_KINDS, *(name for name in finish_names() if name not in SURFACE_KINDS)]
+    raise InputError("kind", word, "a kind of surface or a finish: " + nearest(word, known))
+
+
+def finishes(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
+    """Return a dict for each of these finishes, or of all: name, surface_kind and numbers (unit, 5 and 95 % quantiles, source
+    and grade of each). Raises InputError for an unknown name."""
+    return [_row(finish(name)) for name in (finish_names() if names is None else names)]
+
+
+def _row(one: Finish) -> dict[str, Any]:
+    numbers = {
+        name: {
+            "unit": QUANTITIES[name].unit or "1",
+            "range": list(one.range[name]),
+            "source": one.source[name],
+            "grade": one.grade[name],
+        }
+        for name in NUMBERS
+    }
+    return {"name": one.name, "surface_kind": one.surface_kind, "numbers": numbers}
+
+
+@cache
+def _finishes() -> dict[str, Finish]:
+    return {name: Finish(name=name, **table) for name, table in read_tables("surfaces", "finish_data", "finishes").items()}

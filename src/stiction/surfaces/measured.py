@@ -1,0 +1,394 @@
+"""The rough surface of a contact from scans of its bodies in place of numbers: a Roughness for each way to find asperities."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import Input
+from stiction.quantities.units import show
+from stiction.surfaces.finished import is_finished, roughness_of_finish
+from stiction.surfaces.roughness import Roughness
+from stiction.surfaces.solvable_maps import SolvableMaps
+
+if TYPE_CHECKING:
+    from stiction.surfaces.finding import Asperities
+    from stiction.surfaces.heightmap import HeightMap
+
+_Contact = TypeVar("_Contact", bound=Input)
+
+# Cutoffs of two scans that differ by more than this: the sum of both is of no resolution.
+_ALIKE = 1.5
+
+
+def _length(value):
+    if not isinstance(value, str):
+        raise InputError("", value, 'a length with its unit, e.g. "10 um"')
+    return value
+
+
+_Length = Annotated[str, BeforeValidator(_length)]
+
+
+class Scan(Input):
+    """A scan of one body.
+
+    file: path, from the folder of the case file. size: along x, in place of what the file says; unit, height_unit: of the
+    numbers in the file; height_scale: factor on the heights; channel: of a file with several; periodic: the scan is one period
+    of a surface without end. Raises InputError.
+    """
+
+    file: str
+    size: _Length | None = None
+    unit: str | None = None
+    height_unit: str | None = None
+    height_scale: float | None = None
+    channel: str | None = None
+    periodic: bool = Field(False, strict=True, description="one period of a surface without end: no form is taken off its map")
+
+
+def _body(value):
+    """A scan, or the numbers of a body that was not measured."""
+    if value is not None and not isinstance(value, Mapping | Scan | Roughness | str | int | float | list):
+        from stiction.surfaces.held import as_height_map
+
+        return as_height_map(value, "")
+    if isinstance(value, Mapping) and is_finished(value):
+        return roughness_of_finish(value)
+    if not isinstance(value, Mapping) or "file" in value or not (value.keys() & Roughness.model_fields.keys()):
+        return value if isinstance(value, Scan | Roughness) else Scan(**_table(value))
+    numbers = Roughness(**value)
+    if numbers.surface is not None:
+        raise InputError("surface", "a table", "nothing, of a body beside one that was measured")
+    if numbers.height_distribution != "gaussian":
+        raise InputError("height_distribution", numbers.height_distribution, "gaussian, of a body beside one that was measured")
+    return numbers
+
+
+def _table(value) -> Mapping:
+    if not isinstance(value, Mapping):
+        raise InputError("", value, 'a table, e.g. { file = "scan.npy", size = "10 um", unit = "nm" }')
+    return value
+
+
+_Body = Annotated[Any, BeforeValidator(_body, json_schema_input_type=Scan | Roughness)]
+
+
+def _is_scan(body: Any) -> bool:
+    return body is not None and not isinstance(body, Roughness)
+
+
+def _with_methods(schema: dict[str, Any]) -> None:
+    """Says in a JSON schema which ways of finding asperities there are; they are looked up when it is asked for."""
+    from stiction.surfaces.finding import methods
+
+    schema["description"] = f"way of finding asperities: {', '.join(methods())}"
+
+
+class MeasuredRoughness(Input):
+    """Scans of one body, the other being smooth or known by its numbers, or of both, and how asperities are found in them.
+
+    first, second: a scan (in Python also a HeightMap, or what `as_height_map` takes), or a Roughness with Gaussian heights, one
+    of them a scan. method: key of a way of finding asperities;
+    else the first that finds enough of those whose record says `of_summits`. form: order of the polynomial that is taken off, 1
+    for a plane. spikes: robust deviations from the median beyond which points are masked. fill: how missing points are filled,
+    if they are. shortest, longest: wavelengths between which the heights are kept. heights: gaussian, weibull or empirical, the
+    distribution of the asperity heights; else the simplest that fits. Raises InputError.
+    """
+
+    first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
+    second: _Body | None = Field(None, description="a table with the scan, or the numbers, of the second body")
+    method: str | None = Field(None, json_schema_extra=_with_methods)
+    form: int = Field(1, ge=0, le=4, strict=True, description="order of the polynomial that is taken off, 0 to 4")
+    spikes: float | None = Field(None, gt=0, description="mask points so many robust deviations from the median, e.g. 10")
+    fill: str | None = Field(None, description="harmonic or nearest: fill missing points; else they are left out")
+    shortest: _Length | None = Field(None, description="shortest wavelength that is kept")
+    longest: _Length | None = Field(None, description="longest wavelength that is kept")
+    heights: str | None = Field(None, description="gaussian, weibull or empirical; else the simplest that fits")
+
+    @model_validator(mode="after")
+    def _some_scan(self):
+        if not any(_is_scan(body) for body in (self.first, self.second)):
+            raise InputError("first or second", None, 'a scan, e.g. first = { file = "scan.npy", size = "10 um", unit = "nm" }')
+        return self
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What scans say of the roughness of a contact.
+
+    by_method: method -> Roughness; method: that which stands for the surface; failures: method -> why it found nothing.
+    history: of each scan, in words; notes: method -> what was found, and what it rests on; counts: method -> how many
+    separate asperities it found, 0 where it has averages only or two bodies are taken together. mean_heights: of the
+    asperities, over the mean plane [m]: separations count from them. doubts: what is to be said of two bodies taken together.
+    of_moments: the method that keeps the moments of the surface. solvable: the maps whose contact can be solved point by point.
+    """
+
+    by_method: Mapping[str, Roughness]
+    method: str
+    failures: Mapping[str, str]
+    history: Mapping[str, tuple[str, ...]]
+    notes: Mapping[str, str]
+    counts: Mapping[str, int]
+    mean_heights: Mapping[str, float]
+    doubts: tuple[str, ...] = ()
+    of_moments: str = ""
+    solvable: SolvableMaps = field(default_factory=SolvableMaps, repr=False, compare=False)
+
+    def roughness(self) -> Roughness:
+        """The numbers of the method that stands for the surface, which know that they were measured."""
+        found, reduced = self.by_method[self.method], self.with_surface_moments()
+        if reduced is not self:
+            found = found.replace(surface=self.by_method[self.of_moments].as_measured(reduced))
+        return found.as_measured(self)
+
+    def contacts(self, contact: _Contact) -> dict[str, _Contact]:
+        """The contact with the roughness that each method finds, the chosen method first."""
+        order = sorted(self.by_method, key=lambda name: name != self.method)
+        return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
+
+    def with_surface_moments(self) -> "Measured":
+        """What theories of the whole surface take of it: the moments, in the form of asperities that have them."""
+        if self.of_moments not in self.by_method:
+            return self
+        return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})
+
+    def attributes(self) -> dict[str, str]:
+        """What goes with a result: the method, and what was done to each scan."""
+        scans = "\n".join(f"{body} body: {step}" for body, steps in self.history.items() for step in steps)
+        return {"roughness_method": self.method, "scans": scans}
+
+    def sources(self) -> list[str]:
+        """Keys of the bibliography entries of the methods, each once."""
+        from stiction.surfaces.finding import methods
+
+        known = methods()
+        return list(dict.fromkeys(source.key for name in self.by_method for source in known[name].sources))
+
+    def record(self) -> dict[str, Any]:
+        """Everything as plain numbers in SI units, for JSON."""
+        by_method = {
+            name: {
+                "sigma": one.asperity_height_deviation,
+                "R": one.asperity_radius,
+                "N": one.asperity_density,
+                "height_distribution": one.height_distribution,
+                "mean_height": self.mean_heights[name],
+                "count": self.counts[name],
+                "note": self.notes[name],
+            }
+            for name, one in self.by_method.items()
+        }
+        return {
+            "method": self.method,
+            "units": {"sigma": "m", "R": "m", "N": "1/m^2", "mean_height": "m"},
+            "by_method": by_method,
+            "failures": dict(self.failures),
+            "doubts": list(self.doubts),
+            "history": {body: list(steps) for body, steps in self.history.items()},
+        }
+
+
+def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap") -> Measured:
+    """What a map says of the roughness of a contact whose map is to be solved, with the asperities that were found in it."""
+    key = asperities.method
+    return Measured(
+        by_method={key: found},
+        method=key,
+        failures={},
+        history={"first": surface.history},
+        notes={key: asperities.note},
+        counts={key: asperities.count},
+        mean_heights={key: asperities.mean_height},
+        solvable=SolvableMaps({"first": surface}),
+    )
+
+
+def roughness_of(scan: Any) -> Roughness:
+    """The roughness in a scan of the first body that the user holds, or in a table of scans like that of a case file; it knows
+    what was measured. Raises InputError."""
+    from stiction.surfaces.held import as_height_map
+
+    table = scan if isinstance(scan, Mapping) else {"first": as_height_map(scan, "roughness")}
+    return measure(MeasuredRoughness(**table)).roughness()
+
+
+def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
+    """Read the scans, prepare them, and find asperities by every method. Raises InputError for scans that cannot be read or
+    where the wanted method finds nothing."""
+    from stiction.surfaces.asperity_set import of_numbers
+    from stiction.surfaces.finding import asperities, combine, method_of_moments, methods
+    from stiction.surfaces.height_model import MODELS, height_model, roughness
+
+    bodies = {"first": wanted.first, "second": wanted.second}
+    scans = {name: _scan(body, folder, name) for name, body in bodies.items() if body is not None and _is_scan(body)}
+    maps = {name: _prepared(scan, wanted, bodies[name], name) for name, scan in scans.items()}
+    known = [of_numbers(body) for body in bodies.values() if isinstance(body, Roughness)]
+    alone = len(maps) + len(known) == 1
+    if wanted.heights not in (None, *MODELS):
+        raise InputError("roughness.heights", wanted.heights, ", ".join(MODELS))
+    if wanted.heights not in (None, "gaussian") and not alone:
+        raise InputError("roughness.heights", wanted.heights, "gaussian: heights of two rough bodies are taken together")
+    found: dict[str, Asperities] = {}
+    surfaces: dict[str, Roughness] = {}
+    counts: dict[str, int] = {}
+    failures: dict[str, str] = {}
+    for method in methods():
+        try:
+            each = [asperities(one, method) for one in maps.values()]
+            together = [*each, *known]
+            one = together[0] if alone else combine(*together)
+            surfaces[method] = roughness(one, height_model(one, wanted.heights))
+            counts[method] = min(map(independent, each, maps.values()))
+            found[method] = one
+        except InputError as error:
+            failures[method] = str(error)
+    if not found:
+        raise InputError("roughness", "no asperities by any method", "scans with asperities: see `stiction surface` of them")
+    of_moments = method_of_moments()
+    solvable = SolvableMaps({name: _to_solve(scans[name], maps[name], wanted) for name in maps}, bool(known))
+    if of_moments in surfaces:
+        surfaces[of_moments] = surfaces[of_moments].with_map(_one_map(solvable))
+    surfaces = _with_the_surface(surfaces, surfaces.get(of_moments))
+    method = wanted.method or standing_method(found, counts)
+    if method not in found:
+        why = f"; nothing by {method}: {failures[method]}" if method in failures else ""
+        raise InputError("roughness.method", method, ", ".join(found) + why)
+    doubts = _doubts(list(maps.values()), bool(known), wanted)
+    return Measured(
+        by_method={name: surfaces[name] for name in found},
+        method=method,
+        failures=failures,
+        history={body: one.history for body, one in maps.items()},
+        notes={name: one.note for name, one in found.items()},
+        counts=counts if alone else dict.fromkeys(counts, 0),
+        mean_heights={name: one.mean_height for name, one in found.items()},
+        doubts=(*_spikes(maps), *doubts, *_without_moments(failures.get(of_moments))),
+        of_moments=of_moments,
+        solvable=solvable,
+    )
+
+
+def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
+    """The same, each with the asperities that have the measured moments: theories of the whole surface look for none."""
+    return {
+        name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
+        for name, one in by_method.items()
+    }
+
+
+def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
+    """The map that stands for both faces; None where there is none."""
+    try:
+        return solvable.one()
+    except InputError:
+        return None
+
+
+def independent(found: "Asperities", surface: "HeightMap") -> int:
+    """How many separate asperities were found: not more than there are, by their density, on the area of a map, where the
+    same hill is crossed by many profiles."""
+    if surface.is_profile:
+        return found.count
+    return min(found.count, round(found.density * surface.size[0] * surface.size[1]))
+
+
+def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
+    """The method that stands for the surface where none is named: the first that finds enough, or has averages only, of those
+    that agree with Nayak's summits where the waves are resolved (docs/surfaces.md), so that they may be added for two bodies.
+    Of a profile there are averages only. Else the first of the others."""
+    from stiction.surfaces.asperity_set import FEW
+    from stiction.surfaces.finding import methods
+
+    preferred = [name for name, one in methods().items() if one.of_summits]
+    enough = [name for name in (*preferred, *found) if name in found and (counts[name] >= FEW or not found[name].count)]
+    return next(iter([*enough, *found]), "")
+
+
+def _spikes(maps: "Mapping[str, HeightMap]") -> tuple[str, ...]:
+    from stiction.surfaces.spikes import SUSPICIOUS, spikes
+
+    counts = {body: int(spikes(one).sum()) for body, one in maps.items()}
+    return tuple(
+        f"{count} points of the scan of the {body} body are more than {SUSPICIOUS:g} robust deviations from the median: if "
+        f"these are spikes, mask them with spikes = {SUSPICIOUS:g}"
+        for body, count in counts.items()
+        if count
+    )
+
+
+def _without_moments(why: str | None) -> tuple[str, ...]:
+    if why is None:
+        return ()
+    return (f"the moments of the surface are not known ({why}): theories of it take the asperities found",)
+
+
+def _doubts(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
+    """What is to be said of two rough bodies taken together."""
+    if numbers:
+        return ("the resolution is not known for the body given by numbers: it must equal that of the scan",)
+    if len(maps) < 2:
+        return ()
+    from stiction.surfaces.heightmap import metres
+
+    kept = 0.0 if wanted.shortest is None else metres(wanted.shortest, "shortest")
+    cutoffs = [max(kept, 2.0 * one.coarsest_pitch) for one in maps]
+    if max(cutoffs) <= _ALIKE * min(cutoffs):
+        return ()
+    first, second = (show(cutoff, "scan_size", 3) for cutoff in cutoffs)
+    return (
+        f"the scans have different resolutions (shortest waves {first} and {second}), and the finer one alone decides R and N: "
+        "give shortest, the same for both",
+    )
+
+
+def _scan(scan: "Scan | HeightMap", folder: Path, body: str) -> "HeightMap":
+    return _read(scan, folder, body) if isinstance(scan, Scan) else scan
+
+
+def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: str) -> "HeightMap":
+    from stiction.surfaces.prepare import prepared
+
+    try:
+        return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest)
+    except InputError as error:
+        own = f"{body}.file" if isinstance(scan, Scan) else body
+        raise InputError(f"roughness.{own if error.field == 'scan' else error.field}", error.value, error.allowed) from None
+
+
+def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughness) -> "HeightMap":
+    """The map whose contact is solved: that in which asperities are found, and one period as it is, without form."""
+    from stiction.surfaces.prepare import prepared_period
+
+    return prepared_period(scan, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest) if scan.periodic else made_ready
+
+
+def _read(scan: Scan, folder: Path, body: str) -> "HeightMap":
+    from stiction.surfaces.read import read_scan
+
+    given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}
+    try:
+        return replace(read_scan(folder / scan.file, **given), periodic=scan.periodic)
+    except InputError as error:
+        field = "file" if error.field == "scan" else error.field
+        raise InputError(f"roughness.{body}.{field}", error.value, error.allowed) from None
+
+
+def _rough(value):
+    """Numbers as they are, scans and finishes as the roughness that is found by them."""
+    if isinstance(value, Roughness | str | int | float | None):
+        return value
+    if is_finished(value):
+        return roughness_of_finish(value)
+    if isinstance(value, Mapping) and not value.keys() & {"first", "second"}:
+        return value
+    try:
+        return roughness_of(value)
+    except InputError as error:  # the field of the contact adds its own name
+        raise InputError(error.field.removeprefix("roughness").lstrip("."), error.value, error.allowed) from None
+
+
+Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]

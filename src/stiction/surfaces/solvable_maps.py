@@ -1,0 +1,63 @@
+"""The maps of a contact whose bodies were measured, as one map that stands for both where it is solved point by point."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stiction.quantities.errors import InputError
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
+
+_ALIKE = 1e-6  # sizes of two maps that differ by less, relatively, are one
+
+
+@dataclass(frozen=True)
+class SolvableMaps:
+    """maps: prepared, of each rough body; some_numbers: a rough body is known by numbers only."""
+
+    maps: "Mapping[str, HeightMap]" = field(default_factory=dict)
+    some_numbers: bool = False
+
+    @property
+    def points(self) -> int:
+        """How many points the larger map has."""
+        return max((one.heights.size for one in self.maps.values()), default=0)
+
+    def attributes(self) -> dict[str, str]:
+        """What goes with a result that looked for no asperities: what was done to each map."""
+        scans = "\n".join(f"{body} body: {step}" for body, one in self.maps.items() for step in one.history)
+        return {"roughness_method": "none: the map itself", "scans": scans}
+
+    def one(self) -> "HeightMap":
+        """The map that stands for both bodies. Raises InputError, with what would be a map."""
+        if self.some_numbers or not self.maps:
+            raise InputError("roughness", "numbers of a rough body", "a map of every rough body, or the other smooth")
+        for body, each in self.maps.items():
+            if each.is_profile:
+                raise InputError(
+                    f"roughness.{body}", "a profile", "a map, of rows and columns: a profile has no contact to solve"
+                )
+            if not each.complete:
+                missing = f"{each.missing} points without a height"
+                raise InputError("roughness.fill", missing, "harmonic or nearest: a contact is solved at every point")
+        first, *others = self.maps.values()
+        return _sum(first, others[0]) if others else first
+
+
+def _sum(first: "HeightMap", second: "HeightMap") -> "HeightMap":
+    """Two faces, each as seen from outside: the second is turned over to lie on the first."""
+    same = all(math.isclose(one, other, rel_tol=_ALIKE) for one, other in zip(first.size, second.size, strict=True))
+    if first.heights.shape != second.heights.shape or not same or first.periodic != second.periodic:
+        allowed = "as many points as the first, over the same size, both periodic or neither: then their sum stands for both"
+        raise InputError("roughness.second", _said(second), f"{allowed}; the first has {_said(first)}")
+    heights = np.add(first.heights, second.heights[:, ::-1])
+    return first.with_heights(heights, f"heights of {second.name or 'the second body'}, turned over, added")
+
+
+def _said(one: "HeightMap") -> str:
+    rows, columns = one.heights.shape
+    return f"{columns} x {rows} points over {one.size[1]:.6g} x {one.size[0]:.6g} m" + (", periodic" if one.periodic else "")

@@ -1,0 +1,114 @@
+"""A kind of surface that is stated: only solved surfaces of that kind say how far a model is off."""
+
+import json
+import tomllib
+
+import numpy as np
+import pytest
+
+import stiction as st
+from stiction.case.read import json_schema, parse_case
+from stiction.quantities.errors import InputError
+from stiction.solving.accuracy.solved_set import OF_KIND, solved_set
+from stiction.surfaces.finishes import SURFACE_KINDS, finish, finish_names
+from stiction.surfaces.theory.moments import bandwidth
+
+SOFT = {"youngs_modulus": "91 GPa", "poissons_ratio": 0.3, "hardness": "1e6 GPa"}
+STIFF = {"youngs_modulus": "1e9 GPa", "poissons_ratio": 0.3, "hardness": "1e9 GPa"}
+NUMBERS = {"asperity_height_deviation": "0.2 um", "asperity_radius": "20 um", "asperity_density": "1e10 1/m^2"}
+# h' of these asperities by McCool's moments: m4 = pi (3/(8 R))^2, m2 = m4/(6 pi 3^(1/2) N), h'^2 = 2 m2.
+SLOPE = (2 * np.pi * (3 / 8 / 20e-6) ** 2 / (6 * np.pi * 3**0.5 * 1e10)) ** 0.5
+
+
+def contact(**more):
+    rough = st.Roughness(**NUMBERS | more)
+    return st.Contact(first=SOFT, second=STIFF, roughness=rough, nominal_area="1 mm^2", interfacial_shear_strength="5 MPa")
+
+
+def solved(kind, pressure=0.1, model="persson_widened", more=None):
+    load = pressure * 1e11 * SLOPE * 1e-6
+    return st.solve(contact(**({"kind": kind} if kind else {}) | (more or {})), load=load, model=model)
+
+
+def by_hand(kinds, pressure=0.1, column="persson_widened|moments"):
+    """Mean of ln(A/solved A) at a pressure of the set, elastic, over its surfaces of these kinds."""
+    known = solved_set()
+    mine = np.isin(known["kinds"], kinds)
+    errors = known.errors(column)[mine, 0, known["loads"].tolist().index(pressure)]
+    distance = np.log(known.feature("alpha")[mine] / bandwidth(0.04)) / 0.5
+    weight = np.exp(-0.5 * (distance**2 - (distance**2).min())) * np.isfinite(errors)
+    return np.average(np.nan_to_num(errors), weights=weight), int((weight > 0.1).sum())
+
+
+@pytest.mark.parametrize(
+    ("kind", "kinds"),
+    [
+        ("gaussian", ["gaussian"]),
+        ("skewed", ["skewed", "peaked"]),
+        ("worn", ["worn", "flat"]),
+        ("lay", ["lay", "mixed", "periodic"]),
+        ("two-scale", ["bimodal", "periodic"]),
+        ("turned", ["lay", "mixed", "periodic"]),
+        ("polished", ["gaussian"]),
+    ],
+)
+def test_only_solved_surfaces_of_that_kind_count(kind, kinds):
+    data = solved(kind)
+    said = json.loads(data.attrs["measured_error"])
+    mean, count = by_hand(kinds)
+    assert said["area"][0] == pytest.approx(np.expm1(mean), rel=5e-3, abs=1e-4)
+    assert said["surfaces"] == [count] and said["kind_known"] is True
+    assert f"of {count} of this kind, {said['kind']}" in data.attrs["measured_error_in_words"]
+    for name in ("contact_area", "friction_coefficient"):
+        assert float(data[name]) == float(solved(None)[name])
+
+
+def test_a_kind_sharpens_the_interval_and_none_leaves_it():
+    width = {}
+    for kind in (None, "gaussian", "worn"):
+        said = json.loads(solved(kind).attrs["measured_error"])
+        width[kind] = np.log((1 + said["area_high"][0]) / (1 + said["area_low"][0]))
+    assert width["gaussian"] < 0.3 * width[None] and width["worn"] < width[None]
+    assert json.loads(solved(None).attrs["measured_error"])["kind"] is None
+
+
+def test_every_kind_of_the_set_is_of_a_kind_and_every_finish_stands_for_one():
+    assert set(solved_set()["kinds"]) == {one for kinds in OF_KIND.values() for one in kinds}
+    assert tuple(OF_KIND) == SURFACE_KINDS
+    for name in finish_names():
+        assert st.Roughness(**NUMBERS, kind=name).surface_kind == finish(name).surface_kind
+    assert st.Roughness(**NUMBERS).surface_kind is None
+
+
+def test_of_a_surface_beside_the_asperities_and_of_films():
+    moments = {"surface": NUMBERS | {"asperity_height_deviation": "0.21 um"}}
+    said = json.loads(solved("worn", more=moments).attrs["measured_error"])
+    assert said["kind"] == "worn" and said["area"] != json.loads(solved(None, more=moments).attrs["measured_error"])["area"]
+    film = {"material": SOFT | {"youngs_modulus": "20 GPa"}, "thickness": "2 um", "bodies": "first"}
+    for kind in SURFACE_KINDS:
+        data = st.compare(contact(kind=kind).replace(coating=film), load="1 N")
+        words = [str(one) for one in data["measured_error_in_words"].values]
+        assert not any("solved Gaussian surfaces" in one for one in words)
+        assert any(f"this kind, {kind}" in one for one in words)
+
+
+def test_a_case_states_it_and_other_words_are_refused():
+    case = """
+    [contact]
+    first = "iron"
+    second = "iron"
+    nominal_area = "1 mm^2"
+    interfacial_shear_strength = "5 MPa"
+    roughness = {asperity_height_deviation="0.2 um", asperity_radius="20 um", asperity_density="1e10 1/m^2", kind="KIND"}
+    [solve]
+    load = "1 N"
+    model = "greenwood_williamson_1966"
+    """
+    assert parse_case(tomllib.loads(case.replace("KIND", "ground"))).subject.surface_kind == "lay"
+    with pytest.raises(
+        InputError, match=r"contact\.roughness\.kind: 'grounded'; allowed: a kind of surface or a finish: ground"
+    ):
+        parse_case(tomllib.loads(case.replace("KIND", "grounded")))
+    with pytest.raises(InputError, match="kind: 3; allowed: "):
+        st.Roughness(**NUMBERS, kind=3)
+    assert json_schema()["$defs"]["Roughness"]["properties"]["kind"]["type"] == "string"

@@ -1,0 +1,90 @@
+"""A prediction that knows measured friction, against the closed form of normal numbers."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.stats import norm
+from typer.testing import CliRunner
+
+import stiction as st
+from stiction.cli import app
+
+SPREAD = math.log(2.5) / norm.ppf(0.95)  # of ln tau_0
+CASE = """
+[contact]
+first = { youngs_modulus = "1000 GPa", poissons_ratio = 0.3, hardness = "0.1 GPa", material_class = "polymer" }
+second = { youngs_modulus = "1000 GPa", poissons_ratio = 0.3, hardness = "100 GPa", material_class = "ceramic" }
+nominal_area = "1 cm^2"
+[contact.interface]
+interfacial_shear_strength = "5 MPa"
+range = { interfacial_shear_strength = ["2 MPa", "12.5 MPa"] }
+[contact.roughness]
+asperity_height_deviation = "0.2 um"
+asperity_radius = "20 um"
+asperity_density = "1e10 1/m^2"
+[solve]
+load = ["1 N", "3 N"]
+"""
+
+
+@pytest.fixture
+def case(tmp_path):
+    path = tmp_path / "case.toml"
+    path.write_text(CASE, encoding="utf-8")
+    return path
+
+
+def series(folder, text):
+    path = folder / "measured.csv"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("error", [0.02, 0.2])
+def test_normal_numbers_are_averaged_by_their_variances(error, case, tmp_path):
+    """ln mu is normal about ln(5 MPa/100 MPa); a measured ln mu, normal too, draws it to itself by its share of precision."""
+    data = series(tmp_path, f"load [N],friction_coefficient,friction_coefficient_error\n1,0.07,{0.07 * error}\n")
+    found = st.predict(case, load="3 N", measured=data)
+    precision = SPREAD**-2 + error**-2
+    mean = (math.log(0.05) / SPREAD**2 + math.log(0.07) / error**2) / precision
+    for end, score in (("_low", -1.645), ("", 0.0), ("_high", 1.645)):
+        expected = math.exp(mean + score / math.sqrt(precision))
+        assert found[f"friction_coefficient{end}"].item() == pytest.approx(expected, rel=0.02 + 0.1 * error)
+    assert found.strength[0] == pytest.approx(found.friction_coefficient.item() * 1e8, rel=0.02)
+    assert not found.warnings
+
+
+def test_the_scatter_of_three_values_is_their_error(case, tmp_path):
+    values = 0.06 * np.exp(np.array([-0.2, 0.0, 0.2]))
+    rows = "\n".join(f"{load},{value}" for load, value in zip((1, 2, 3), values, strict=True))
+    found = st.predict(case, load="1 N", measured=series(tmp_path, f"load [N],friction_coefficient\n{rows}\n"))
+    precision = SPREAD**-2 + 3.0 / 0.2**2
+    mean = (math.log(0.05) / SPREAD**2 + 3.0 * math.log(0.06) / 0.2**2) / precision
+    assert found.friction_coefficient.item() == pytest.approx(math.exp(mean), rel=0.03)
+
+
+def test_friction_beyond_what_the_contact_allows_is_said(case, tmp_path):
+    found = st.predict(case, load="1 N", measured=series(tmp_path, "load [N],friction_coefficient\n1,3\n"))
+    assert "beyond what the stated contact allows" in found.warnings[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("load [N],contact_area [um^2]\n1,3\n", "need a table [fit]"),
+        ("load [N],friction_coefficient\n1,0\n", "above 0"),
+        ("load [N],friction_coefficient,nominal_area [mm^2]\n1,0.1,2\n", "need"),
+    ],
+)
+def test_what_cannot_be_used_is_refused(text, said, case, tmp_path):
+    result = CliRunner().invoke(app, ["fit", str(case), "--data", str(series(tmp_path, text))])
+    assert result.exit_code == 2 and said in result.output and len(result.output.strip().splitlines()) == 1
+
+
+def test_the_command_gives_the_line_that_keeps_it(case, tmp_path):
+    data = series(tmp_path, "load [N],friction_coefficient\n1,0.07\n2,0.07\n3,0.072\n")
+    result = CliRunner().invoke(app, ["fit", str(case), "--data", str(data)], env={"COLUMNS": "120"})
+    assert result.exit_code == 0 and len(result.stdout.splitlines()) <= 15
+    said = " ".join(result.stdout.split())
+    assert "3 values: interface strength" in said and "interfacial_shear_strength = { low =" in said

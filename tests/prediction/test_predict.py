@@ -1,0 +1,206 @@
+"""The predictive distribution of mu, against closed forms and draws that do not use the package."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+from scipy.stats import norm
+
+import stiction as st
+from stiction.studies.prediction.junctions import grown, squeezed
+
+ROUGH = {"asperity_height_deviation": 2e-7, "asperity_radius": 2e-5, "asperity_density": 1e10}
+# Hard to the touch of a tenth of its modulus: all contacts are plastic.
+PLASTIC = {"youngs_modulus": 1e12, "poissons_ratio": 0.3, "hardness": 1e8, "material_class": "polymer"}
+RIGID = {"youngs_modulus": 1e12, "poissons_ratio": 0.3, "hardness": 1e11, "material_class": "ceramic"}
+SOFT = {"youngs_modulus": 2e6, "poissons_ratio": 0.49, "hardness": 1e7, "material_class": "elastomer"}
+
+
+def pair(first=PLASTIC, second=RIGID, rough=ROUGH, **more):
+    return st.Contact(first=first, second=second, roughness=rough, nominal_area=1e-4, **more)
+
+
+def test_a_plastic_contact_has_tau_over_hardness():
+    found = st.predict(pair(interfacial_shear_strength=5e6), load="1 N")
+    assert found.friction_coefficient.item() == pytest.approx(0.05, rel=0.02)
+    assert found.contact_area.item() == pytest.approx(1e-8, rel=0.02)
+    assert found.friction_force.item() == pytest.approx(0.05, rel=0.02)
+    assert "plastic" in found.regime
+
+
+def test_what_is_pressed_flat_has_tau_over_nominal_pressure():
+    found = st.predict(pair(first=SOFT, interfacial_shear_strength=1e5), load="500 N")
+    assert found.friction_coefficient.item() == pytest.approx(1e5 * 1e-4 / 500.0, rel=1e-6)
+    assert "Pressed flat" in found.regime
+
+
+def test_the_strength_of_a_state_is_drawn_from_its_quantiles():
+    """Of a plastic contact ln mu = ln tau_0 - ln H, and tau_0 is lognormal between its printed quantiles."""
+    state = {"interfacial_shear_strength": 5e6, "range": {"interfacial_shear_strength": [2e6, 12.5e6]}}
+    found = st.predict(pair(interface=state), load="1 N", level=0.8)
+    width = math.log(2.5) / norm.ppf(0.95)
+    for end, level in (("_low", 0.1), ("", 0.5), ("_high", 0.9)):
+        expected = 0.05 * math.exp(width * norm.ppf(level))
+        assert found[f"friction_coefficient{end}"].item() == pytest.approx(expected, rel=0.04)
+    assert found.shares["interface"] > 0.95
+
+
+def test_the_interface_is_no_stronger_than_the_weaker_body():
+    bulk = 1e8 / (2.8 * math.sqrt(3.0))
+    found = st.predict(pair(interfacial_shear_strength=5e8), load="1 N")
+    assert found.friction_coefficient.item() == pytest.approx(bulk / 1e8, rel=0.02)
+    assert f"{5e8 / bulk:.3g} times as strong" in found.warnings[0]
+    assert not st.predict(pair(interfacial_shear_strength=0.9 * bulk), load="1 N").warnings
+
+
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.9, 0.99])
+def test_a_junction_grows_until_its_interface_gives_way(share):
+    """p^2 + alpha tau^2 = H^2 at the load P = p A, solved by bisection for the area."""
+    hardness, alpha = 1.0, 3.0 * 2.8**2
+    bulk = hardness / math.sqrt(alpha)
+
+    def left(area):
+        return (1.0 / area) ** 2 + alpha * (share * bulk) ** 2 - hardness**2
+
+    expected = brentq(left, 1.0, 1e3)
+    column = np.array([[1.0]])
+    found = grown(np.array([0.3]), column, share * bulk * column, hardness * column, bulk * column)
+    assert found.item() == pytest.approx(expected, rel=1e-9)
+    assert grown(np.array([0.05]), column, share * bulk * column, column, bulk * column).item() == 1.0
+
+
+def test_tabors_junctions_are_met_where_the_interface_is_strong():
+    """mu = c/(3 sqrt(1 - c^2)), Tabor's alpha of 9, within 7 % from c = 0.9 on."""
+    column, bulk = np.array([[1.0]]), 1.0 / (2.8 * math.sqrt(3.0))
+    for share in (0.9, 0.95, 0.99):
+        area = grown(np.array([0.9]), column, share * bulk * column, column, bulk * column).item()
+        assert share * bulk * area == pytest.approx(share / 3.0 / math.sqrt(1.0 - share**2), rel=0.07)
+
+
+def test_elastic_spots_do_not_grow():
+    column = np.array([[1.0]])
+    assert grown(np.array([0.9]), 0.1 * column, 0.1 * column, column, 0.2 * column).item() == 1.0
+
+
+def test_a_soft_film_bears_at_most_the_hardness_below():
+    column = np.array([[1.0]])
+    thin = squeezed(np.array([1.0 - 1e-12]), column, 1e3 * column, column, column, 5.0 * column)
+    assert thin.item() == pytest.approx(5.0, rel=1e-9)
+    assert squeezed(np.array([1.0]), column, 7.3 * column, column, column, 5.0 * column).item() == pytest.approx(2.0)
+    assert squeezed(np.array([0.5]), column, 1e-6 * column, column, column, 5.0 * column).item() == pytest.approx(1.0, abs=1e-6)
+
+
+def test_adhesion_that_does_nothing_changes_nothing():
+    dry = st.predict(pair(interfacial_shear_strength=5e6), load="10 N")
+    faint = st.predict(pair(interfacial_shear_strength=5e6, work_of_adhesion=1e-9), load="10 N")
+    for end in ("", "_low", "_high"):
+        name = f"friction_coefficient{end}"
+        assert faint[name].item() == pytest.approx(dry[name].item(), rel=1e-4)
+
+
+def test_where_neither_is_stated_it_is_a_mixture_and_says_so():
+    found = st.predict(st.Contact(first="copper", second="copper", roughness=ROUGH, nominal_area=1e-4), load="10 N")
+    stated = st.predict(
+        st.Contact(first="copper", second="copper", roughness=ROUGH, nominal_area=1e-4, interface="oxidised metal"), load="10 N"
+    )
+    assert "not stated" in found.warnings[0] and found.next_step.startswith("state the interface")
+    assert found.friction_coefficient_low < stated.friction_coefficient_low
+    assert not any("not stated" in one for one in stated.warnings)
+
+
+def test_clean_copper_seizes_and_oxidised_copper_does_not():
+    """Friction of copper: 2.2 to 16 in vacuum, 0.6 to 1.6 in air (validation/contacts)."""
+    clean, oxidised = (
+        st.predict(st.Contact(first="copper", second="copper", roughness=ROUGH, nominal_area=1e-4, interface=name), load="10 N")
+        for name in ("clean metal", "oxidised metal")
+    )
+    assert clean.friction_coefficient > 1.0 and clean.friction_coefficient_high > 2.2
+    assert 0.1 < oxidised.friction_coefficient_low < 0.6 < oxidised.friction_coefficient_high < 2.0
+
+
+def test_shares_are_those_of_a_sum_of_logarithms():
+    """Of a plastic contact ln mu = ln tau_0 - ln H: variances of the state and of a lognormal hardness add up."""
+    state = {"interfacial_shear_strength": "5 MPa", "range": {"interfacial_shear_strength": ["2.5 MPa", "10 MPa"]}}
+    case = {
+        "contact": {
+            "first": {**PLASTIC, "hardness": {"median": "100 MPa", "factor": 1.3}, "youngs_modulus": "1000 GPa"},
+            "second": {**RIGID, "hardness": "100 GPa", "youngs_modulus": "1000 GPa"},
+            "roughness": {"asperity_height_deviation": "0.2 um", "asperity_radius": "20 um", "asperity_density": "1e10 1/m^2"},
+            "nominal_area": "1 cm^2",
+            "interface": state,
+        },
+        "solve": {"load": "1 N"},
+    }
+    found = st.predict(case)
+    of_state, of_hardness = (math.log(2.0) / norm.ppf(0.95)) ** 2, math.log(1.3) ** 2
+    expected = of_state / (of_state + of_hardness)
+    assert found.shares["interface"] == pytest.approx(expected, abs=0.06)
+    assert sum(found.shares.values()) == pytest.approx(1.0, abs=0.02)
+
+
+def test_a_band_along_the_load():
+    found = st.predict(pair(interface="dry polymer"), load=["0.1 N", "1 N", "10 N"])
+    assert found.friction_coefficient.dims == ("load",) and found["load"].values.tolist() == [0.1, 1.0, 10.0]
+    assert found.friction_coefficient_samples.dims == ("sample", "load")
+    assert (found.friction_coefficient_low < found.friction_coefficient).all()
+
+
+def test_the_same_question_has_the_same_answer():
+    one, other = (st.predict(pair(interface="dry polymer"), load="1 N") for _ in range(2))
+    assert one.identical(other)
+
+
+@pytest.mark.parametrize(
+    ("given", "field"), [({"load": "0 N"}, "load"), ({"load": None}, "load"), ({"load": "1 N", "level": 1.0}, "level")]
+)
+def test_bad_input_is_refused(given, field):
+    with pytest.raises(st.InputError) as error:
+        st.predict(pair(interfacial_shear_strength=5e6), **given)
+    assert error.value.field == field
+
+
+def test_a_finish_leaves_the_slope_open():
+    """Of an elastic contact mu = tau_0 kappa/(E* h'): with Sq stated it scatters as the slope of the finish does."""
+    hard = {"youngs_modulus": 1e9, "poissons_ratio": 0.3, "hardness": 1e11}
+    contact = pair(hard, hard, {"rms_height": "50 nm", "finish": "polished"}, interfacial_shear_strength=1e6)
+    found = st.predict(contact, load="50 N")
+    low, high = 0.01, 0.08  # 5 and 95 % of the slope of polished surfaces (finishes.toml)
+    ratio = found.friction_coefficient_high.item() / found.friction_coefficient_low.item()
+    assert ratio == pytest.approx(high / low, rel=0.25)
+    assert next(iter(found.shares)) == "finish of the surface" and found.shares["finish of the surface"] > 0.8
+
+
+def test_a_scan_answers_by_the_contact_of_its_map():
+    """Its area is that of the solved map, in a narrower interval than its numbers alone leave."""
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=10e-6, shortest=1e-6, deviation=8e-9)
+    surface = st.gaussian_surface((128, 128), (20e-6, 20e-6), spectrum, seed=1)
+    bodies = {"youngs_modulus": 1e9, "poissons_ratio": 0.3, "hardness": 1e11}
+    scanned = pair(bodies, bodies, surface, interfacial_shear_strength=1e6)
+    found = st.predict(scanned, load="200 N")
+    solved = st.solve(scanned, load="200 N", model="boundary_elements").contact_area.item()
+    assert found.contact_area.item() == pytest.approx(solved, rel=0.05)
+    numbers = st.predict(scanned.as_numbers(), load="200 N")
+
+    def width(one):
+        return math.log(one.contact_area_high.item() / one.contact_area_low.item())
+
+    assert width(found) < 0.5 * width(numbers)
+
+
+def test_a_hard_film_bears_no_more_than_the_body_below_it():
+    """A film of 15 GPa, 0.1 um, on a body of 1.25 GPa: a punched plug bears H_b + 2 (t/a) H_f/(3 sqrt 3) at the most, so that
+    mu = tau_0/p is at least tau_0 over that at spots five times as wide as the film is thick."""
+    body = {"youngs_modulus": 193e9, "poissons_ratio": 0.3, "hardness": 1.25e9}
+    film = {"youngs_modulus": 150e9, "poissons_ratio": 0.25, "hardness": 15e9}
+    counter = {"youngs_modulus": 380e9, "poissons_ratio": 0.22, "hardness": 20e9}
+    contact = st.Contact(
+        first=body,
+        second=counter,
+        roughness={"asperity_height_deviation": 1e-7, "asperity_radius": 15e-6, "asperity_density": 5e9},
+        coating={"material": film, "bodies": "first", "thickness": 1e-7},
+        nominal_area=2e-6,
+        interfacial_shear_strength=1e8,
+    )
+    most = 1.25e9 + 2.0 / 5.0 * 15e9 / (3.0 * math.sqrt(3.0))  # spots of five times the thickness
+    assert st.predict(contact, load="2 N").friction_coefficient_low.item() > 1e8 / most
