@@ -18,7 +18,7 @@ import numpy as np
 import surfaces as design
 from solve import WORK
 from stiction.contact.coating import Coating
-from stiction.contact.contact import Contact, Roughness
+from stiction.contact.contact import Contact
 from stiction.contact.materials import Material
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import axis
@@ -29,6 +29,7 @@ from stiction.solving.inversion import Unreachable, separations_at
 from stiction.solving.problem import make_problem, takes_surface_moments
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.measured import MeasuredRoughness, measure
+from stiction.surfaces.roughness import Roughness
 
 MODULUS = 1e11  # E*, of the substrate where there is a film [Pa]
 WEAK = 1e-6  # work of adhesion [J/m2]

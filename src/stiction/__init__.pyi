@@ -2,7 +2,6 @@ from .case.read import read_case as read_case
 from .contact.contact import Coating as Coating
 from .contact.contact import Contact as Contact
 from .contact.contact import Liquid as Liquid
-from .contact.contact import Roughness as Roughness
 from .contact.contact import work_of_adhesion as work_of_adhesion
 from .contact.indices import Indices as Indices
 from .contact.interfaces import interfaces as interfaces
@@ -41,6 +40,7 @@ from .surfaces.generate import non_gaussian_surface as non_gaussian_surface
 from .surfaces.heightmap import HeightMap as HeightMap
 from .surfaces.prepare import prepared as prepared
 from .surfaces.read import read_scan as read_scan
+from .surfaces.roughness import Roughness as Roughness
 from .surfaces.targets import SelfAffine as SelfAffine
 
 __version__: str

@@ -8,11 +8,12 @@ import xarray
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from stiction.contact.contact import Coating, Contact, Indices, Roughness, work_of_adhesion
+from stiction.contact.contact import Coating, Contact, Indices, work_of_adhesion
 from stiction.contact.materials import Material, material
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import axis
 from stiction.solving.solve import solve
+from stiction.surfaces.roughness import Roughness
 
 ROUGHNESS = Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
 STEEL = "hardened_steel_52100"

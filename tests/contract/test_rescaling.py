@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from stiction.contact.contact import Coating, Contact, Roughness
+from stiction.contact.contact import Coating, Contact
 from stiction.contact.materials import Material
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.solve import solve
+from stiction.surfaces.roughness import Roughness
 
 # Exponents of length and force in each unit that a contact is given in.
 DIMENSIONS = {"m": (1, 0), "m^2": (2, 0), "1/m^2": (-2, 0), "Pa": (-2, 1), "J/m^2": (-1, 1), "N/m": (-1, 1), "": (0, 0)}

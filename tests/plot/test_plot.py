@@ -8,7 +8,7 @@ import pytest
 
 from collisions import collisions
 from stiction.case.read import read_case
-from stiction.contact.contact import Contact, Indices, Roughness
+from stiction.contact.contact import Contact, Indices
 from stiction.report import pictures as plot
 from stiction.report.film_pictures import film_figure
 from stiction.solving.solve import solve
@@ -17,6 +17,7 @@ from stiction.studies.paper import figures as figures
 from stiction.studies.paper.claims import claim_map
 from stiction.studies.stresses.film_section import film_section
 from stiction.studies.stresses.film_stress import middle_point
+from stiction.surfaces.roughness import Roughness
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

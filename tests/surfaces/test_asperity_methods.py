@@ -13,8 +13,8 @@ from stiction.surfaces.asperity_method.n_point import _rises
 from stiction.surfaces.asperity_method.persistence import persistent_maxima
 from stiction.surfaces.asperity_method.shared.summits import FITS
 from stiction.surfaces.asperity_set import Asperities, of_samples
-from stiction.surfaces.finding import asperities, combine, methods, methods_for
-from stiction.surfaces.gaussian_asperities import of_moments
+from stiction.surfaces.finding import asperities, methods, methods_for
+from stiction.surfaces.gaussian_asperities import combine, of_moments
 from stiction.surfaces.height_model import exponent_of_skewness, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.targets import GaussianCorrelation

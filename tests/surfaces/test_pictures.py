@@ -8,7 +8,7 @@ import xarray
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 
-from stiction.contact.contact import Contact, Roughness
+from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
 from stiction.report.surface_pictures import (
     asperity_figure,
@@ -24,6 +24,7 @@ from stiction.surfaces.finding import asperities
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import level
 from stiction.surfaces.read import read_scan
+from stiction.surfaces.roughness import Roughness
 from stiction.surfaces.spectrum import BinnedSpectrum
 
 SCANS = Path(__file__).resolve().parents[2].parent / "shared" / "scans"

@@ -2,10 +2,11 @@
 
 import pytest
 
-from stiction.contact.contact import Contact, Indices, Roughness
+from stiction.contact.contact import Contact, Indices
 from stiction.contact.materials import Material
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
+from stiction.surfaces.roughness import Roughness
 from stiction.web.fields import as_written, dropped, got, numbers_of, parts_of, placed
 from stiction.web.first import first_case
 

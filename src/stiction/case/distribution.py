@@ -15,8 +15,6 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 
-__all__ = ["Distribution", "between", "in_range", "is_law", "normal", "of_law", "of_samples", "within_factor"]
-
 # The share of a distribution that may be beyond the bounds of its quantity; it is cut off there.
 _BEYOND = 0.025
 # Shares are kept so far from 0 and 1: there the tails of a distribution are infinite.

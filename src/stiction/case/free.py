@@ -13,8 +13,6 @@ from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 
-__all__ = ["Free", "Interval", "read_free"]
-
 
 class Interval(Input):
     """Between which ends a number may be. spacing: "log" where its logarithm is what is searched evenly, the default where both

@@ -17,8 +17,6 @@ from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
-__all__ = ["MEASURABLE", "Measurements", "read_measurements"]
-
 # What may be measured against load: results, and the resistance that follows from the area.
 MEASURABLE = (
     "friction_coefficient", "friction_force", "pull_off_force", "contact_area", "area_fraction", "contact_resistance",

@@ -8,8 +8,6 @@ from typing import Any
 from stiction.contact.materials import Material, as_material, material_names, preset_name
 from stiction.quantities.errors import InputError, field_below
 
-__all__ = ["telling_the_file", "with_materials_of_file", "with_own_materials"]
-
 _FORM = 'tables [materials.NAME], or the name of a file that has them, e.g. materials = "my_materials.toml"'
 _BODIES = ("first", "second")
 

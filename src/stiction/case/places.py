@@ -4,13 +4,12 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from stiction.case.several import with_values
-from stiction.contact.contact import Coating, Contact, Indices, Liquid, Roughness
+from stiction.contact.contact import Coating, Contact, Indices, Liquid
 from stiction.contact.materials import Material
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
-
-__all__ = ["as_numbers", "flat", "placed", "roughness_in", "subject_table", "with_numbers", "with_roughness"]
+from stiction.surfaces.roughness import Roughness
 
 _PARTS: dict[str, type[Input]] = {
     "": Contact,

@@ -40,8 +40,6 @@ from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice
 from stiction.surfaces.finished import Finished, FinishedBodies, is_finished
 from stiction.surfaces.measured import Measured, MeasuredRoughness, measure
 
-__all__ = ["Case", "as_case", "case_in", "json_schema", "parse_case", "read_case"]
-
 _CASE_FILE = "a TOML case file"
 _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
 

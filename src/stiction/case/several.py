@@ -19,11 +19,6 @@ from stiction.quantities.units import several_in_words, to_si
 if TYPE_CHECKING:
     import xarray
 
-__all__ = [
-    "Along", "Points", "Several", "as_point", "number_of", "numbers_in", "numbers_schema", "points_of", "several_numbers",
-    "with_error", "with_values",
-]  # fmt: skip
-
 _MOST_POINTS = 100_000
 _ROUNDING = 1e-14  # of the ends of a range: less than this is the rounding of 0
 # Dimensions and coordinates of results that are no quantities, and other names of their tables.

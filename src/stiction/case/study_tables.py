@@ -10,8 +10,6 @@ from typing import Any
 from stiction.quantities.errors import InputError, field_below
 from stiction.quantities.inputs import Input
 
-__all__ = ["study_table", "study_tables"]
-
 
 @cache
 def study_tables() -> dict[str, tuple[type[Input], str]]:

@@ -15,8 +15,6 @@ from stiction.case.uncertain import read_distribution
 from stiction.quantities.quantity import in_degrees
 from stiction.quantities.table import QUANTITIES
 
-__all__ = ["as_toml", "case_text", "inline", "show_exactly", "with_written"]
-
 _TABLES = ("contact", "indices", "materials")  # in which numbers may be values from a file
 
 

@@ -29,11 +29,6 @@ from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.surfaces.finished import is_finished, roughness_of_finish
 
-__all__ = [
-    "FORMS", "SAMPLE", "Uncertain", "Uncertainty", "expanded", "named", "placed", "read_distribution", "uncertain_numbers",
-    "usual", "with_ranges",
-]  # fmt: skip
-
 SAMPLE = "sample"  # the dimension along which numbers are drawn
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _ERROR = re.compile(rf"\s*\(?\s*({_NUMBER})\s*([^+±]*?)\s*(?:\+/-|\+-|±)\s*({_NUMBER})\s*\)?\s*(.*?)\s*", re.DOTALL)

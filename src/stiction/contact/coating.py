@@ -8,8 +8,6 @@ from pydantic import BeforeValidator, Field
 from stiction.contact.materials import Material, as_material
 from stiction.quantities.inputs import Input, Number, OptionalNumber
 
-__all__ = ["Body", "Coating", "softer_in_words"]
-
 Body = Annotated[Material, BeforeValidator(as_material, json_schema_input_type=str | Material)]
 
 

@@ -20,9 +20,6 @@ from stiction.quantities.inputs import Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 from stiction.surfaces.measured import Rough
-from stiction.surfaces.roughness import Roughness
-
-__all__ = ["Body", "Coating", "Contact", "Indices", "Liquid", "Roughness", "work_of_adhesion"]
 
 # Equilibrium distance of two surfaces for the Tabor parameter: an atomic spacing, a customary round value, from memory.
 EQUILIBRIUM_DISTANCE = 0.3e-9

@@ -13,8 +13,6 @@ from stiction.quantities.foreign import as_sequence, has_unit
 from stiction.quantities.inputs import Number, OptionalNumber, floats
 from stiction.quantities.table import QUANTITIES
 
-__all__ = ["Groups", "Indices", "hardness_group", "stiffness_group"]
-
 # H/Y where no material says otherwise: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
 HARDNESS_TO_YIELD = 2.8
 

@@ -10,16 +10,11 @@ from pydantic import BeforeValidator, Field, model_validator
 from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of, notes_left
 from stiction.contact.pair import choose, first_is_softer
 from stiction.quantities.data_files import read_tables
-from stiction.quantities.errors import InputError, field_named
-from stiction.quantities.inputs import Input, OptionalNumber, as_text, nearest
+from stiction.quantities.errors import InputError, field_named, nearest
+from stiction.quantities.inputs import Input, OptionalNumber, as_text
 from stiction.quantities.lognormal import lognormal_quantile
 from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.table import QUANTITIES
-
-__all__ = [
-    "STRENGTHS", "Interface", "State", "allowed_interfaces", "check_interface", "interface", "interface_names",
-    "interface_weights", "interfaces",
-]  # fmt: skip
 
 # How the strength of a state may be given: as a stress, over the hardness, or over the shear modulus of the softer body.
 STRENGTHS = ("interfacial_shear_strength", "shear_strength", "strength_over_shear_modulus")

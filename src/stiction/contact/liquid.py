@@ -7,8 +7,6 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, Number, OptionalNumber
 from stiction.quantities.units import show
 
-__all__ = ["Liquid"]
-
 # Molar gas constant [J/(mol K)], exact since 2019 (CODATA 2018).
 GAS_CONSTANT = 8.31446261815324
 # Molar volume of liquid water at 20 C [m^3/mol]: 18.015 g/mol over 0.99821 g/cm^3; between 0 and 60 C it changes by 1.7 %.

@@ -8,12 +8,10 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from stiction.quantities.data_files import read_tables
-from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input, Number, OptionalNumber, nearest
+from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.inputs import Input, Number, OptionalNumber
 from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.units import to_si
-
-__all__ = ["MATERIAL_CLASSES", "Material", "class_of", "material", "material_names", "notes_left", "preset_name", "symbols_of"]
 
 # What decides which states an interface may be in, the class that rules a pair first.
 MaterialClass = Literal["ice", "elastomer", "polymer", "layered solid", "carbon film", "soft metal", "metal", "ceramic"]

@@ -8,8 +8,6 @@ import numpy as np
 from stiction.contact.indices import HARDNESS_TO_YIELD
 from stiction.contact.materials import Material
 
-__all__ = ["Pair", "choose", "compliance_of", "first_is_softer", "more_compliant", "pair_of"]
-
 
 @dataclass(frozen=True)
 class Pair:

@@ -21,8 +21,6 @@ from math import radians, tan
 
 from stiction.contact.materials import Material
 
-__all__ = ["at_radius", "radius_of", "size_ratio"]
-
 # Angle between the surface and the faces of a cone that displaces as much as Berkovich's or Vickers's pyramid.
 _FACE = radians(90.0 - 70.3)
 

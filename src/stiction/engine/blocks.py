@@ -4,8 +4,6 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-__all__ = ["blocks", "in_blocks"]
-
 _TOGETHER = 200_000  # pairs of a law and a point that are computed together
 
 

@@ -18,11 +18,9 @@ import numba
 from numba.core.caching import NullCache
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
-from numba.np.unsafe.ndarray import to_fixed_tuple
+from numba.np.unsafe.ndarray import to_fixed_tuple as to_fixed_tuple
 
 from stiction.quantities.cache import cache_folder, cannot_keep
-
-__all__ = ["keep_on_disk", "to_fixed_tuple"]
 
 # Bytes at the end of a file of the cache, by which it is known to be whole.
 _CHECKSUM = hashlib.sha256().digest_size

@@ -9,8 +9,6 @@ from collections.abc import Callable
 from functools import cache, wraps
 from typing import Any, ParamSpec, TypeVar
 
-__all__ = ["on_one_thread"]
-
 _Given = ParamSpec("_Given")
 _Result = TypeVar("_Result")
 

@@ -6,8 +6,6 @@ from stiction.contact.subject import Subject
 from stiction.laws.validity import doubts_about
 from stiction.records.claims import Validity
 
-__all__ = ["OUT_OF_PROPORTION", "questions"]
-
 # Beyond these what is given is no rough surface; said where it is read.
 OUT_OF_PROPORTION = (
     Validity("sharpness", 0.0, 1.0, "asperities are higher than their tips are wide: are sigma and R swapped?", "impossible"),

@@ -4,8 +4,6 @@ import tomllib
 from importlib import resources
 from typing import Any
 
-__all__ = ["GRADES", "read_tables"]
-
 # What the grade of a number says of where it comes from.
 GRADES = {
     "A": "measured on such an interface or surface; the printed number was read",

@@ -13,8 +13,6 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["aligned", "arranged", "check_names", "coordinates", "dimensions", "flattened", "named_by", "without_indexes"]
-
 
 def without_indexes(array: Any) -> Any:
     """The same DataArray with its coordinates as plain variables: xarray aligns by an index, and by nothing else."""

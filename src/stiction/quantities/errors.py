@@ -5,8 +5,6 @@ import re
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
-__all__ = ["InWords", "InputDoubt", "InputError", "field_below", "field_named", "nearest"]
-
 _LONGEST = 80  # of a longer value the two ends are shown: of a path, the end says most
 
 

@@ -4,8 +4,6 @@ from importlib.util import find_spec
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["EXTRA_OF", "how_to_install", "installed", "require"]
-
 # The package that is imported -> the extra of pyproject.toml that brings it.
 EXTRA_OF = {
     "matplotlib": "pictures",

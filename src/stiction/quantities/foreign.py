@@ -3,8 +3,6 @@
 from collections.abc import Iterator
 from typing import Any
 
-__all__ = ["as_sequence", "has_unit", "is_series"]
-
 
 def has_unit(value: Any) -> bool:
     """Whether this is a number or an array with a unit of its own, as pint has them."""

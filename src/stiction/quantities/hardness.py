@@ -16,8 +16,6 @@ import re
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["from_hardness_test"]
-
 VICKERS = 9.80665e6 / math.sin(math.radians(68.0))  # Pa
 _IMPRINT = 0.375  # d/D
 BRINELL = 9.80665e6 * 2.0 * (1.0 - math.sqrt(1.0 - _IMPRINT**2)) / _IMPRINT**2  # Pa

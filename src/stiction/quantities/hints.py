@@ -2,9 +2,7 @@
 
 import re
 
-from stiction.quantities.table import Quantity
-
-__all__ = ["meant", "too_soft", "with_a_point"]
+from stiction.quantities.quantity import Quantity
 
 _COMMA = re.compile(r"\s*[+-]?\d*,\d[\d,]*")
 _PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")

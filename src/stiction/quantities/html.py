@@ -3,8 +3,6 @@
 from collections.abc import Iterable
 from html import escape
 
-__all__ = ["table"]
-
 
 def table(title: str, rows: Iterable[tuple[str, str]], notes: Iterable[str] = ()) -> str:
     """HTML of a title, rows of a name and a text, and notes below; all text is escaped."""

@@ -11,10 +11,9 @@ from stiction.quantities import html
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError, field_named, nearest
 from stiction.quantities.foreign import is_series
-from stiction.quantities.table import QUANTITIES, Quantity
+from stiction.quantities.quantity import Quantity
+from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import from_series, show, to_si
-
-__all__ = ["Input", "Number", "OptionalNumber", "as_text", "floats", "nearest", "require_callable"]
 
 
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:

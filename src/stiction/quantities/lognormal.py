@@ -7,8 +7,6 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 
-__all__ = ["lognormal_quantile"]
-
 
 def lognormal_quantile(level: Any, median: float, low: float, high: float) -> np.ndarray:
     """Return the quantile of a lognormal number at levels between 0 and 1.

@@ -3,8 +3,6 @@
 import warnings
 from functools import cache
 
-__all__ = ["Notice", "notice"]
-
 
 class Notice(UserWarning):
     """Something is not as it should be, and the results are right all the same."""

@@ -5,8 +5,6 @@ from pathlib import Path
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["read_text", "require_place"]
-
 
 def read_text(path: Path, field: str, wanted: str, largest: int, name: str | None = None) -> str:
     """The text of a regular file in UTF-8 of so many bytes at most. Raises InputError with why it is none; wanted: what it

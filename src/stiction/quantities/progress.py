@@ -2,8 +2,6 @@
 
 from collections.abc import Callable, Iterable
 
-__all__ = ["Progress", "Steps", "silent"]
-
 Steps = Callable[[Iterable], Iterable]  # wraps a list of steps
 Progress = Callable[[str], Steps]  # from a label, what wraps its steps
 

@@ -3,8 +3,6 @@
 from dataclasses import dataclass
 from math import degrees, inf, isinf
 
-__all__ = ["COUNT", "Quantity", "in_degrees"]
-
 # What a number of asperities is normalised by.
 COUNT = "number of asperities"
 

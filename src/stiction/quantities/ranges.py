@@ -10,8 +10,6 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
-__all__ = ["Ranges", "check_ranges", "range_in_words"]
-
 _FORM = 'a table of low and high ends, e.g. hardness = ["0.3 GPa", "0.5 GPa"]'
 
 

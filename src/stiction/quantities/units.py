@@ -18,10 +18,8 @@ from stiction.quantities.dimensions import check_names, without_indexes
 from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.quantities.hardness import from_hardness_test
 from stiction.quantities.hints import meant, too_soft, with_a_point
-from stiction.quantities.quantity import in_degrees
-from stiction.quantities.table import QUANTITIES, Quantity
-
-__all__ = ["axis", "from_series", "reason_of", "several_in_words", "show", "to_si"]
+from stiction.quantities.quantity import Quantity, in_degrees
+from stiction.quantities.table import QUANTITIES
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 # pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.

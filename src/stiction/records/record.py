@@ -15,8 +15,6 @@ from stiction.quantities.notices import notice
 from stiction.records.claims import Limit, Validity
 from stiction.records.sources import Source
 
-__all__ = ["Record", "find", "of_kind", "text_of"]
-
 
 @dataclass(frozen=True, kw_only=True)
 class Record:

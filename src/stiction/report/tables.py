@@ -12,7 +12,6 @@ from rich.text import Text
 
 from stiction.contact.contact import Contact
 from stiction.laws.validity import doubts_of
-from stiction.quantities.short_names import SHORT
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
@@ -169,7 +168,7 @@ def _groups(subject: Any) -> str:
 
 def _group(name: str) -> str:
     symbol = QUANTITIES[name].symbol
-    return symbol if "/" in symbol or "sigma" in symbol else SHORT.get(name, symbol)
+    return symbol if "/" in symbol or "sigma" in symbol else QUANTITIES[name].short or symbol
 
 
 def group_in_words(value: Any) -> str:

@@ -17,8 +17,6 @@ from stiction.records.registry import (
     find,
 )
 
-__all__ = ["ADDITIONS", "added"]
-
 _OF_AREA = "none, or a tangential law whose force is a strength of the interface on the area"
 
 

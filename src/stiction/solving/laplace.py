@@ -10,8 +10,6 @@ from stiction.contact.indices import Groups
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.engine.summation import QUANTITIES
 
-__all__ = ["bounded", "most_pull", "pull_and_bound"]
-
 _LOAD, _AREA = QUANTITIES.index("load"), QUANTITIES.index("area")
 
 

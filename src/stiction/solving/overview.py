@@ -3,8 +3,7 @@
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import nearest
+from stiction.quantities.errors import InputError, nearest
 from stiction.records.registry import AsperityMethod, FilmLaw, Limit, Record, records, text_of
 from stiction.records.sources import bibliography, bibtex
 from stiction.solving.accuracy.film_tables import summary

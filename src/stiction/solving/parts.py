@@ -4,8 +4,6 @@ import numpy as np
 
 from stiction.engine.regime import Regime
 
-__all__ = ["of_those", "share_beyond", "share_without", "states_of"]
-
 
 def of_those(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
     """Sum (n, m) of those of the parts (regimes, n, m) that are chosen."""

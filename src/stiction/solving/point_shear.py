@@ -21,8 +21,6 @@ from stiction.quantities.errors import InputError
 if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
 
-__all__ = ["POINT_SHEARS", "PointArea", "points_of"]
-
 _TABOR = 9.0  # alpha of combined stresses, from his measurements
 
 

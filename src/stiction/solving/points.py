@@ -19,18 +19,6 @@ from stiction.quantities.units import axis, from_series
 from stiction.solving.inversion import Inversion, Unreachable, solved_at
 from stiction.solving.problem import Problem, as_asked
 
-__all__ = [
-    "Points",
-    "Solved",
-    "check_reach",
-    "coordinates_of",
-    "in_words",
-    "points_asked",
-    "points_at",
-    "points_of",
-    "solve_points",
-]
-
 
 @dataclass(frozen=True)
 class Points:

@@ -16,8 +16,6 @@ from stiction.solving.points import Points, Solved, points_of, solve_points
 from stiction.solving.problem import lost_in_rounding, make_problem
 from stiction.solving.results import summary_of, variables_of, with_shares
 
-__all__ = ["NOT_COMPUTED", "WHY_NOT", "Pointwise", "Region", "bisected", "solve_pointwise"]
-
 T = TypeVar("T")
 # Some of many contacts: dimension -> slice.
 Region = dict[str, slice]

@@ -6,8 +6,6 @@ from stiction.engine.regime import MENISCUS
 from stiction.quantities.errors import InputError
 from stiction.solving.problem import Problem, Sum
 
-__all__ = ["YIELDED", "require_states", "yielded_shares"]
-
 YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
 
 

@@ -11,8 +11,6 @@ from stiction.surfaces.heightmap import HeightMap
 if TYPE_CHECKING:
     from stiction.surfaces.roughness import Roughness
 
-__all__ = ["Asperities"]
-
 # Below this many, deviation and skewness say nothing of the surface, and heights are taken as Gaussian.
 FEW = 30
 _ROUNDING = 1e-12

@@ -9,8 +9,6 @@ from scipy.sparse.linalg import LinearOperator, cg, splu
 from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["FILLS", "fill_missing"]
-
 
 def fill_missing(surface: HeightMap, way: str = "harmonic") -> HeightMap:
     """With heights in place of the missing points.

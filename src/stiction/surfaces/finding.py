@@ -13,10 +13,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityMethod, Parameter, find, of_kind
 from stiction.surfaces.asperity_set import Asperities
-from stiction.surfaces.gaussian_asperities import combine
 from stiction.surfaces.heightmap import HeightMap, in_metres
-
-__all__ = ["Asperities", "asperities", "combine", "method_of_moments", "methods", "methods_for"]
 
 
 def methods() -> dict[str, AsperityMethod]:

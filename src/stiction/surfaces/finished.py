@@ -23,8 +23,6 @@ from stiction.surfaces.finishes import Finish, finish, surface_kind_of
 from stiction.surfaces.roughness import Roughness
 from stiction.surfaces.theory.moments import Moments, bandwidth, combine
 
-__all__ = ["Finished", "FinishedBodies", "is_finished", "roughness_of_finish"]
-
 SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as it is in practice
 _ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _HEIGHTS = ("rms_height", "mean_height")

@@ -8,13 +8,11 @@ import numpy as np
 from pydantic import model_validator
 
 from stiction.quantities.data_files import read_tables
-from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input, nearest
+from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.inputs import Input
 from stiction.quantities.lognormal import lognormal_quantile
 from stiction.quantities.ranges import Ranges
 from stiction.quantities.table import QUANTITIES
-
-__all__ = ["NUMBERS", "SURFACE_KINDS", "Finish", "finish", "finish_names", "finishes", "surface_kind_of"]
 
 # What the heights of a surface look like. "lay": rougher across than along; "two-scale": fine roughness on coarse.
 SurfaceKind = Literal["gaussian", "skewed", "worn", "lay", "two-scale"]

@@ -34,8 +34,6 @@ from stiction.surfaces.johnson import johnson
 from stiction.surfaces.memory import require_arrays
 from stiction.surfaces.targets import SelfAffine, require_positive
 
-__all__ = ["gaussian_surface", "non_gaussian_surface", "rms_slope", "with_deviation", "with_slope"]
-
 Spectrum = Callable[[np.ndarray], np.ndarray]
 
 _BLOCK = 2**19  # waves that are filtered at once: little memory beside that of the map

@@ -11,8 +11,6 @@ from stiction.quantities.errors import InputError
 from stiction.surfaces.asperity_set import FEW, Asperities
 from stiction.surfaces.roughness import Roughness
 
-__all__ = ["MODELS", "HeightModel", "height_model", "roughness"]
-
 MODELS = ("gaussian", "weibull", "empirical")
 
 # A distribution is good enough if the distance of Kolmogorov and Smirnov is below what one of 20 true samples exceeds, with

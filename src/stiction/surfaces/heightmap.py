@@ -14,9 +14,6 @@ from stiction.quantities.units import to_si
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["HeightMap", "in_metres", "metres", "size_in_metres"]
-
-
 _LEAST, _MOST = 1e-60, 1e60  # of a side [m]: squares and fourth powers of pitches are still numbers
 
 

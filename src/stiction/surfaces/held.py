@@ -12,8 +12,6 @@ from stiction.quantities.foreign import has_unit
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.read import check_numbers, check_scale
 
-__all__ = ["as_height_map", "is_held"]
-
 _TAKEN = (
     "a HeightMap, a topography of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size), "
     'e.g. (heights, "40 um"), heights in m'

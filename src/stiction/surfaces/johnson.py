@@ -22,8 +22,6 @@ from scipy.special import expit
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["johnson"]
-
 # The trapezoidal rule is exact to rounding for what falls off like a Gaussian.
 _Z = np.linspace(-16.0, 16.0, 3201)
 _WEIGHT = np.exp(-0.5 * _Z * _Z) * (_Z[1] - _Z[0]) / math.sqrt(2.0 * math.pi)

@@ -220,7 +220,8 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     """Read the scans, prepare them, and find asperities by every method. Raises InputError for scans that cannot be read or
     where the wanted method finds nothing."""
     from stiction.surfaces.asperity_set import of_numbers
-    from stiction.surfaces.finding import asperities, combine, method_of_moments, methods
+    from stiction.surfaces.finding import asperities, method_of_moments, methods
+    from stiction.surfaces.gaussian_asperities import combine
     from stiction.surfaces.height_model import MODELS, height_model, roughness
 
     bodies = {"first": wanted.first, "second": wanted.second}

@@ -5,8 +5,6 @@ from pathlib import Path
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["available_memory", "needed_memory", "require_arrays", "require_memory"]
-
 _NUMBER = 8  # bytes
 _PERIODIC = 20  # arrays as large as the map that are alive at once; measured: 17
 _FREE = 30  # the same, with the doubled grid; measured: 25

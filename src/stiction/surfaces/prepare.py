@@ -13,21 +13,9 @@ from numpy.polynomial.legendre import legvander
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
-from stiction.surfaces.fill import FILLS, fill_missing
+from stiction.surfaces.fill import fill_missing
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.spikes import mask_spikes
-
-__all__ = [
-    "FILLS",
-    "crop",
-    "fill_missing",
-    "filter_band",
-    "filter_period",
-    "level",
-    "prepared",
-    "prepared_period",
-    "remove_form",
-]
 
 _APART = 5.0  # steps from end to end of one period over those of neighbours: no period has such
 

@@ -8,8 +8,6 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["FEWEST_POINTS", "RawScan", "Reader", "ends_in_a_line", "no_channel"]
-
 FEWEST_POINTS = 8  # along a direction: fewer have no spectrum and no summits to speak of
 
 

@@ -22,8 +22,6 @@ from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan, Reader
 from stiction.surfaces.readers.shared.packed import check_packed
 
-__all__ = ["FEWEST_POINTS", "check_numbers", "check_scale", "read_scan"]
-
 _FLATTEST, _STEEPEST = 1e-10, 10.0  # peak to valley over size, beyond which a unit or a factor must be wrong
 
 

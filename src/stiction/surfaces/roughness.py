@@ -9,8 +9,6 @@ from stiction.quantities.errors import InputError, InWords, field_named
 from stiction.quantities.inputs import Input, Number
 from stiction.surfaces.finishes import surface_kind_of
 
-__all__ = ["Roughness"]
-
 
 def _parameter(value):
     numbers = np.asarray(value)

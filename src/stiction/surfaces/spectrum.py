@@ -34,17 +34,6 @@ from scipy.signal.windows import hann
 from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = [
-    "BINS",
-    "WINDOWS",
-    "BinnedSpectrum",
-    "PowerSpectrum",
-    "line_spectrum",
-    "power_spectrum",
-    "radial_average",
-    "tip_cutoff",
-]
-
 LEAST_PERIODS = 3
 POINTS_PER_WAVE = 4
 LEAST_POINTS = 8  # along a line: with fewer, the two ends of the band meet

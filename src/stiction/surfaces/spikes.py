@@ -12,8 +12,6 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["SUSPICIOUS", "mask_spikes", "spikes"]
-
 SUSPICIOUS = 10.0  # robust deviations: of a Gaussian surface no point is as far
 _GAUSSIAN = 1.4826  # standard deviation over median distance from the median
 

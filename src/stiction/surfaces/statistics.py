@@ -42,8 +42,6 @@ from stiction.surfaces.theory.moments import Moments
 if TYPE_CHECKING:
     from stiction.surfaces.spectrum import PowerSpectrum  # whose module is slow to import
 
-__all__ = ["ProfileMoments", "Statistics", "moments_by_differences", "moments_by_spectrum", "statistics"]
-
 _BLOCK = 2**18  # points handled at once, so that a large map needs little more memory than itself
 _ROUNDED = 1e-20  # share of the mean square slope that may be rounding
 _ROUNDING = 1.0 + 1e-9  # a wave at the cutoff is counted in

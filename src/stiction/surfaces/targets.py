@@ -20,8 +20,6 @@ from stiction.quantities.units import show
 from stiction.surfaces.heightmap import in_metres
 from stiction.surfaces.theory.moments import Moments
 
-__all__ = ["GaussianCorrelation", "SelfAffine", "require_positive"]
-
 _SHARES = {1: (1.0, 1.0, 1.0), 2: (1.0, 1.0 / 2.0, 3.0 / 8.0)}  # of M_k that a line sees, by dimensions
 _EDGE = 1e-9  # a wave that lies on an edge of the spectrum belongs to it, whatever the rounding
 

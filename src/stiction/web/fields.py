@@ -12,7 +12,8 @@ from stiction.case.text import inline
 from stiction.contact.contact import Contact, Indices
 from stiction.contact.materials import Material, material, material_names
 from stiction.quantities.errors import InputError
-from stiction.quantities.table import QUANTITIES, Quantity
+from stiction.quantities.quantity import Quantity
+from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 from stiction.surfaces.finished import Finished, is_finished
 from stiction.surfaces.finishes import SURFACE_KINDS, finish_names

@@ -45,8 +45,6 @@ from stiction.solvers.boundary_elements.solve import usable_map
 from stiction.surfaces.heightmap import size_in_metres
 from stiction.surfaces.memory import require_memory
 
-__all__ = ["AdhesiveContact", "solve_adhesive"]
-
 _ARRAYS = 20  # as large as the map, of the descent
 _BETWEEN = 2.5  # a grid at most so many times as fine as the map
 _AT_EDGE = 0.085  # of (2)

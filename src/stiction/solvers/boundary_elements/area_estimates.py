@@ -30,8 +30,6 @@ from scipy.fft import rfft2
 from stiction.solvers.boundary_elements.operators import components
 from stiction.surfaces.theory.widened_area import widened
 
-__all__ = ["MapSlopes", "by_ranks", "by_top_slopes", "first_crossing", "map_slopes"]
-
 _BINS = 1024
 _POWER = 0.783
 _FULL = 0.995

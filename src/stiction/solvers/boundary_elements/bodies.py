@@ -5,8 +5,6 @@ from dataclasses import dataclass
 from stiction.solvers.boundary_elements.compliance import Film
 from stiction.solvers.boundary_elements.menisci import Menisci
 
-__all__ = ["Bodies"]
-
 
 @dataclass(frozen=True)
 class Bodies:

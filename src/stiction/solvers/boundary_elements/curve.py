@@ -15,8 +15,6 @@ from stiction.solvers.boundary_elements.solve import MapContact, MapContacts
 from stiction.solvers.boundary_elements.telling import tell
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["MapCurve", "curve_of_map", "of_map"]
-
 
 @dataclass(frozen=True)
 class MapCurve:

@@ -20,8 +20,6 @@ from scipy.fft import irfft2, rfft2
 
 from stiction.solvers.boundary_elements.minimise import dot
 
-__all__ = ["FAR", "Downhill", "Faces"]
-
 FAR = 1e3  # gap over the range, at which faces are apart
 _FLAT = 0.05  # curvature along a direction, at least this share of the elastic one: below, the attraction bends it down
 _RANGE = 2.0  # no farther at once, over the range

@@ -18,8 +18,6 @@ from stiction.solvers.boundary_elements.limits import (
 from stiction.solvers.boundary_elements.measures import waves
 from stiction.solvers.boundary_elements.minimise import Found
 
-__all__ = ["MapDoubt", "doubts_of_load", "doubts_of_map", "share_at_ends"]
-
 
 @dataclass(frozen=True)
 class MapDoubt:

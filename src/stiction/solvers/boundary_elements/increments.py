@@ -14,8 +14,6 @@ import numpy as np
 
 from stiction.solvers.boundary_elements.minimise import Displacement, dot
 
-__all__ = ["stiffness_per_area"]
-
 _TOLERANCE = 3e-3
 _MOST = 300
 

@@ -21,8 +21,6 @@ from stiction.quantities.cache import cache_folder, cannot_keep
 from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_map
 from stiction.solvers.boundary_elements.solve import MapContact, MapContacts, checked, solve_map
 
-__all__ = ["solve_kept"]
-
 _MOST = 1_000_000_000  # bytes of all files
 _TOO_LARGE = 200_000_000  # bytes of one pressure map that is not worth a file
 _OF_FILE = ("pressure", "doubts")  # fields of a contact that are no numbers

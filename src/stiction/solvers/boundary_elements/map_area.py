@@ -23,8 +23,6 @@ from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.theory.widened_area import with_hardness
 
-__all__ = ["MapArea", "map_area"]
-
 MOST_POINTS = 2**19  # that are solved
 # Of them in contact, where there are so many: with 1000 areas were up to 4.6 % too large with a lay and just above it.
 LEAST_CONTACT = 3000

@@ -22,8 +22,6 @@ from scipy.fft import rfft2
 
 from stiction.solvers.boundary_elements.operators import wavevectors
 
-__all__ = ["PIXEL_EXCESS", "Edges", "Waves", "edges", "rms_step", "waves"]
-
 PIXEL_EXCESS = 0.100
 _SHORT = 0.01  # share of the mean square gradient in waves shorter than the shortest
 _LONG = 0.5  # share of the mean square height in waves longer than the longest

@@ -21,8 +21,6 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.solvers.boundary_elements.minimise import Found, Problem, minimise
 
-__all__ = ["Condensed", "Menisci", "condense"]
-
 _ROUGHLY = 1e-3  # residual of solutions that only say how far the liquid reaches
 
 

@@ -27,8 +27,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["Found", "Problem", "dot", "minimise", "on_level"]
-
 Displacement = Callable[[np.ndarray], np.ndarray]
 
 _ENOUGH = 1e-4  # share of the decrease along the gradient that a projected step must bring

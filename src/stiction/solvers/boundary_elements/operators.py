@@ -32,8 +32,6 @@ from scipy.fft import dctn, fftfreq, idctn, irfft2, next_fast_len, rfft2, rfftfr
 
 from stiction.solvers.boundary_elements.compliance import Compliance
 
-__all__ = ["FreeBoundary", "MirroredBoundary", "PeriodicBoundary", "components", "wavevectors"]
-
 _THREADED = 2**19  # points from which on two threads are faster than one
 _DEPTH = 1.5  # c over t
 

@@ -15,8 +15,6 @@ from stiction.solvers.boundary_elements.measures import waves
 from stiction.solvers.boundary_elements.solve import MapContacts, solve_map
 from stiction.surfaces.heightmap import size_in_metres
 
-__all__ = ["SampledContacts", "fewest_points", "solve_sampled"]
-
 LEAST_POINTS = 4.0  # in the shortest wave
 LEAST_CONTACT = 1000  # points in contact, at the lightest load
 

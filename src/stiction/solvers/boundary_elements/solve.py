@@ -14,8 +14,7 @@ from dataclasses import dataclass, field, fields
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import nearest
+from stiction.quantities.errors import InputError, nearest
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
 from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_load, doubts_of_map, share_at_ends
 from stiction.solvers.boundary_elements.increments import stiffness_per_area
@@ -26,8 +25,6 @@ from stiction.solvers.boundary_elements.minimise import Problem, minimise
 from stiction.solvers.boundary_elements.operators import FreeBoundary, MirroredBoundary, PeriodicBoundary
 from stiction.surfaces.heightmap import size_in_metres
 from stiction.surfaces.memory import require_memory
-
-__all__ = ["MapContact", "MapContacts", "Progress", "checked", "solve_map"]
 
 MOST_STEPS = 2000
 _COARSE = 96  # points along a side of the coarsest start

@@ -22,8 +22,6 @@ from stiction.solvers.boundary_elements.solve import MapContact
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["shortest_range", "sticking_curve"]
-
 
 def shortest_range(surface: "HeightMap", bodies: Bodies, work: float) -> float:
     """The range of attraction [m] that the points of a map just resolve; work: of adhesion [J/m2]."""

@@ -5,8 +5,6 @@ from contextlib import contextmanager
 
 from stiction.solvers.boundary_elements.solve import Progress
 
-__all__ = ["tell", "telling"]
-
 _listeners: list[Callable[[Progress], None]] = []
 
 

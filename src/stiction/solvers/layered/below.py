@@ -15,8 +15,6 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.solvers.layered.bodies import per_root
 
-__all__ = ["carried_at_depth", "pressure_carried_below"]
-
 _NEAR = np.linspace(0.3, 0.7, 81)  # depths over a: of the largest stress
 _DEEPEST = 1e3  # from there on no body below yields before its film does
 

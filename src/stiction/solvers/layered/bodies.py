@@ -9,8 +9,6 @@ from stiction.quantities.errors import InputError
 from stiction.solvers.layered.compliance import Layer, Pair
 from stiction.solvers.layered.waves import CoatedBody
 
-__all__ = ["Bodies", "bodies_of", "film_share", "per_root"]
-
 # A film that is not there; one without an end.
 _THINNEST, _THICKEST = 1e-60, 1e200
 _NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")

@@ -24,8 +24,6 @@ from stiction.engine.one_thread import on_one_thread
 from stiction.solvers.layered.compliance import Pair, modulus_without_film
 from stiction.solvers.layered.sphere import Response, respond
 
-__all__ = ["CURVES", "POWERS", "TERMS", "curves"]
-
 CURVES, TERMS = 3, 19
 # Contact radii of the exact solutions, over the thickness of one film.
 RADII = np.concatenate([[1e-5, 1e-4, 5e-4], np.geomspace(0.002, 600.0, 24)])

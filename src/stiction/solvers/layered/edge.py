@@ -20,8 +20,6 @@ from stiction.solvers.layered.first_yield import forms_of, stretched
 from stiction.solvers.layered.stresses import Radial, Stresses
 from stiction.solvers.layered.waves import CoatedBody
 
-__all__ = ["EDGE_TERMS", "FORMS", "edge_curves"]
-
 FORMS, EDGE_TERMS = 3, 17
 # Contact radii of the solutions, over the thickness of a film; what a film adds is good to exp(-_REACH).
 _RADII = np.concatenate([[1e-5, 1e-4, 1e-3, 0.005, 0.02, 0.06], np.geomspace(0.14, 200.0, 21)])

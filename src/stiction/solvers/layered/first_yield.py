@@ -21,8 +21,6 @@ from stiction.solvers.layered.compliance import Layer
 from stiction.solvers.layered.stresses import Radial, Stresses
 from stiction.solvers.layered.waves import CoatedBody
 
-__all__ = ["ANGLES", "PARTS", "PLACES", "Yield", "at_interface", "first_yield", "norms", "table_of_norms"]
-
 # Where the largest is looked for by itself, so that each is a smooth function of a/t: on the film's surface, at the edge of the
 # contact, inside the film, where it meets the body, in the body.
 PARTS = 5

@@ -18,8 +18,6 @@ import numpy as np
 from stiction.engine.compiled import kernel
 from stiction.solvers.layered.sphere import value_of
 
-__all__ = ["integrals"]
-
 _CLOSEST = 1e-9  # to the axis, over the contact radius: r = 0 would divide by zero
 # The path's depth T, and what it may be times the order of g, which grows off the axis.
 _DEEPEST, _GROWTH = 0.35, 3.0

@@ -22,8 +22,6 @@ from stiction.solvers.layered.curves import RADII, fit_one
 from stiction.solvers.layered.sphere import spherical_waves
 from stiction.solvers.layered.waves import waves
 
-__all__ = ["shear_compliance", "shear_curve", "shear_ends"]
-
 _STEP = 1e-4  # of ln x, for slopes of compliances
 
 

@@ -27,8 +27,6 @@ import numpy as np
 
 from stiction.solvers.layered.compliance import Pair, compliance
 
-__all__ = ["Response", "pressure", "respond", "spherical_waves", "value_of"]
-
 # Waves x = k t between which the compliance is smooth; beyond the last one it is the film's to 1e-9.
 _ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5, 12.0)
 # Most radians of a wave that one rule of nodes spans.

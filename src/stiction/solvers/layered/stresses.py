@@ -23,8 +23,6 @@ from stiction.solvers.layered.half_space import integrals
 from stiction.solvers.layered.sphere import gauss, pressure, transform
 from stiction.solvers.layered.waves import CoatedBody, Waves, body_function, film_function, waves
 
-__all__ = ["Radial", "Stresses"]
-
 # Waves x = k t between which amplitudes are smooth; what is left beyond the last is exp(-x) of all.
 _ENDS = (0.0, 0.03, 0.1, 0.3, 0.8, 2.0, 4.5)
 # Up to this r k the Bessel functions of order 2 and 3 are taken from their series.

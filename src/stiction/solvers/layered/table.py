@@ -17,8 +17,6 @@ from stiction.engine.one_thread import on_one_thread
 from stiction.solvers.layered.compliance import Layer, Pair
 from stiction.solvers.layered.curves import CURVES, POWERS, TERMS, curves
 
-__all__ = ["curves_of_films"]
-
 _RANGE = float(np.log(200.0))
 _SIZES = 13, 13, 9
 # Of so many independent curves, all others are sums: to 2e-4.

@@ -16,8 +16,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["CoatedBody", "Waves", "waves"]
-
 
 @dataclass(frozen=True)
 class CoatedBody:

@@ -20,8 +20,6 @@ from stiction.solving.accuracy.solved_near import (
 )
 from stiction.solving.accuracy.solved_set import SolvedSet
 
-__all__ = ["ELASTIC", "LEVELS", "NORMAL_SCORES", "ErrorsNear", "bare_errors", "film_errors_near", "quantiles"]
-
 ELASTIC = 3.0  # hardness over E* h' from which on nothing flows
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # of the quantiles that are kept
 NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # of a normal number at LEVELS, in standard deviations

@@ -16,8 +16,6 @@ from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear
 from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, OnMaps, on_a_sphere, on_maps
 from stiction.solving.problem import Problem
 
-__all__ = ["as_attributes", "film_errors", "in_words", "off_by", "read_film_errors"]
-
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
 _MAPS = 10
 _ROUNDING = 1e-3  # of the ends of what was measured

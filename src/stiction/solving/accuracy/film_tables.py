@@ -15,11 +15,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = [
-    "MAP_COLUMNS", "MEASURED", "MEASURED_ON_MAPS", "ON_A_SPHERE", "ON_MAPS", "SPHERE_COLUMNS", "OnMaps", "OnSphere",
-    "on_a_sphere", "on_maps", "summary", "summary_on_maps",
-]  # fmt: skip
-
 ON_A_SPHERE, ON_MAPS = (Path(__file__).with_name(f"measured_on_{name}.csv") for name in ("a_sphere", "maps"))
 SPHERE_COLUMNS = ("law", "options", "thickness_over_radius", "n_E", "a_over_t", "area", "load")
 MAP_COLUMNS = ("law", "options", "n_E", "n_E_to", "thickness", "thickness_to", "mean", "rms", "count")

@@ -34,8 +34,6 @@ from stiction.solving.state import state_of
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["MeasuredErrors", "measured_errors"]
-
 FAR = 2.0  # distance beyond which nothing near was measured
 _MOST_ADHESION = 0.1  # pull-off forces over the load, in the set there are none
 _FULL = 1.0  # pull over a load that is none

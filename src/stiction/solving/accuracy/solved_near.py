@@ -19,11 +19,6 @@ from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, slope_
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-__all__ = [
-    "Difference", "Place", "differences", "film_differences", "kind_of_map", "nearest_in_words", "pressure_difference",
-    "squared_distance",
-]  # fmt: skip
-
 _SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # that count as a distance of 1; logarithms but skewness
 _LEAST_TOP = 0.03
 _ALIKE, _FEWEST = 2.0, 8  # distance in shape of the nearest solved surface, points on a side, for a map to have a kind

@@ -11,8 +11,6 @@ from pathlib import Path
 
 import numpy as np
 
-__all__ = ["FEATURES", "FILE", "OF_KIND", "PACKED", "SolvedSet", "coded", "solved_set"]
-
 FILE = Path(__file__).parent / "solved_set.npz"
 # What is kept of each surface: Nayak's alpha; of its heights; root of the ratio of the eigenvalues of the gradient tensor; rms
 # gradient of the highest 5 % over that of all; sqrt(m2/m4) [m].

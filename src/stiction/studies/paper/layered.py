@@ -18,8 +18,6 @@ from stiction.contact.indices import Groups, stiffness_group
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 
-__all__ = ["LAYERED", "SHARPNESS", "choice", "film_groups", "totals"]
-
 LAYERED = "layered"
 SHARPNESS = math.sqrt(48e-9 / 50e-6)
 _SUM, _ASPERITY = "greenwood_williamson_1966", "roy_chowdhury_ghosh_1994"

@@ -17,8 +17,6 @@ from stiction.contact.subject import Subject
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import several_in_words
 
-__all__ = ["ADHESION_MATTERS", "PLASTICITY", "Place", "place_of", "plasticity_line"]
-
 ADHESION_MATTERS: Mapping[str, float] = {"theta": 10.0, "lam": 0.125}
 PLASTICITY = (0.6, 1.0)
 

@@ -19,8 +19,6 @@ from stiction.surfaces.spikes import spikes as spikes_of
 from stiction.surfaces.statistics import ProfileMoments, Statistics, moments_by_differences, moments_by_spectrum, statistics
 from stiction.surfaces.theory.moments import Moments
 
-__all__ = ["Analysis", "analyse", "spectrum_rows", "summary"]
-
 
 @dataclass(frozen=True)
 class Analysis:

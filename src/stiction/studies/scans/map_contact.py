@@ -15,8 +15,6 @@ from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_map
 from stiction.solvers.boundary_elements.measures import waves
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["PRESSURES", "ContactOfMap", "contact_of_map", "summary_of_contact"]
-
 PRESSURES = (0.005, 0.02, 0.05, 0.1, 0.2)
 
 

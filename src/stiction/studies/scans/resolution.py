@@ -31,8 +31,6 @@ from stiction.surfaces.spectrum import POINTS_PER_WAVE
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["default_cutoffs", "resolution_study"]
-
 # What is kept of each set of asperities: (name of the field, meaning, unit).
 _KEPT = {
     "sigma": ("deviation", "asperity deviation", "m"),

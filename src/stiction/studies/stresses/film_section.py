@@ -22,8 +22,6 @@ from stiction.studies.stresses.one_asperity import section
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["film_section"]
-
 _X = np.linspace(-2.0, 2.0, 81)
 _ROWS, _SHALLOW, _DEEP = 61, 1.8, 4.0  # depths; over the contact radius, down to where at least, and at most for a film's sake
 _ASIDE = 1e-9  # of the thickness, how far above the interface is in the film

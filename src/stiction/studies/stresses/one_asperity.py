@@ -25,8 +25,6 @@ from stiction.solvers.layered.first_yield import first_yield as first_yield_of_l
 from stiction.solvers.layered.sphere import respond
 from stiction.solvers.layered.stresses import Stresses, cartesian
 
-__all__ = ["OneAsperity", "one_asperity", "section"]
-
 _X = np.linspace(-1.8, 1.8, 73)
 _Z = np.linspace(0.0, 1.8, 49)
 _LEAST, _MOST = 1e-3, 1e3  # contact radius over film thickness that the layered solid was tried at

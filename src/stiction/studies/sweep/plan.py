@@ -14,10 +14,10 @@ from stiction.case.read import case_of, opened
 from stiction.case.several import Several, with_values
 from stiction.case.study_tables import study_table
 from stiction.case.uncertain import SAMPLE, Uncertain, expanded
-from stiction.contact.contact import Roughness
-from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input, nearest, require_names
+from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.inputs import Input, require_names
 from stiction.studies.sweep.table import LARGEST_BLOCK, Sample, Sweep
+from stiction.surfaces.roughness import Roughness
 
 __all__ = ["AT_ONCE", "Plan", "make_plan"]
 

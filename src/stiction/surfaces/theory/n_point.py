@@ -34,8 +34,6 @@ from scipy.special import ndtr, owens_t
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["NPointAsperities", "mean_height", "n_point_asperities", "points_above", "rate_of_rows", "row_probabilities"]
-
 _gauss = cache(leggauss)
 
 

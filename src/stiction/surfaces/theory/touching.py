@@ -5,8 +5,6 @@ from functools import cache
 
 import numpy as np
 
-__all__ = ["expected_share"]
-
 # Where expected numbers of asperities are tabulated, over sigma: from all that touch to none that ever would.
 _SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
 

@@ -15,8 +15,6 @@ import math
 import numpy as np
 from scipy.special import erf
 
-__all__ = ["WIDEST_BAND", "of_moments", "widened", "width_by_moments", "with_hardness"]
-
 WIDEST_BAND = 160.0  # largest alpha of the set
 _MEETING = 3.5  # (5)
 

@@ -10,8 +10,6 @@ from stiction.laws.tangential.shared.edge_yield import coefficients
 from stiction.solvers.layered.bodies import bodies_of, per_root
 from stiction.solvers.layered.edge import EDGE_TERMS, FORMS, edge_curves
 
-__all__ = ["edge_columns", "edge_root"]
-
 _WIDTH = 2 + EDGE_TERMS
 # Where ln D, A and B begin and end in a row.
 _D, _A, _B, _END = (2 + at * _WIDTH for at in range(FORMS + 1))

@@ -23,8 +23,6 @@ from stiction.solvers.layered.bodies import bodies_of, per_root
 from stiction.solvers.layered.curves import TERMS
 from stiction.solvers.layered.shear import shear_curve
 
-__all__ = ["peeling_columns", "peeling_force"]
-
 # The logarithm of u over its first value that lies halfway along the knots.
 _HALFWAY = 2.0
 _GOLDEN, _NARROWING = 0.5 * (math.sqrt(5.0) - 1.0), 16

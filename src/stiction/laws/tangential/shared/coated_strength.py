@@ -20,8 +20,6 @@ from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coeff
 from stiction.solvers.layered.bodies import Bodies, bodies_of, per_root
 from stiction.solvers.layered.first_yield import ANGLES, PLACES, table_of_norms
 
-__all__ = ["strength_at", "strengths"]
-
 # To this part of its end the knots are as dense as there.
 _FARTHEST = 50.0
 _PER_PLACE = (PLACES.size - 1) / 2.0

@@ -6,8 +6,6 @@ import numpy as np
 
 from stiction.engine.compiled import formula
 
-__all__ = ["PIECES", "spline", "to_coefficients"]
-
 PIECES = 56
 
 

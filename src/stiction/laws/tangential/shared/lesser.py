@@ -11,8 +11,6 @@ from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.tangential.shared.edge_yield import lesser
 from stiction.laws.tangential.shared.turns import turns
 
-__all__ = ["Force", "lesser_of"]
-
 # Turns of each number that are looked for.
 _MOST = 5
 

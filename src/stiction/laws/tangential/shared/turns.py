@@ -10,8 +10,6 @@ from stiction.engine.compiled import kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
 
-__all__ = ["turns"]
-
 # Steps in ln u that are looked at, up to so many times the first coordinate; halvings of a step.
 _STEPS, _FARTHEST, _HALVINGS = 200, 1e5, 50
 

@@ -16,8 +16,6 @@ from stiction.records.registry import Parameter
 from stiction.surfaces.asperity_set import over_mean_plane
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["DIRECTIONS", "RELATION", "directions_of", "per_area", "places_of", "profiles"]
-
 _SUMMITS_PER_PEAKS_SQUARED = 2.0 * math.pi / (3.0 * math.sqrt(3.0))  # of equation (1)
 RELATION = f"N = {_SUMMITS_PER_PEAKS_SQUARED:.4f} D_x D_y (one direction: D^2) of an isotropic Gaussian surface"
 

@@ -14,8 +14,6 @@ from stiction.quantities.errors import InputError
 from stiction.surfaces.asperity_set import Asperities, of_samples, over_mean_plane
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["FITS", "areal", "fitted"]
-
 
 def areal(surface: HeightMap) -> np.ndarray:
     """Heights over the mean plane [m]; InputError for a map without inner points."""

@@ -7,8 +7,6 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["checked", "quiet"]
-
 
 @contextmanager
 def quiet():

@@ -5,8 +5,6 @@ from pathlib import Path
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["check_packed"]
-
 # Heights are noise in their last digits and pack to a tenth at best; what is smaller than this is no danger.
 _DENSEST, _HARMLESS = 50, 1 << 26  # bytes
 _HDF5 = b"\x89HDF\r\n\x1a\n"

@@ -5,8 +5,6 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.surfaces.raw_scan import FEWEST_POINTS
 
-__all__ = ["equally_spaced", "gridded"]
-
 _ROUNDED = 0.75  # of a last digit that positions may be off: half of it, and as much again where both ends are rounded
 
 

@@ -17,8 +17,6 @@ from stiction.quantities.errors import InputError
 from stiction.surfaces.raw_scan import RawScan, ends_in_a_line, no_channel
 from stiction.surfaces.readers.shared.positions import equally_spaced, gridded
 
-__all__ = ["matrix", "read_text"]
-
 
 def read_text(path: Path, channel, otherwise: Callable[[np.ndarray, tuple[str, ...], str], RawScan]) -> RawScan | None:
     """Positions and heights, by the number of columns; None of a file that begins with words, but for one line of them.

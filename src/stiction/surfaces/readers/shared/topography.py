@@ -6,8 +6,6 @@ import numpy as np
 
 from stiction.surfaces.readers.shared.positions import equally_spaced
 
-__all__ = ["on_grid"]
-
 
 def on_grid(topography) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
     """Heights (rows, columns), where the library has x first, size (y, x), and what was done."""
