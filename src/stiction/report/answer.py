@@ -46,6 +46,7 @@ def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
         "regime": data.attrs["regime"],
         "shares": dict(data.attrs["shares"]),
         "warnings": list(data.attrs["warnings"]),
+        "inputs_not_used": list(data.attrs["inputs_not_used"]),
         "next": data.attrs["next_step"],
         "models": dict(data.attrs["models"]),
         "excluded": data.attrs["excluded"],
@@ -102,6 +103,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("uncertainty from", _shares(attrs["shares"])),
         ("model", f"{', '.join(attrs['models'])}" + (", combined" if len(attrs["models"]) > 1 else "")),
         ("warning", warnings[0] if warnings else ""),
+        ("not used", "; ".join(attrs["inputs_not_used"])),
         ("next", attrs["next_step"]),
     ]
     return [(head, text) for head, text in rows if text]

@@ -124,7 +124,8 @@ class Measured:
     history: of each scan, in words; notes: method -> what was found, and what it rests on; counts: method -> how many
     separate asperities it found, 0 where it has averages only or two bodies are taken together. mean_heights: of the
     asperities, over the mean plane [m]: separations count from them. doubts: what is to be said of two bodies taken together.
-    of_moments: the method that keeps the moments of the surface. solvable: the maps whose contact can be solved point by point.
+    of_moments: the method that keeps the moments of the surface. stated: which of method and heights were.
+    solvable: the maps whose contact can be solved point by point.
     """
 
     by_method: Mapping[str, Roughness]
@@ -136,6 +137,7 @@ class Measured:
     mean_heights: Mapping[str, float]
     doubts: tuple[str, ...] = ()
     of_moments: str = ""
+    stated: tuple[str, ...] = ()
     solvable: SolvableMaps = field(default_factory=SolvableMaps, repr=False, compare=False)
 
     def roughness(self) -> Roughness:
@@ -269,6 +271,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
         mean_heights={name: one.mean_height for name, one in found.items()},
         doubts=(*_spikes(maps), *doubts, *_without_moments(failures.get(of_moments))),
         of_moments=of_moments,
+        stated=tuple(name for name in ("method", "heights") if getattr(wanted, name) is not None),
         solvable=solvable,
     )
 

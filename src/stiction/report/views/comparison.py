@@ -13,6 +13,7 @@ from stiction.report.tables import comparison_summary, comparison_table, facts
 from stiction.report.uncertainty_tables import models_band_table, spread_table, uncertain_notes
 from stiction.report.view import Picture, View
 from stiction.report.whole_keys import WholeKeys
+from stiction.studies.prediction.unused import refusal_of
 
 if TYPE_CHECKING:
     import xarray
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from stiction.case.read import Case
 
 # Rows of the answer that stand above the models, with mu.
-_OF_ANSWER = ("friction force", "warning")
+_OF_ANSWER = ("friction force", "warning", "not used")
 
 
 def comparison_view(
@@ -35,6 +36,8 @@ def comparison_view(
             yield Text(case.title, style="bold")
         if prediction is not None:
             yield facts([row for row in answer_lines(prediction) if row[0] in _OF_ANSWER or row[0].startswith("mu")])
+        elif (refusal := refusal_of(case)) is not None:
+            yield facts([("no prediction", str(refusal))])
         yield from _every_model(case, data) if every or "working_load" not in data.attrs else groups_table(data)
 
     def record() -> dict[str, Any]:

@@ -18,6 +18,7 @@ from stiction.studies.prediction.measured import Measured, chosen_draws, read_me
 from stiction.studies.prediction.mixture import Mixture, Samples
 from stiction.studies.prediction.regime import next_step, regime_of, warnings_of
 from stiction.studies.prediction.shares import shares_of_variance
+from stiction.studies.prediction.unused import not_used, refusal_of
 from stiction.studies.pressing_loads import pressing_loads
 
 if TYPE_CHECKING:
@@ -25,11 +26,11 @@ if TYPE_CHECKING:
 
 __all__ = ["is_predicted", "predict", "prediction_of"]
 
-_COUNT, _MANY, _SEED = 512, 16384, 0  # draws; with measured values; seed of both
+_COUNT, _MANY = 512, 16384  # draws where the case states no count; with measured values
 _RESULTS = ("friction_coefficient", "friction_force", "contact_area")
 
 
-def predict(contact: Any, *, load: Any = None, level: float = 0.9, measured: Any = None) -> "xarray.Dataset":
+def predict(contact: Any, *, load: Any = None, level: float | None = None, measured: Any = None) -> "xarray.Dataset":
     """Predict the static friction of a contact, with an interval.
 
     Parameters
@@ -40,7 +41,7 @@ def predict(contact: Any, *, load: Any = None, level: float = 0.9, measured: Any
     load : number, text with a unit, or a sequence of these, optional
         Normal load [N], above 0; by default the loads of the case.
     level : float, optional
-        Share of the predictive distribution within the interval, between 0 and 1.
+        Share of the predictive distribution within the interval, between 0 and 1; by default the coverage of the case, 0.9.
     measured : path, optional
         CSV file of measured friction of this contact, with heads like `load [N],friction_coefficient`: draws then count by how
         well they meet the measured values.
@@ -51,13 +52,14 @@ def predict(contact: Any, *, load: Any = None, level: float = 0.9, measured: Any
         Over `load`: `friction_coefficient`, `friction_force` [N] and `contact_area` [m^2], medians, each with `_low` and
         `_high`, the ends of the interval; `friction_coefficient_samples` (sample, load). Attributes, at the middle load:
         `level`, `regime` (a sentence), `shares` (part -> share of the variance of ln mu), `warnings` (a list, the main one
-        first), `next_step`, `models` (law of the area -> weight), `excluded` (share of draws that cannot be), `strength` (tau_0
-        [Pa]: median and ends). With measured friction `shares` is empty.
+        first), `inputs_not_used` (a list), `next_step`, `models` (law of the area -> weight), `excluded` (share of draws that
+        cannot be), `strength` (tau_0 [Pa]: median and ends). With measured friction `shares` is empty.
 
     Raises
     ------
     InputError
-        A number is out of bounds, the load does not press, or no law answers for the contact.
+        A number is out of bounds, the load does not press, no law answers for the contact, or a stated input would decide
+        friction and is known to no prediction.
 
     Notes
     -----
@@ -77,13 +79,17 @@ def predict(contact: Any, *, load: Any = None, level: float = 0.9, measured: Any
     >>> bool(answer.friction_coefficient_low < answer.friction_coefficient < answer.friction_coefficient_high)
     True
     """
-    if not 0.0 < level < 1.0:
+    if level is not None and not 0.0 < level < 1.0:
         raise InputError("level", level, "a share above 0 and below 1, e.g. 0.9")
     case, loads, at = _case_and_loads(contact, load)
+    level = case.uncertainty.coverage if level is None else level
+    if (refusal := refusal_of(case)) is not None:
+        raise refusal
     if measured is None:
-        levels = draw_levels(len(case.unknowns), _COUNT, _SEED)
+        count = case.uncertainty.count if "count" in case.uncertainty.model_fields_set else _COUNT
+        levels = draw_levels(len(case.unknowns), count, case.uncertainty.seed)
         mixture = Mixture.of(Asked(case, loads, levels.inputs))
-        samples = mixture.samples(levels, np.arange(_COUNT))
+        samples = mixture.samples(levels, np.arange(count))
         attributes = _attributes(mixture, samples, at, level, shares_of_variance(mixture, levels, at))
     else:
         samples, attributes = _given(read_measured(measured, case), case, loads, at, level)
@@ -99,9 +105,9 @@ def is_predicted(case: Case) -> bool:
 
 
 def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
-    """Return the prediction of a case at a load [N]; None of what is not predicted: normalised numbers, and where nothing
-    presses."""
-    if load is None or not isinstance(case.subject, Contact):
+    """Return the prediction of a case at a load [N]; None of what is not predicted: normalised numbers, where nothing presses,
+    and what is refused for an input that no prediction uses."""
+    if load is None or not isinstance(case.subject, Contact) or refusal_of(case) is not None:
         return None
     return predict(case, load=load)
 
@@ -157,7 +163,7 @@ def _dataset(samples: Samples, loads: np.ndarray, level: float) -> "xarray.Datas
 
 def _given(known: Measured, case: Case, loads: np.ndarray, at: int, level: float) -> tuple[Samples, dict[str, Any]]:
     """Return the draws that meet measured values, and the attributes of their prediction."""
-    levels = draw_levels(len(case.unknowns), _MANY, _SEED)
+    levels = draw_levels(len(case.unknowns), _MANY, case.uncertainty.seed)
     mixture = Mixture.of(Asked(case, np.concatenate([loads, known.load]), levels.inputs))
     samples = mixture.samples(levels, np.arange(_MANY))
     mu = samples.force[:, len(loads) :] / known.load
@@ -177,6 +183,7 @@ def _attributes(mixture: Mixture, samples: Samples, at: int, level: float, share
         "shares": dict(shares),
         "strength": strength.tolist(),
         "warnings": warnings_of(mixture, samples, at),
+        "inputs_not_used": not_used(mixture.asked, mixture.strength, mixture.touching),
         "next_step": next_step(shares, mixture),
         "models": {law.name: law.weight for law in mixture.laws},
         "excluded": float(np.mean(~np.isfinite(samples.force))),

@@ -6,6 +6,8 @@ that yield (the 2015 model) and the elastic ones of Maugis. No surface was solve
 is its standard deviation (a judgement, grade C). The pull of menisci was found .4 to 2.5 times that of solved maps.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from stiction.quantities.errors import InputError
@@ -16,8 +18,10 @@ __all__ = ["Pull", "pull_of"]
 
 _SUM = "greenwood_williamson_1966"
 _ADHESION = (Choice("soft_coating_2015", tangential="none"), Choice(_SUM, asperity="maugis_1992", tangential="none"))
-_DRY = Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none", meniscus="none")
-_WET = Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none", meniscus="equilibrium_meniscus")
+_DRY, _WET = (
+    Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none", meniscus=law)
+    for law in ("none", "equilibrium_meniscus")
+)
 _ADHESION_ERROR = 0.25  # standard deviation of ln of the factor, over ln of the factor
 _FLAT = 1e6  # factor of the area of faces that adhesion pulls flat
 _MENISCUS_BIAS, _MENISCUS_ERROR = 0.2, 0.45  # of ln of the pull: median and standard deviation
@@ -47,7 +51,8 @@ def pull_of(asked: Asked) -> Pull:
     adhesion = _by_adhesion(asked) if contact.adheres else [one]
     menisci = one
     if contact.liquid is not None:
-        wet, dry = (asked.areas(choice, ("liquid",)) for choice in (_WET, _DRY))
+        film = "layered" if contact.has_film else None
+        wet, dry = (asked.areas(replace(choice, film=film), ("liquid",)) for choice in (_WET, _DRY))
         menisci = _factor(wet, dry)
     return Pull(adhesion, menisci)
 

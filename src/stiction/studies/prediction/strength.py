@@ -14,7 +14,8 @@ class Strength:
     """The distribution of the strength of an interface.
 
     states: each with its weight, which sum to 1; none where the strength is stated. stated: tau_0 [Pa] (n, 1) or None.
-    coefficient: its growth with pressure (n, 1). aged: factor (n, 1) of tau_0 by rest.
+    coefficient: its growth with pressure as stated (n, 1); takes_states: whether it is that of the state in place of it. aged:
+    factor (n, 1) of tau_0 by rest.
     """
 
     def __init__(self, asked: Asked):
@@ -22,7 +23,9 @@ class Strength:
         self.states, self.stated, self.coefficient = _states(asked), None, asked.column(0.0)
         if contact.interfacial_shear_strength is not None:
             self.stated = asked.column(contact.interfacial_shear_strength)
-            self.coefficient = asked.column(contact.pressure_coefficient or 0.0)
+        if contact.pressure_coefficient is not None:
+            self.coefficient = asked.column(contact.pressure_coefficient)
+        self.takes_states = contact.pressure_coefficient is None
         groups, _ = Groups.of(contact.indices())
         self.aged = asked.column(1.0 if groups.waiting is None else factor(groups))
 
@@ -40,16 +43,18 @@ class Strength:
         hardness, shear, modulus = (
             one[rows % len(one)][:, 0] for one in (bodies.hardness, bodies.shear_strength, bodies.shear_modulus)
         )
+        alpha = self.coefficient[rows % len(self.coefficient)][:, 0]
         if self.stated is not None:
-            tau, alpha = (one[rows % len(one)][:, 0] for one in (self.stated, self.coefficient))
+            tau = self.stated[rows % len(self.stated)][:, 0]
         else:
-            tau, alpha = np.zeros(len(rows)), np.zeros(len(rows))
+            tau = np.zeros(len(rows))
             ends = np.cumsum([weight for _, weight in self.states])
             which = np.minimum(np.searchsorted(ends, state * ends[-1]), len(ends) - 1)
             for at, (one, _) in enumerate(self.states):
                 mine = which == at
                 tau[mine] = one.strength_at(strength[mine], hardness[mine], modulus[mine])
-                alpha[mine] = one.pressure_coefficient_at(coefficient[mine])
+                if self.takes_states:
+                    alpha[mine] = one.pressure_coefficient_at(coefficient[mine])
         tau = tau * self.aged[rows % len(self.aged)][:, 0]
         return np.minimum(tau, shear)[:, None], alpha[:, None]
 
