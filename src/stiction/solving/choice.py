@@ -9,8 +9,8 @@ from stiction.quantities.errors import InputError
 # Keywords of the kinds of records that a user chooses.
 LAWS = ("model", "asperity", "tangential", "film", "presliding", "meniscus", "ageing", "contamination")
 
-# The model that answers where none is named.
-DEFAULT_MODEL = "soft_coating_2015"
+# The model that answers where none is named, and the name under which the prediction is asked for in place of a model.
+DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
 
 
 @dataclass(frozen=True)

@@ -5,18 +5,18 @@ distribution of that error over those surfaces (docs/truth.md). What is left of 
 roughness; its bias is gone. Laws are combined by weights that score best on solved surfaces left out (`make truth`).
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES
 from stiction.solving.accuracy.measured_error import MeasuredErrors, measured_errors
 from stiction.solving.choice import Choice
 from stiction.solving.points import points_of, solve_points
-from stiction.solving.problem import Problem, make_problem
+from stiction.solving.problem import make_problem
 from stiction.solving.state import state_of
 from stiction.studies.prediction.area_weights import area_weights
 from stiction.studies.prediction.asked import Asked
@@ -103,6 +103,8 @@ def area_laws(asked: Asked) -> list[AreaLaw]:
             try:
                 found.append(_law(asked, choice, weight))
             except (InputError, ArithmeticError) as error:
+                if asked.contacts > 1:  # who asks for many divides them: another law may answer for some
+                    raise
                 refusal = error
         if found:
             break
@@ -127,21 +129,26 @@ def _in_turn(asked: Asked) -> tuple[tuple[tuple[Choice, float], ...], ...]:
 
 def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:
     nominal = asked.nominal(choice.model_key)
-    points = points_of(make_problem(nominal, choice), asked.loads)
+    points = points_of(make_problem(nominal, choice), asked.load)
     tables = solve_points(points, refuse=False).tables
     errors = measured_errors(points.problem, tables)
-    area = tables["contact_area"].reshape(1, -1) * float(np.ravel(points.factors[QUANTITIES["contact_area"].scale])[0])
+    places = asked.places(points.dims)
+    unit = np.broadcast_to(aligned(points.factors[QUANTITIES["contact_area"].scale], points.dims), points.wanted.shape)
+    area = (tables["contact_area"].reshape(unit.shape) * unit).reshape(1, -1)[:, places]
     if "mean_separation" in tables:  # results where a load is nowhere carried are those at another one
-        area = np.where(np.isnan(tables["mean_separation"]).reshape(1, -1), np.nan, area)
-    drawn, flat = area, ~(area < _HALF * float(np.mean(nominal.nominal_area)))
+        area = np.where(np.isnan(tables["mean_separation"]).reshape(1, -1)[:, places], np.nan, area)
+    drawn, flat = area, ~(area < _HALF * asked.column(nominal.nominal_area))
     if asked.levels.size:
         drawn = asked.areas(choice) if nominal.map is None else area * asked.by_numbers().variation(choice)
     drawn = np.where(np.isnan(drawn), np.where(flat, np.inf, 0.0), drawn)
-    touching = state_of(points.problem, tables).get("touching_asperities", np.full(len(asked.loads), np.inf))
+    state = state_of(points.problem, tables)
+    touching = np.ravel(state.get("touching_asperities", np.full(points.wanted.shape, np.inf)))[places]
     with np.errstate(divide="ignore"):
         far_error = _FAR if nominal.map is None else _FAR_ON_MAP
-        known = *_known(errors), np.ravel(touching), _yields_at(asked, points.problem, tables, area)
-        return AreaLaw(replace(choice, tangential=None).name, weight, np.log(drawn), *known, far_error)
+        yields_at = _yields_at(asked, state.get("pressure_over_body_below"), places, area)
+        levels, far, sample = (one[places] for one in _known(errors))
+        name = replace(choice, tangential=None).name
+        return AreaLaw(name, weight, np.log(drawn), levels, far, sample, touching, yields_at, far_error)
 
 
 def _known(errors: MeasuredErrors) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -154,11 +161,12 @@ def _known(errors: MeasuredErrors) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return levels, 1.0 - trust, np.nan_to_num(errors.sample)
 
 
-def _yields_at(asked: Asked, problem: Problem, tables: Mapping[str, np.ndarray], area: np.ndarray) -> np.ndarray:
-    """Return the mean pressure of spots that flow: the hardness of each draw, or what the body below a hard film carries."""
+def _yields_at(asked: Asked, over_below: np.ndarray | None, places: np.ndarray, area: np.ndarray) -> np.ndarray:
+    """Return the mean pressure of spots that flow: the hardness of each draw, or what the body below a hard film carries.
+
+    over_below: pressure over that of the body below, at the points that were solved; places: which of these each point is.
+    """
     hardness = asked.bodies.hardness
-    over_below = state_of(problem, tables).get("pressure_over_body_below")
     if over_below is None:
         return np.broadcast_to(hardness, (len(hardness), area.shape[1]))
-    carried = asked.loads / area[0] / np.ravel(over_below)
-    return np.fmin(hardness, carried)
+    return np.fmin(hardness, asked.loads / area[0] / np.ravel(over_below)[places])

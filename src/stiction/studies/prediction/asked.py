@@ -1,5 +1,6 @@
 """The contact and the loads of a prediction, with its uncertain numbers, and the same contact bare of what is drawn beside."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -9,11 +10,12 @@ import numpy as np
 
 from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of
-from stiction.case.uncertain import expanded
+from stiction.case.uncertain import SAMPLE, expanded
 from stiction.contact.contact import Contact
 from stiction.contact.materials import class_of
 from stiction.contact.pair import pair_of
 from stiction.contact.size_effect import at_radius
+from stiction.quantities.dimensions import aligned, arranged, dimensions
 from stiction.solving.choice import Choice
 from stiction.studies.uncertainty.drawing import Variant, draw
 
@@ -35,8 +37,11 @@ _INTERFACE = (
 
 @dataclass(frozen=True)
 class Bodies:
-    """Strengths of the surfaces that meet, arrays (n,) or single numbers [Pa]: of the softer one hardness, shear strength and
-    shear modulus; hardest: the larger hardness of what may bear the load, which bounds the mean pressure of a spot."""
+    """Strengths of the surfaces that meet [Pa], arrays (n or 1, m or 1) over draws and points.
+
+    hardness, shear_strength, shear_modulus: of the softer one. hardest: the larger hardness of what may bear the load, which
+    bounds the mean pressure of a spot.
+    """
 
     hardness: np.ndarray
     shear_strength: np.ndarray
@@ -46,19 +51,43 @@ class Bodies:
 
 @dataclass(frozen=True)
 class Asked:
-    """A case with one load or several, and the levels (n, k) of its k uncertain numbers.
+    """A case at its loads, and the levels (n, k) of its k uncertain numbers.
 
-    loads: array (m,) [N], all above 0.
+    load: array (m,) [N], or a labelled one along dimensions of the contacts, all above 0. Numbers of the case may be several:
+    then the m points are all combinations of these with the loads, in the order of `dims`.
     """
 
     case: Case
-    loads: np.ndarray
+    load: Any
     levels: np.ndarray
 
     @property
     def contact(self) -> Contact:
-        """Return the nominal contact."""
+        """Return the nominal contact, with arrays where numbers of the case are several."""
         return _contact(self.case)
+
+    @cached_property
+    def dims(self) -> dict[str, int]:
+        """Return the lengths of the dimensions along which the points are."""
+        loads = {} if hasattr(self.load, "dims") else {"load": np.size(self.load)}
+        return dimensions([*self.case.several.values(), self.load]) | loads
+
+    @cached_property
+    def loads(self) -> np.ndarray:
+        """Return the load of each point (m,)."""
+        own = self.load if hasattr(self.load, "dims") else None
+        values = np.reshape(self.load, [1] * (len(self.dims) - 1) + [-1]) if own is None else aligned(own, self.dims)
+        return np.broadcast_to(values, tuple(self.dims.values())).reshape(-1)
+
+    @property
+    def contacts(self) -> int:
+        """Return the number of contacts."""
+        return math.prod(size for dim, size in self.dims.items() if dim != "load")
+
+    def places(self, dims: Mapping[str, int]) -> np.ndarray:
+        """Return where each point (m,) stands among results along these dimensions, laid out in their order."""
+        numbers = np.arange(math.prod(dims.values())).reshape(tuple(dims.values()))
+        return np.broadcast_to(arranged(numbers, list(dims), self.dims), tuple(self.dims.values())).reshape(-1)
 
     def areas(self, choice: Choice, pulls: Sequence[str] = (), faint: bool = False) -> np.ndarray:
         """Return the area [m2] (n, m) of a model on the drawn contacts, NaN where it refuses one or cannot be right there.
@@ -67,13 +96,14 @@ class Asked:
         it pulls with nothing. Raises InputError where the model refuses the nominal contact.
         """
         left_out = [*_INTERFACE, *(name for name in PULLS if name not in pulls)]
-        case = replace(_without(self.case, left_out), load=self.loads, separation=None)
+        case = replace(_without(self.case, left_out), load=self.load, separation=None)
         case = _faint(case) if faint else case
         kept = [name for name in self.case.unknowns if name in case.unknowns]
         columns = [list(self.case.unknowns).index(name) for name in kept]
         levels = self.levels[:, columns] if columns else np.zeros((1, 0))
         drawn = draw(case, levels, [Variant(choice)], names=("contact_area",))
-        return np.broadcast_to(drawn.tables["contact_area"], (len(levels), len(self.loads)))
+        table = arranged(drawn.tables["contact_area"], (SAMPLE, *drawn.dims["contact_area"]), (SAMPLE, *self.dims))
+        return np.broadcast_to(table, (len(levels), *self.dims.values())).reshape(len(levels), -1)
 
     def by_numbers(self) -> "Asked":
         """Return the same without the map of its surface: of every draw a map would be solved anew."""
@@ -89,7 +119,7 @@ class Asked:
     def nominal(self, model: str) -> Contact:
         """Return the nominal contact without adhesion, liquid and interface, as the model of this key takes it."""
         bare = _without(self.case, _INTERFACE + PULLS)
-        case = case_of(bare.tables, {})
+        case = case_of(with_numbers(bare.tables, bare.several), {})
         return _contact(case.with_surface_moments(model))
 
     @property
@@ -98,15 +128,20 @@ class Asked:
         return self.contact.with_surface_moments().map is not None
 
     @property
-    def metallic(self) -> bool:
-        """Return whether junctions are of a bulk metal, which grows under shear; how a film grows no law knows."""
-        weaker = min(self.contact.touching, key=lambda body: float(np.mean(body.hardness)))
-        return not self.contact.has_film and class_of(weaker) in ("metal", "soft metal")
+    def metallic(self) -> np.ndarray:
+        """Return whether junctions are of a bulk metal (1 or m,), which grows under shear; how a film grows no law knows."""
+        first, second = (class_of(body) in ("metal", "soft metal") for body in self.contact.touching)
+        return np.where(self._first_is_softer(self.contact), first, second) & (not self.contact.has_film)
+
+    def _first_is_softer(self, contact: Contact) -> np.ndarray:
+        """Return whether the first body that meets is the softer one at each point (1 or m,), on average over the draws."""
+        first, second = (self.column(body.hardness).mean(axis=0) for body in contact.touching)
+        return first <= second
 
     @cached_property
     def drawn(self) -> Contact:
         """Return the contact whose uncertain numbers are arrays along the draws."""
-        numbers = self.case.numbers_at(self.levels) if self.case.unknowns else {}
+        numbers = self.case.numbers_at(self.levels) if self.case.unknowns else self.case.several
         return _contact(case_of(with_numbers(expanded(self.case.tables), numbers), {}))
 
     @cached_property
@@ -117,18 +152,18 @@ class Asked:
         pair = pair_of(*(at_radius(body, radius) for body in contact.touching))
         below = pair_of(*(at_radius(body, radius) for body in (contact.first, contact.second)))
         ratio = pair.k if contact.hardness_to_yield is None else contact.hardness_to_yield
-        softer = min(contact.touching, key=lambda body: float(np.mean(body.hardness)))
-        each = (
-            pair.hardness,
-            pair.hardness / (3.0**0.5 * ratio),
-            softer.shear_modulus,
-            np.maximum(pair.hardness, below.hardness),
-        )
-        return Bodies(*(self.column(one) for one in each))
+        hardness, body_below = self.column(pair.hardness), self.column(below.hardness)
+        first, second = (self.column(body.shear_modulus) for body in contact.touching)
+        modulus = np.where(self._first_is_softer(contact), first, second)
+        shear_strength = hardness / (3.0**0.5 * self.column(ratio))
+        return Bodies(hardness, shear_strength, modulus, np.maximum(hardness, body_below))
 
     def column(self, value: Any) -> np.ndarray:
-        """Return a number of the drawn contact as an array (n, 1), or (1, 1) where it is one number."""
-        return np.asarray(value, dtype=float).reshape(-1, 1)
+        """Return a number of the drawn contact as an array (n or 1, m or 1) over draws and points."""
+        table = aligned(value, {SAMPLE: 0, **self.dims})
+        if table.ndim < 2 or table.size == len(table):
+            return table.reshape(-1, 1)
+        return np.broadcast_to(table, (len(table), *self.dims.values())).reshape(len(table), -1)
 
 
 def _contact(case: Case) -> Contact:
@@ -143,7 +178,9 @@ def _without(case: Case, names: Sequence[str]) -> Case:
     if "work_of_adhesion" in names and isinstance(contact.get("coating"), Mapping):
         contact["coating"] = {name: value for name, value in contact["coating"].items() if name != "work_of_adhesion"}
     uncertain = tuple(one for one in case.uncertain if not (set(one.path[1:]) & set(names)))
-    return replace(case, tables={**tables, "contact": contact, "solve": {"load": ["1 N"]}}, uncertain=uncertain)
+    several = {path: value for path, value in case.several.items() if not (set(path[1:]) & set(names))}
+    tables = {**tables, "contact": contact, "solve": {"load": ["1 N"]}}
+    return replace(case, tables=tables, uncertain=uncertain, several=several)
 
 
 _FAINT = 1e-6  # of the work of adhesion
@@ -156,4 +193,5 @@ def _faint(case: Case) -> Case:
     if isinstance(contact.get("coating"), Mapping):
         contact["coating"] = {name: value for name, value in contact["coating"].items() if name != "work_of_adhesion"}
     uncertain = tuple(one for one in case.uncertain if "work_of_adhesion" not in one.path)
-    return replace(case, tables={**case.tables, "contact": contact}, uncertain=uncertain)
+    several = {path: value for path, value in case.several.items() if "work_of_adhesion" not in path}
+    return replace(case, tables={**case.tables, "contact": contact}, uncertain=uncertain, several=several)

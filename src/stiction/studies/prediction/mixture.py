@@ -77,8 +77,8 @@ class Mixture:
         area = np.maximum(area, np.minimum(borne / hardest, nominal))
         strength, coefficient = self.strength.at(levels["state"], levels["strength"], levels["coefficient"], inputs)
         growth = np.ones_like(area)
-        if asked.metallic:
-            growth = grown(levels["growth"], borne / area, strength, hardness, shear)
+        if asked.metallic.any():
+            growth = np.where(asked.metallic, grown(levels["growth"], borne / area, strength, hardness, shear), 1.0)
         area = np.minimum(area * growth, nominal)
         return Samples(strength * area + coefficient * borne, area, pull, growth, strength, pressure / hardness)
 
@@ -128,14 +128,15 @@ class Mixture:
         varied = self.asked.contact.strength_variation
         sample = sum(law.weight * law.sample**2 for law in self.laws)
         of_spots = _OF_SPOTS * number * elastic if not self.asked.on_map else 0.0
-        variance = of_spots + sample + (0.0 if varied is None else 2.0 * np.mean(varied) ** 2 * number)
+        variance = of_spots + sample + (0.0 if varied is None else 2.0 * self.asked.column(varied).mean(axis=0) ** 2 * number)
         return ndtri(levels["chance"])[:, None] * np.minimum(np.sqrt(variance), _MOST_SCATTER)
 
 
 def _refuse_flattened(asked: Asked) -> None:
     """Raise InputError for a load that presses the faces together with more than the hardness."""
-    most = float(np.median(asked.bodies.hardest)) * float(np.mean(asked.drawn.nominal_area))
-    heaviest = float(asked.loads.max())
+    most = np.median(asked.bodies.hardest, axis=0) * np.mean(asked.column(asked.drawn.nominal_area), axis=0)
+    at = int(np.argmax(asked.loads / most))
+    heaviest, most = asked.loads[at], np.broadcast_to(most, asked.loads.shape)[at]
     if heaviest > most:
         shown = (asked.contact.show(one, "load", 3) for one in (heaviest, most))
         raise InputError("load", next(shown), f"at most {next(shown)}, the hardness times the nominal area")

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.case.read import Case, as_case, case_in
-from stiction.case.uncertain import named, with_ranges
+from stiction.case.uncertain import expanded, named, with_ranges
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
+from stiction.solving.choice import RECOMMENDED
 from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.finish import with_finish
-from stiction.studies.prediction.levels import draw_levels
+from stiction.studies.prediction.levels import Levels, draw_levels
 from stiction.studies.prediction.measured import Measured, chosen_draws, read_measured
 from stiction.studies.prediction.mixture import Mixture, Samples
 from stiction.studies.prediction.regime import next_step, regime_of, warnings_of
@@ -24,10 +25,9 @@ from stiction.studies.pressing_loads import pressing_loads
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["is_predicted", "predict", "prediction_of"]
+__all__ = ["COUNT", "draws_of", "intervals", "is_predicted", "predict", "prediction_of", "with_uncertain"]
 
-_COUNT, _MANY = 512, 16384  # draws where the case states no count; with measured values
-_RESULTS = ("friction_coefficient", "friction_force", "contact_area")
+COUNT, _MANY = 512, 16384  # draws where the case states no count; with measured values
 
 
 def predict(contact: Any, *, load: Any = None, level: float | None = None, measured: Any = None) -> "xarray.Dataset":
@@ -36,8 +36,8 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
     Parameters
     ----------
     contact : Contact, Case, dict or path
-        A contact, or a case as `read_case` takes it. Uncertain numbers of a case are drawn; so are numbers of material presets
-        within their ranges, unless the case switches that off.
+        A contact, or a case as `read_case` takes it; numbers may be several. Uncertain numbers of a case are drawn; so are
+        numbers of material presets within their ranges, unless the case switches that off.
     load : number, text with a unit, or a sequence of these, optional
         Normal load [N], above 0; by default the loads of the case.
     level : float, optional
@@ -49,11 +49,13 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
     Returns
     -------
     xarray.Dataset
-        Over `load`: `friction_coefficient`, `friction_force` [N] and `contact_area` [m^2], medians, each with `_low` and
-        `_high`, the ends of the interval; `friction_coefficient_samples` (sample, load). Attributes, at the middle load:
-        `level`, `regime` (a sentence), `shares` (part -> share of the variance of ln mu), `warnings` (a list, the main one
-        first), `inputs_not_used` (a list), `next_step`, `models` (law of the area -> weight), `excluded` (share of draws that
-        cannot be), `strength` (tau_0 [Pa]: median and ends). With measured friction `shares` is empty.
+        Over `load`, and over the dimensions of numbers that are several: `friction_coefficient`, `friction_force` [N] and
+        `contact_area` [m^2], medians, each with `_low` and `_high`, the ends of the interval; `friction_coefficient_samples`
+        (sample, load). Attributes, at the middle load: `level`, `regime` (a sentence), `shares` (part -> share of the variance
+        of ln mu), `warnings` (a list, the main one first), `inputs_not_used` (a list), `next_step`, `models` (law of the area
+        -> weight), `excluded` (share of draws that cannot be), `strength` (tau_0 [Pa]: median and ends). With measured friction
+        `shares` is empty. Where numbers are several, there are no samples, and attributes are `level`, `draws` and `refused`,
+        the number of contacts without an answer.
 
     Raises
     ------
@@ -81,15 +83,23 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
     """
     if level is not None and not 0.0 < level < 1.0:
         raise InputError("level", level, "a share above 0 and below 1, e.g. 0.9")
-    case, loads, at = _case_and_loads(contact, load)
+    case = _case_given(contact, load)
     level = case.uncertainty.coverage if level is None else level
     if (refusal := refusal_of(case)) is not None:
         raise refusal
+    if case.is_several:
+        from stiction.studies.prediction.many import predict_several  # which draws with what is below
+
+        if measured is not None:
+            raise InputError("--data", str(measured), "one contact, where numbers of the case are several")
+        return predict_several(case, level)
+    case, (loads, at) = with_uncertain(case), pressing_loads(case)
+    if not loads.size:
+        raise InputError("load", None, "a load above 0: nothing presses at any point of the case")
     if measured is None:
-        count = case.uncertainty.count if "count" in case.uncertainty.model_fields_set else _COUNT
-        levels = draw_levels(len(case.unknowns), count, case.uncertainty.seed)
+        levels = draws_of(case)
         mixture = Mixture.of(Asked(case, loads, levels.inputs))
-        samples = mixture.samples(levels, np.arange(count))
+        samples = mixture.samples(levels, np.arange(len(levels)))
         attributes = _attributes(mixture, samples, at, level, shares_of_variance(mixture, levels, at))
     else:
         samples, attributes = _given(read_measured(measured, case), case, loads, at, level)
@@ -99,9 +109,16 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
 
 
 def is_predicted(case: Case) -> bool:
-    """Return whether the prediction answers for a case: one contact of materials, and no model, law or option named."""
+    """Return whether the prediction answers for a case: contacts of materials, and no model, law or option named. Raises
+    InputError for the model "recommended" where it does not."""
     named = {name: value for name, value in case.choice.arguments().items() if value is not None}
-    return isinstance(case.subject, Contact) and not case.is_several and named in ({}, {"model": "recommended"})
+    asked = named.pop("model", None) == RECOMMENDED
+    if named or not isinstance(case.subject, Contact):
+        if asked:
+            of = "[contact] in place of [indices]" if not named else f"without {', '.join(named)}, or the key of a model"
+            raise InputError("model", RECOMMENDED, of)
+        return False
+    return asked or case.choice.model is None
 
 
 def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
@@ -112,52 +129,63 @@ def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
     return predict(case, load=load)
 
 
-def _case_and_loads(given: Any, load: Any) -> tuple[Case, np.ndarray, int]:
-    """Return the case, its loads (m,) and the place of the working load among them. Raises InputError."""
+def _case_given(given: Any, load: Any) -> Case:
+    """Return the case that is given, at these loads if any are. Raises InputError."""
     if isinstance(given, Contact):
         if load is None:
             raise InputError("load", None, 'a load above 0, e.g. load="1 N"')
-        given = case_in({"contact": given, "solve": {"load": ["1 N"]}})
-    case = with_finish(_with_ranges(as_case(given)))
+        several = {("contact", *name.split(".")): array for name, array in given.arrays()}
+        case = case_in({"contact": given, "solve": {"load": ["1 N"]}})
+        case = replace(case, tables=expanded(case.tables), several=several)
+    else:
+        case = as_case(given)
     if not isinstance(case.subject, Contact):
         raise InputError("indices", "given", "[contact]: a prediction needs materials and lengths")
-    for name, _ in case.subject.arrays():
-        raise InputError(name, "several values", "one number, or its uncertainty; vary it with stiction sweep")
     if load is None:
-        loads, at = pressing_loads(case)
-        if not loads.size:
-            raise InputError("load", None, "a load above 0: nothing presses at any point of the case")
-        return case, loads, at
+        return case
     read = case.subject.read
     loads = np.atleast_1d(np.asarray([read(one, "load") for one in load] if np.ndim(load) else read(load, "load"), dtype=float))
     if not loads.size or not (np.isfinite(loads) & (loads > 0.0)).all():
         raise InputError("load", float(loads.min()) if loads.size else None, "above 0 N: mu is friction over load")
-    return case, loads, (len(loads) - 1) // 2
+    return replace(case, load=loads, separation=None)
 
 
-def _with_ranges(case: Case) -> Case:
-    """Return the case with the ranges of its materials as uncertain numbers, unless it says otherwise."""
-    if "ranges" in case.uncertainty.model_fields_set:
-        return case
-    taken = [*case.several, *(one.path for one in case.uncertain)]
-    return replace(case, uncertain=tuple(named([*case.uncertain, *with_ranges(case.tables, taken)])))
+def with_uncertain(case: Case) -> Case:
+    """Return the case with all that a prediction draws as uncertain numbers: also what the finish of its surface leaves open,
+    and the ranges of its materials, unless it says otherwise."""
+    if "ranges" not in case.uncertainty.model_fields_set:
+        taken = [*case.several, *(one.path for one in case.uncertain)]
+        case = replace(case, uncertain=tuple(named([*case.uncertain, *with_ranges(case.tables, taken)])))
+    return with_finish(case)
+
+
+def draws_of(case: Case, count: int = COUNT) -> Levels:
+    """Return the levels of all draws of a case: as many as it states, else `count`."""
+    count = case.uncertainty.count if "count" in case.uncertainty.model_fields_set else count
+    return draw_levels(len(case.unknowns), count, case.uncertainty.seed)
+
+
+def intervals(samples: Samples, loads: np.ndarray, level: float) -> dict[str, tuple[np.ndarray, dict[str, str]]]:
+    """Return medians of the results, and both ends of their intervals: name -> values (m,) and attributes."""
+    tables = {"friction_coefficient": samples.force / loads, "friction_force": samples.force, "contact_area": samples.area}
+    ends = {"": 0.5, "_low": 0.5 - 0.5 * level, "_high": 0.5 + 0.5 * level}
+    known = np.isfinite(samples.force)
+    found = {}
+    for name, table in tables.items():
+        quantity = QUANTITIES[name]
+        quantiles = np.nanquantile(np.where(known, table, np.nan), list(ends.values()), axis=0)
+        for (end, share), values in zip(ends.items(), quantiles, strict=True):
+            meaning = f"{quantity.meaning}, " + ("median" if not end else f"quantile {share:.3g}")
+            found[name + end] = values, {"units": quantity.unit or "1", "long_name": meaning}
+    return found
 
 
 def _dataset(samples: Samples, loads: np.ndarray, level: float) -> "xarray.Dataset":
     import xarray
 
-    tables = {"friction_coefficient": samples.force / loads, "friction_force": samples.force, "contact_area": samples.area}
-    ends = {"": 0.5, "_low": 0.5 - 0.5 * level, "_high": 0.5 + 0.5 * level}
-    known = np.isfinite(samples.force)
-    variables: dict[str, tuple] = {}
-    for name in _RESULTS:
-        quantity = QUANTITIES[name]
-        values = np.where(known, tables[name], np.nan)
-        for end, share in ends.items():
-            meaning = f"{quantity.meaning}, " + ("median" if not end else f"quantile {share:.3g}")
-            attributes = {"units": quantity.unit or "1", "long_name": meaning}
-            variables[name + end] = ("load", np.nanquantile(values, share, axis=0), attributes)
-    variables["friction_coefficient_samples"] = (("sample", "load"), np.where(known, tables["friction_coefficient"], np.nan))
+    variables: dict[str, tuple] = {name: ("load", *found) for name, found in intervals(samples, loads, level).items()}
+    mu = np.where(np.isfinite(samples.force), samples.force / loads, np.nan)
+    variables["friction_coefficient_samples"] = (("sample", "load"), mu)
     return xarray.Dataset(variables, coords={"load": ("load", loads, {"units": "N", "long_name": "load"})})
 
 
@@ -167,7 +195,7 @@ def _given(known: Measured, case: Case, loads: np.ndarray, at: int, level: float
     mixture = Mixture.of(Asked(case, np.concatenate([loads, known.load]), levels.inputs))
     samples = mixture.samples(levels, np.arange(_MANY))
     mu = samples.force[:, len(loads) :] / known.load
-    rows, warnings = chosen_draws(known, mu, _COUNT)
+    rows, warnings = chosen_draws(known, mu, COUNT)
     chosen = samples.some(rows, len(loads))
     found = _attributes(mixture, chosen, at, level, {})
     weights = mixture.weights_of_laws(levels, rows)

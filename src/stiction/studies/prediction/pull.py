@@ -71,6 +71,8 @@ def _by_adhesion(asked: Asked) -> list[np.ndarray]:
             pulled, faint = (asked.areas(choice, ("work_of_adhesion",), faint) for faint in (False, True))
             found.append(_factor(pulled, faint))
         except (InputError, ArithmeticError) as error:
+            if asked.contacts > 1:
+                raise
             refusal = error
     if not found:
         assert refusal is not None

@@ -13,12 +13,14 @@ __all__ = ["Strength"]
 class Strength:
     """The distribution of the strength of an interface.
 
-    states: each with its weight, which sum to 1; none where the strength is stated. stated: tau_0 [Pa] (n, 1) or None.
-    coefficient: its growth with pressure as stated (n, 1); takes_states: whether it is that of the state in place of it. aged:
-    factor (n, 1) of tau_0 by rest.
+    states: each with its weight, which sum to 1; none where the strength is stated. stated: tau_0 [Pa] or None. coefficient:
+    its growth with pressure as stated; takes_states: whether it is that of the state in place of it. aged: factor of tau_0 by
+    rest. Arrays (n or 1, m or 1) over draws and points.
     """
 
     def __init__(self, asked: Asked):
+        from xarray import DataArray
+
         contact, self.bodies = asked.drawn, asked.bodies
         self.states, self.stated, self.coefficient = _states(asked), None, asked.column(0.0)
         if contact.interfacial_shear_strength is not None:
@@ -26,8 +28,10 @@ class Strength:
         if contact.pressure_coefficient is not None:
             self.coefficient = asked.column(contact.pressure_coefficient)
         self.takes_states = contact.pressure_coefficient is None
-        groups, _ = Groups.of(contact.indices())
-        self.aged = asked.column(1.0 if groups.waiting is None else factor(groups))
+        groups, dims = Groups.of(contact.indices())
+        self.aged = asked.column(1.0)
+        if groups.waiting is not None:
+            self.aged = asked.column(DataArray(factor(groups).reshape(tuple(dims.values())), dims=list(dims)))
 
     @property
     def over_body(self) -> float:
@@ -35,28 +39,29 @@ class Strength:
         return 0.0 if self.stated is None else float(np.median(self.stated / self.bodies.shear_strength))
 
     def at(self, state: np.ndarray, strength: np.ndarray, coefficient: np.ndarray, rows: np.ndarray):
-        """Return tau_0 [Pa], capped at the shear strength of the weaker body, and the pressure coefficient, arrays (n, 1).
+        """Return tau_0 [Pa], capped at the shear strength of the weaker body, and the pressure coefficient, arrays (n, m or 1).
 
         state, strength, coefficient: levels (n,). rows: of the inputs.
         """
         bodies = self.bodies
         hardness, shear, modulus = (
-            one[rows % len(one)][:, 0] for one in (bodies.hardness, bodies.shear_strength, bodies.shear_modulus)
+            one[rows % len(one)] for one in (bodies.hardness, bodies.shear_strength, bodies.shear_modulus)
         )
-        alpha = self.coefficient[rows % len(self.coefficient)][:, 0]
+        alpha = self.coefficient[rows % len(self.coefficient)]
         if self.stated is not None:
-            tau = self.stated[rows % len(self.stated)][:, 0]
+            tau = self.stated[rows % len(self.stated)]
         else:
-            tau = np.zeros(len(rows))
+            tau = np.zeros(np.broadcast_shapes(hardness.shape, modulus.shape))
+            alpha = np.broadcast_to(alpha, (len(rows), alpha.shape[1])).copy()
             ends = np.cumsum([weight for _, weight in self.states])
             which = np.minimum(np.searchsorted(ends, state * ends[-1]), len(ends) - 1)
             for at, (one, _) in enumerate(self.states):
                 mine = which == at
-                tau[mine] = one.strength_at(strength[mine], hardness[mine], modulus[mine])
+                tau[mine] = one.strength_at(strength[mine, None], hardness[mine], modulus[mine])
                 if self.takes_states:
-                    alpha[mine] = one.pressure_coefficient_at(coefficient[mine])
-        tau = tau * self.aged[rows % len(self.aged)][:, 0]
-        return np.minimum(tau, shear)[:, None], alpha[:, None]
+                    alpha[mine] = one.pressure_coefficient_at(coefficient[mine, None])
+        tau = tau * self.aged[rows % len(self.aged)]
+        return np.minimum(tau, shear), alpha
 
 
 def _states(asked: Asked) -> list[tuple[Interface, float]]:

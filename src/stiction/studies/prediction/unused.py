@@ -63,7 +63,7 @@ def _of_bodies(asked: Asked, strength: Strength) -> Iterator[tuple[str, str]]:
 def _why_no_yield(asked: Asked, strength: Strength) -> str:
     """Return why the yield stress does not count, "" where it does: it bounds tau_0, and the growth of metal junctions."""
     stated = strength.stated
-    if asked.metallic or stated is None or np.any(stated * strength.aged > asked.bodies.shear_strength):
+    if asked.metallic.any() or stated is None or np.any(stated * strength.aged > asked.bodies.shear_strength):
         return ""
     return "the interface is weaker than the bodies"
 

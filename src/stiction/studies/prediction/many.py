@@ -1,0 +1,155 @@
+"""Predictions of many contacts that differ by numbers: the same draws for all, solved together."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.case.places import with_numbers
+from stiction.case.read import Case, case_of
+from stiction.case.uncertain import Uncertain
+from stiction.contact.contact import Contact
+from stiction.quantities.dimensions import arranged, coordinates, dimensions
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import RECOMMENDED
+from stiction.solving.pointwise import Pointwise, Region, bisected
+from stiction.studies.prediction.asked import Asked
+from stiction.studies.prediction.mixture import Mixture
+from stiction.studies.prediction.predict import COUNT, draws_of, intervals, with_uncertain
+from stiction.studies.prediction.unused import refusal_of
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["predict_many", "predict_several"]
+
+_AT_ONCE = 128  # points: bounds the memory; and the errors of laws on solved surfaces are known for so many at once
+
+
+def _count(points: int) -> int:
+    """Return the number of draws of each of so many points: all where they are computed at once, else half."""
+    return COUNT if points <= _AT_ONCE else COUNT // 2
+
+
+def predict_many(
+    tables: Mapping[str, Any],
+    numbers: Mapping[tuple[str, ...], Any],
+    load: Any,
+    uncertain: Sequence[Uncertain] = (),
+    *,
+    level: float = 0.9,
+    count: int = COUNT,
+) -> Iterator[tuple[Region, Case | None, Pointwise | None]]:
+    """Yield predictions of a case at many sets of numbers, as `evaluate_many` yields results of one model.
+
+    Parameters
+    ----------
+    tables : dict
+        The tables of a case.
+    numbers : dict
+        Place in the tables, ("contact", "first", "hardness") -> labelled array, in SI units.
+    load : numpy.ndarray or xarray.DataArray
+        Loads [N] of every contact, or along dimensions of the contacts.
+    uncertain : sequence of Uncertain
+        Numbers of the case that are drawn, beside ranges of materials.
+    level : float
+        Share of the distribution within the intervals.
+    count : int
+        Number of draws, the same for every contact.
+
+    Returns
+    -------
+    iterator
+        Of region, case and results: friction_coefficient, friction_force and contact_area with _low and _high. A region maps
+        dimensions to slices; a contact that is refused has None, None.
+    """
+    from xarray import DataArray
+
+    if not hasattr(load, "dims"):
+        load = DataArray(np.atleast_1d(load), dims=("load",))
+
+    def predicted(region: Region) -> tuple[Case, Pointwise]:
+        some = {path: _part(value, region) for path, value in numbers.items()}
+        return _together(tables, some, _part(load, region), tuple(uncertain), level, count)
+
+    refusal, taken = None, False
+    for piece in _pieces(dimensions([*numbers.values(), load])):
+        for region, found in bisected(piece, predicted):
+            if isinstance(found, Exception):
+                refusal = found
+                yield region, None, None
+            else:
+                taken = True
+                yield region, *found
+    if refusal is not None and not taken:
+        raise refusal
+
+
+def _pieces(sizes: Mapping[str, int]) -> Iterator[Region]:
+    """Yield regions of at most _AT_ONCE points."""
+    room, steps = _AT_ONCE, {}
+    for dim in reversed(list(sizes)):
+        steps[dim] = max(1, min(sizes[dim], room))
+        room //= steps[dim]
+    starts = [range(0, sizes[dim], steps[dim]) for dim in sizes]
+    for at in np.ndindex(*(len(one) for one in starts)):
+        first = {dim: one[i] for dim, one, i in zip(sizes, starts, at, strict=True)}
+        yield {dim: slice(start, min(start + steps[dim], sizes[dim])) for dim, start in first.items()}
+
+
+def _part(value: Any, region: Region) -> Any:
+    return value.isel({dim: some for dim, some in region.items() if dim in getattr(value, "dims", ())})
+
+
+def _together(
+    tables: Mapping[str, Any], numbers: Mapping, load: Any, uncertain: tuple[Uncertain, ...], level: float, count: int
+) -> tuple[Case, Pointwise]:
+    """Return the case with these numbers, and its results. Raises InputError, ArithmeticError where any contact is refused."""
+    with np.errstate(all="ignore"):
+        case = case_of(with_numbers(tables, numbers), {})
+        if not isinstance(case.subject, Contact):
+            raise InputError("indices", "given", "[contact]: a prediction needs materials and lengths")
+        if (refusal := refusal_of(case)) is not None:
+            raise refusal
+        case = with_uncertain(replace(case, tables=tables, several=dict(numbers), uncertain=uncertain))
+        loads = load.values if load.dims == ("load",) else load
+        levels = draws_of(case, count)
+        asked = Asked(case, loads, levels.inputs)
+        if not (asked.loads > 0.0).all():
+            raise InputError("load", float(asked.loads.min()), "above 0 N: mu is friction over load")
+        samples = Mixture.of(asked).samples(levels, np.arange(len(levels)))
+        found = intervals(samples, asked.loads, level)
+    shape, dims = tuple(asked.dims.values()), tuple(asked.dims)
+    variables = {name: (dims, values.reshape(shape), attributes) for name, (values, attributes) in found.items()}
+    nothing = np.zeros(shape, dtype=np.uint32)
+    return case, Pointwise(variables, (dims, nothing), [], case.subject, {})
+
+
+def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
+    """Return the predictions of a case whose numbers are several, over their dimensions and its loads, as `predict` names them.
+
+    Contacts that are refused are not numbers; the attribute `refused` counts them, `draws` says of how many each is. Raises
+    InputError where the case has separations in place of loads, and where all contacts are refused.
+    """
+    import xarray
+
+    if case.load is None:
+        raise InputError("solve.separation", "given", "load in its place: a prediction is at loads; a named model takes both")
+    loads = xarray.DataArray(case.load, dims=("load",))
+    sizes = dimensions([*case.several.values(), loads])
+    count = _count(math.prod(sizes.values()))
+    found: dict[str, tuple] = {}
+    refused = 0
+    for region, _, solved in predict_many(case.tables, case.several, loads, case.uncertain, level=level, count=count):
+        if solved is None:
+            refused += 1
+            continue
+        for name, (dims, values, attributes) in solved.variables.items():
+            table = found.setdefault(name, (tuple(sizes), np.full(tuple(sizes.values()), np.nan), attributes))[1]
+            table[tuple(region[dim] for dim in sizes)] = arranged(values, dims, sizes)
+    coords = coordinates(case.subject.arrays())
+    coords["load"] = xarray.Variable("load", case.load, {"units": "N", "long_name": "load"})
+    attributes = {"level": level, "draws": count, "refused": refused, "model": RECOMMENDED}
+    return xarray.Dataset(found, coords=coords, attrs=attributes | ({"case": case.title} if case.title else {}))

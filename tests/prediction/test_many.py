@@ -1,0 +1,69 @@
+"""Predictions of many contacts together are those of each alone."""
+
+import numpy as np
+import pytest
+
+import stiction as st
+from stiction.quantities.errors import InputError
+
+ROUGH = {"asperity_height_deviation": "0.2 um", "asperity_radius": "20 um", "asperity_density": "1e10 1/m^2"}
+BARE = {"first": "copper", "second": "hardened_steel_52100", "nominal_area": "1 cm^2", "roughness": ROUGH}
+SILVER = {"coating": {"material": "silver", "bodies": "second", "thickness": "1 um"}}
+STICKY = {"first": "pdms", "second": "soda_lime_glass", "work_of_adhesion": "40 mJ/m^2"}
+OXIDISED = BARE | {"interface": "oxidised metal"}
+CONTACTS = {
+    "bare": (OXIDISED, "asperity_height_deviation", ["0.1 um", "0.2 um", "0.6 um"]),
+    "stated": (BARE, "interfacial_shear_strength", ["10 MPa", "50 MPa"]),
+    "film": (BARE | {"first": "hardened_steel_52100"} | SILVER, "thickness", ["0.5 um", "2 um"]),
+    "adhesive": (BARE | STICKY, "work_of_adhesion", ["20 mJ/m^2", "50 mJ/m^2"]),
+    "softer body changes": (BARE | {"first": {"preset": "copper"}}, "hardness", ["1 GPa", "20 GPa"]),
+}
+PLACES = {
+    "asperity_height_deviation": ("roughness",),
+    "thickness": ("coating",),
+    "hardness": ("first",),
+}
+
+
+def with_value(contact, name, value):
+    if not (place := PLACES.get(name, ())):
+        return contact | {name: value}
+    return contact | {place[0]: {**contact[place[0]], name: value}}
+
+
+@pytest.mark.parametrize("kind", CONTACTS)
+def test_a_row_of_many_is_the_prediction_of_one(kind):
+    contact, name, values = CONTACTS[kind]
+    solve = {"load": ["1 N", "10 N"]}
+    many = st.predict({"contact": with_value(contact, name, values), "solve": solve})
+    assert many.sizes == {name: len(values), "load": 2}
+    for at, value in enumerate(values):
+        one = st.predict({"contact": with_value(contact, name, value), "solve": solve})
+        for end in ("_low", "", "_high"):
+            found = many[f"friction_coefficient{end}"].isel({name: at}).values
+            np.testing.assert_allclose(
+                found, one[f"friction_coefficient{end}"].values, rtol=1e-3
+            )  # where it adheres the faint adhesion is one for all
+
+
+def test_a_contact_that_is_refused_leaves_the_others():
+    """1 N on 1e-11 m^2 presses with more than any hardness."""
+    areas = ["1 cm^2", "1e-11 m^2", "2 cm^2"]
+    found = st.predict({"contact": BARE | {"nominal_area": areas}, "solve": {"load": ["1 N"]}})
+    assert np.isfinite(found.friction_coefficient.values.ravel()).tolist() == [True, False, True]
+    assert found.attrs["refused"] == 1
+    with pytest.raises(InputError, match="load"):
+        st.predict({"contact": BARE | {"nominal_area": ["1e-11 m^2", "2e-11 m^2"]}, "solve": {"load": ["1 N"]}})
+
+
+def test_arrays_of_python_are_predicted_too():
+    sigma = st.axis("asperity_height_deviation", ["0.1 um", "0.2 um"])
+    contact = st.Contact(**{**BARE, "interface": "oxidised metal", "roughness": ROUGH | {"asperity_height_deviation": sigma}})
+    found = st.predict(contact, load="10 N")
+    alone = st.predict(st.Contact(**BARE, interface="oxidised metal"), load="10 N")
+    assert found.friction_coefficient[1].item() == pytest.approx(alone.friction_coefficient.item(), rel=1e-9)
+
+
+def test_separations_are_refused_with_what_to_do():
+    with pytest.raises(InputError, match="named model"):
+        st.predict({"contact": BARE | {"nominal_area": ["1 cm^2", "2 cm^2"]}, "solve": {"separation": [1.0, 2.0]}})
