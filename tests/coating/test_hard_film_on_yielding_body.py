@@ -89,6 +89,30 @@ def test_no_mean_pressure_punches_the_film_through():
     assert doubt.most == pytest.approx(pressure / bound, rel=1e-9)
 
 
+def test_a_counterbody_softer_than_the_film_leaves_the_film_its_strength():
+    """What holds the plug is the shear strength of the film, 15 GPa/(sqrt(3) 2.8), also below a counterbody of 5 GPa. By
+    that of the counterbody the bound would be 1.25 GPa + 2 (t/a) 1.03 GPa, and a pressure that can be would be excluded."""
+    counter = {"youngs_modulus": "380 GPa", "poissons_ratio": 0.22, "hardness": "5 GPa"}
+    found = st.solve(punched().replace(second=counter), load="2 N", model="jackson_green_2005 + layered")
+    pressure, spots = float(found["load"] / found["contact_area"]), float(found["touching_asperities"])
+    plug = 2.0 * 0.1e-6 / math.sqrt(float(found["contact_area"]) / spots / math.pi) / (math.sqrt(3.0) * 2.8)
+    doubts = [one for one in doubts_of(found) if one.quantity == "pressure_over_punching"]
+    assert 1.25e9 + plug * 5e9 < 0.9 * pressure < pressure < 1.25e9 + plug * 15e9 and not doubts
+
+
+@pytest.mark.parametrize("hardness", [2e9, 5e9, 9e9])
+@pytest.mark.parametrize("load", ["0.5 N", "5 N"])
+def test_a_prediction_bears_the_softer_of_counterbody_and_film_and_no_punching(hardness, load):
+    """p <= min(H_counter, H_film, H_body + 2 (t/a) tau_film), a of as many spots as a sum of asperities has in touch."""
+    counter = {"youngs_modulus": "380 GPa", "poissons_ratio": 0.22, "hardness": hardness}
+    contact = punched().replace(second=counter)
+    found = st.predict(contact, load=load)
+    pressure = float(found["load"] / found["contact_area_low"])
+    sums = st.solve(contact, load=load, model="greenwood_williamson_1966", film="layered", tangential="none")
+    radius = math.sqrt(float(found["contact_area_low"]) / float(sums["touching_asperities"]) / math.pi)
+    assert pressure < 1.001 * min(hardness, 1.25e9 + 2.0 * (0.1e-6 / radius) * 15e9 / (math.sqrt(3.0) * 2.8))
+
+
 def test_models_that_punch_the_film_through_are_not_recommended():
     data = st.compare(punched(), load="2 N")
     punching = ["pressure_over_punching" in str(doubts) for doubts in data["doubts"].values]

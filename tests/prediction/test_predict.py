@@ -1,6 +1,7 @@
 """The predictive distribution of mu, against closed forms and draws that do not use the package."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -203,4 +204,12 @@ def test_a_hard_film_bears_no_more_than_the_body_below_it():
         interfacial_shear_strength=1e8,
     )
     most = 1.25e9 + 2.0 / 5.0 * 15e9 / (3.0 * math.sqrt(3.0))  # spots of five times the thickness
-    assert st.predict(contact, load="2 N").friction_coefficient_low.item() > 1e8 / most
+    found = st.predict(contact, load="2 N")
+    assert found.friction_coefficient_low.item() > 1e8 / most
+    # the sentence names the body that yields: mu = tau_0/p tells the pressure over its hardness, and over that of the film
+    over_body, over_film = re.search(r"contacts bear ([\d.]+) times its hardness, (\d+)% of the film's", found.regime).groups()
+    pressure = 1e8 / found.friction_coefficient.item()
+    assert float(over_body) == pytest.approx(pressure / 1.25e9, rel=0.06) and float(over_body) > 0.9
+    assert float(over_film) == pytest.approx(100.0 * pressure / 15e9, abs=1.0)
+    named = contact.replace(first={**body, "name": "my steel"})
+    assert st.predict(named, load="2 N").regime.startswith("The body below the film yields, my steel: contacts bear ")

@@ -164,6 +164,7 @@ class Contact(Subject):
             "film_K_beta": film.K * film.beta,
             "film_friction_constant": None if constant is None else constant / (bare.K * (self._radius * self._sigma) ** 0.5),
             "films": 2.0 if coating.bodies == "both" else 1.0,
+            "layer_n_H": at_radius(coating.material, self._radius).hardness / bare.hardness,
             "layer_nu": coating.material.poissons_ratio,
             "coated_share": np.minimum(share, 1.0),
             "coated_nu": choose(first, coated.poissons_ratio, counter.poissons_ratio),

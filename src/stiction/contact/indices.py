@@ -17,12 +17,12 @@ from stiction.quantities.table import QUANTITIES
 HARDNESS_TO_YIELD = 2.8
 
 _FILM = (
-    "n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", "films", "layer_nu", "coated_share", "coated_nu",
+    "n_E", "n_H", "tau", "film_aspect", "film_nu", "film_K_beta", "films", "layer_n_H", "layer_nu", "coated_share", "coated_nu",
     "counter_nu", "film_friction_constant",
 )  # fmt: skip
 
 # What follows from others where it is not given.
-_FOLLOWS = ("hardness_group", "films", "layer_nu", "coated_share", "coated_nu", "counter_nu")
+_FOLLOWS = ("hardness_group", "films", "layer_n_H", "layer_nu", "coated_share", "coated_nu", "counter_nu")
 
 
 def hardness_group(theta, lam):
@@ -53,9 +53,9 @@ class Indices(Subject):
     alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
     out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
     half-space to every asperity. One body is coated, and the other rigid, unless films and coated_share say otherwise; with two
-    films the bodies are alike unless coated_share does; layer_nu left out is film_nu, coated_nu and counter_nu are nu.
-    film_friction_constant left out follows from strength and hardness. It and the last thirteen are needed by some
-    laws only; waiting and strengthening, meniscus_index and meniscus_height are given together. Raises InputError.
+    films the bodies are alike unless coated_share does; left out, layer_n_H is n_H, layer_nu film_nu, coated_nu and counter_nu
+    nu. film_friction_constant left out follows from strength and hardness. It and the last thirteen are needed by some laws
+    only; waiting and strengthening, meniscus_index and meniscus_height are given together. Raises InputError.
     """
 
     theta: OptionalNumber = None
@@ -72,6 +72,7 @@ class Indices(Subject):
     film_nu: OptionalNumber = None
     film_K_beta: OptionalNumber = None
     films: OptionalNumber = None
+    layer_n_H: OptionalNumber = None
     layer_nu: OptionalNumber = None
     coated_share: OptionalNumber = None
     coated_nu: OptionalNumber = None
@@ -230,7 +231,10 @@ class Indices(Subject):
         if film_K_beta is None:
             film_K_beta = K_beta if self.film_nu is None else stiffness_group(film_nu)
         films = 1.0 if self.films is None else self.films
-        alone = {"films": films, "layer_nu": film_nu, "coated_share": 1.0 / films, "coated_nu": self.nu, "counter_nu": self.nu}
+        alone = {
+            "films": films, "layer_n_H": self.n_H, "layer_nu": film_nu, "coated_share": 1.0 / films, "coated_nu": self.nu,
+            "counter_nu": self.nu,
+        }  # fmt: skip
         given = {name: getattr(self, name) for name in alone if getattr(self, name) is not None}
         return self.with_changes(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta, **alone | given)
 

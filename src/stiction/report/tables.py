@@ -157,7 +157,9 @@ def _number(value: Any, name: str) -> str:
 
 
 # Of a contact whose materials are told, what is of these alone.
-_OF_MATERIALS = ("nu", "hardness_to_yield", "K_beta", "film_nu", "film_K_beta", "layer_nu", "coated_nu", "counter_nu")
+_OF_MATERIALS = (
+    "nu", "hardness_to_yield", "K_beta", "film_nu", "film_K_beta", "layer_n_H", "layer_nu", "coated_nu", "counter_nu",
+)  # fmt: skip
 
 
 def _groups(subject: Any) -> str:

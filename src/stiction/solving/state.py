@@ -136,7 +136,8 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
 
 def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, share: np.ndarray | None) -> dict[str, np.ndarray]:
     """Return the mean pressure (n, m) of spots on films harder than the body over two limits: what that body carries through
-    them, and what punches them through, at most H_b + 2 (t/a) tau_f of a plug of radius a (upper-bound theorem of plasticity).
+    them, and what punches them through, at most H_b + 2 (t/a) tau_f of a plug of radius a (upper-bound theorem of plasticity),
+    tau_f the shear strength of the film itself, also where the other body is softer.
     """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}
@@ -145,7 +146,8 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, share: np.nd
     carried = pressure_carried_below(spot, groups)
     pressure = load / (groups.eta[:, None] * np.where(area > 0.0, area, np.nan))
     thickness = np.reshape(groups.film_aspect / groups.films, (-1, 1)) / np.sqrt(np.where(spot > 0.0, spot, np.nan))
-    punching = 1.0 + 2.0 * thickness * np.reshape(groups.body_shear_strength, (-1, 1))
+    strength = groups.resolved().layer_n_H / (math.sqrt(3.0) * groups.hardness_to_yield)
+    punching = 1.0 + 2.0 * thickness * np.reshape(strength, (-1, 1))
     hard = np.reshape(groups.n_H, (-1, 1)) > 1.0
     limits = {"pressure_over_body_below": carried, "pressure_over_punching": punching}
     return {name: np.where(hard, pressure / limit, np.nan) for name, limit in limits.items()}

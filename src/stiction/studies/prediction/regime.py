@@ -34,10 +34,26 @@ def regime_of(mixture: Mixture, samples: Samples, at: int) -> str:
         grows = ", times the growth of junctions under shear" if growth > _GROWN else ""
         said.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
     else:
-        said.append(f"Contacts bear {pressure:.0%} of the hardness on average: mu follows the real contact area.")
+        said.append(_of_pressure(mixture, pressure, at))
     if touching < _FEW:
         said.append(f"About {max(touching, 1.0):.0f} asperities touch: mu varies from one place to the next.")
     return " ".join(said[:2])
+
+
+def _of_pressure(mixture: Mixture, pressure: float, at: int) -> str:
+    """Return what contacts bear whose mean pressure is this over the hardness of the softer of the surfaces that meet."""
+    contact, hardness = mixture.asked.contact, float(np.median(mixture.asked.bodies.hardness))
+    carried = min(float(np.median(law.yields_at[:, at])) for law in mixture.laws)
+    if contact.coating is None or not carried < hardness or pressure * hardness < _PLASTIC * carried:
+        return f"Contacts bear {pressure:.0%} of the hardness on average: mu follows the real contact area."
+    coated = [getattr(contact, name) for name in ("first", "second") if contact.coating.bodies in (name, "both")]
+    below = min(coated, key=lambda body: float(np.mean(body.hardness)))
+    softer = "film" if contact.softer_counterbody is None else "counterbody"
+    return (
+        f"The body below the film yields{'' if below.name == 'unnamed' else f', {below.name}'}: contacts bear "
+        f"{pressure * hardness / float(np.mean(below.hardness)):.2g} times its hardness, {pressure:.0%} of the {softer}'s. "
+        "mu is tau_0 over that pressure."
+    )
 
 
 def warnings_of(mixture: Mixture, samples: Samples, at: int) -> list[str]:
