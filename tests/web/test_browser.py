@@ -489,7 +489,7 @@ def _mu_of_the_case(page):
 
 def _mu_of_the_row(page):
     """The number of the model of the case in the table of the tab Compare."""
-    return float(page.locator("tr", has_text="soft_coating_2015 + sequential").last.locator("td").nth(1).inner_text())
+    return float(page.locator("tr", has_text="soft_coating_2015 + sequential").last.locator("td").nth(2).inner_text())
 
 
 def test_the_place_with_a_figure_as_the_case(fresh):

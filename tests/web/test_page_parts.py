@@ -19,7 +19,7 @@ from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
 from stiction.studies.findings import find_out
 from stiction.web.asked import Question, solved
-from stiction.web.charts import chart, curve_chart, line, prediction_chart
+from stiction.web.charts import chart, curve_chart, line
 from stiction.web.downloads import report_of
 from stiction.web.first import first_case
 from stiction.web.fitting import fitted
@@ -38,8 +38,7 @@ def test_laws_are_imported_before_the_server_answers():
     code = (
         "import sys; from stiction.web import asked, server; asked_of = server.question_of(None)\n"
         "before = set(sys.modules); case = asked.case_asked(asked_of)\n"
-        "asked.model_names(case), asked.option_values(None)\n"
-        "[asked.law_keys(one) for one in asked.CHOSEN_BY_KEY]\n"
+        "asked.keys_by_choice(case), asked.option_values(None)\n"
         "print(sorted(one for one in set(sys.modules) - before if one.startswith('stiction')))"
     )
     found = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True, timeout=300)
@@ -188,8 +187,8 @@ def test_a_chart_has_symbols_on_its_axes_and_the_number_at_its_mark(answer):
 @pytest.mark.parametrize("name", ["friction_coefficient", "friction_force", "contact_area"])
 def test_a_chart_of_a_prediction_has_its_band_and_an_axis_name_that_fits_a_telephone(name):
     case = first_case() | {"solve": {"load": ["1 N", "10 N", "3 N"]}}
-    found = solved(Question(case)).data
-    options = prediction_chart(found, name, False)
+    answer = solved(Question(case))
+    options = curve_chart(answer.curve, name, "load", answer.middle(), False)
     median, low, high, band, mark = options["series"]
     ends = st.predict(first_case(), load="10 N")
     drawn = [one["data"][2][1] for one in (low, median, high)]

@@ -7,9 +7,9 @@ import pytest
 
 import stiction as st
 from stiction.quantities.errors import InputError
+from stiction.report.share_pictures import shares_of, stacks
 from stiction.studies.paper.place import place_of, plasticity_line
 from stiction.studies.stresses.one_asperity import one_asperity
-from stiction.web.charts import shares_of, stacks
 from stiction.web.working import Progress
 
 

@@ -39,12 +39,16 @@ class View:
     pictures: Mapping[str, Picture] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
 
-    def write(self, folder: Path) -> list[str]:
-        """Write tables, dataset and pictures into a folder; return their names."""
+    def writers(self) -> dict[str, Callable[[Path], None]]:
+        """Return what writes each table, the dataset and each picture to a path, by the name of the file."""
         files, data = dict(self.files), self.data
         if data is not None:
             files[f"{self.name}.nc"] = lambda path: write_netcdf(data, path)
-        files |= {name: partial(_draw, picture) for name, picture in self.pictures.items()}
+        return files | {name: partial(_draw, picture) for name, picture in self.pictures.items()}
+
+    def write(self, folder: Path) -> list[str]:
+        """Write tables, dataset and pictures into a folder; return their names."""
+        files = self.writers()
         write_folder(folder, files)
         return list(files)
 

@@ -11,8 +11,6 @@ from stiction.case.places import roughness_in
 from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
 
-__all__ = ["files_named", "packed", "refuse_other_files", "unpacked"]
-
 _LONGEST = 20_000  # characters of an address
 _LARGEST = 200_000  # bytes of the case in it
 _STATE = "a case, as this page writes it into its address"

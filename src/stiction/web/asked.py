@@ -2,17 +2,17 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 
 from stiction.case.read import Case, case_in
 from stiction.contact.contact import Contact
 from stiction.contact.interfaces import allowed_interfaces, interface_names
 from stiction.laws.proportion import questions
-from stiction.laws.validity import doubts_of
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.records.registry import KINDS, all_options, of_kind
@@ -23,14 +23,6 @@ from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
 from stiction.web.address import refuse_other_files
 from stiction.web.fields import dropped
-
-if TYPE_CHECKING:
-    import xarray
-
-__all__ = [
-    "Answer", "Comparison", "Question", "case_asked", "compared", "make_ready", "model_names", "option_values", "solved",
-    "states_of",
-]  # fmt: skip
 
 _MOST_NUMBERS = 20_000  # in a curve that is drawn anew while a knob moves
 _MOST_DRAWN = 4096  # of what is uncertain
@@ -46,50 +38,51 @@ class Question:
     files: frozenset[str] = frozenset()
 
     def with_tables(self, tables: Mapping[str, Any]) -> "Question":
-        return Question(tables, self.folder, self.files)
+        return replace(self, tables=tables)
+
+    def at_load(self, load: Any) -> "Question":
+        """Return the question at one load, as a case file has it."""
+        solve = {name: one for name, one in self.tables.get("solve", {}).items() if name not in ("load", "separation")}
+        return self.with_tables({**self.tables, "solve": {**solve, "load": [load]}})
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Answer:
     """The result of a case: data, as `predict` or, with a model named, `solve_case` gives it; or the error in its place.
     questions: about numbers that were hardly meant."""
 
     question: Question
     case: Case | None = None
-    data: "xarray.Dataset | None" = None
+    data: xarray.Dataset | None = None
     error: InputError | None = None
     questions: list[str] = field(default_factory=list)
 
     @property
-    def curve(self) -> "xarray.Dataset":
-        """The result along one dimension: of numbers that are several, at the first of each."""
+    def curve(self) -> xarray.Dataset:
+        """Return the result along one dimension, a prediction by its loads: of a parameter sweep, at the first of each."""
         assert self.data is not None
-        along = self.data["load"].dims[-1] if self.data["load"].dims else None
-        return self.data.isel({name: 0 for name in self.data["load"].dims if name != along})
+        *several, along = self.data["load"].dims or (None,)
+        curve = self.data.isel(dict.fromkeys(several, 0))
+        return curve if along is None or self.prediction is None else curve.sortby("load")
+
+    def at(self, here: int) -> xarray.Dataset:
+        """Return the results at a point of the curve."""
+        curve = self.curve
+        return curve.isel(dict.fromkeys(curve["load"].dims, here))
 
     @property
-    def prediction(self) -> "xarray.Dataset | None":
+    def prediction(self) -> xarray.Dataset | None:
         """Return the data where it is a prediction, None where it is the result of one model."""
         return self.data if self.case is not None and is_predicted(self.case) else None
 
-    @property
-    def left_out(self) -> str:
-        """What is not drawn of numbers that are several, "" if nothing."""
-        assert self.data is not None
-        more = self.data["load"].dims[:-1]
-        return f"numbers are several along {', '.join(map(str, more))}: the first of each is drawn" if more else ""
-
     def middle(self) -> int:
-        """Return the point of the curve that is told in words: the working load of a prediction, else the middle one of
+        """Return the point of the curve that is described in words: the working load of a prediction, else the middle one of
         those that press."""
-        if self.data is not None and "working_load" in self.data.attrs:
-            return int(np.argmin(np.abs(self.data["load"].values - self.data.attrs["working_load"])))
-        pressing = np.flatnonzero(np.atleast_1d(self.curve["load"].values) > 0.0)
+        load = np.atleast_1d(self.curve["load"].values)
+        if "working_load" in self.curve.attrs:
+            return int(np.argmin(np.abs(load - self.curve.attrs["working_load"])))
+        pressing = np.flatnonzero(load > 0.0)
         return int(pressing[(len(pressing) - 1) // 2]) if len(pressing) else 0
-
-    def doubts(self) -> list[tuple[str, str]]:
-        """Every doubt about the result: of which kind, and in words."""
-        return [] if self.data is None else [(one.kind, str(one)) for one in doubts_of(self.data)]
 
 
 def case_asked(question: Question) -> Case:
@@ -121,33 +114,23 @@ def solved(question: Question) -> Answer:
         return Answer(question, error=error)
 
 
-@dataclass(frozen=True)
-class Comparison:
-    """Every model on one case at one load with the prediction there, None where there is none; or the error in its place."""
-
-    data: "xarray.Dataset | None" = None
-    prediction: "xarray.Dataset | None" = None
-    error: InputError | None = None
-
-
-def compared(question: Question, load: float | None, progress: Any) -> Comparison:
-    """The models of a case at a load, SI or normalised as the case is; by default its middle one."""
-    try:
-        case = case_asked(question)
-        at = load if load is not None else working_load(case, None)
-        if at is None:
-            raise InputError("load", None, "a case that presses somewhere: models are judged at a load above 0")
-        return Comparison(compare_case(case, at, progress), prediction_of(case, at))
-    except InputError as error:
-        return Comparison(error=error)
+def compared(question: Question, load: float | None, progress: Any) -> tuple[Case, xarray.Dataset, xarray.Dataset | None]:
+    """Return the case, every model and the prediction, None where there is none, at a load, SI or normalised as the case is; by
+    default its middle one. Raises InputError."""
+    case = case_asked(question)
+    at = load if load is not None else working_load(case, None)
+    if at is None:
+        raise InputError("load", None, "a case that presses somewhere: models are judged at a load above 0")
+    return case, compare_case(case, at, progress), prediction_of(case, at)
 
 
-def model_names(case: Case | None) -> list[str]:
-    """Names of the models that may be asked of a case."""
-    from stiction.records.registry import RoughSurface
-
-    named = [one.name for one in candidates(case.subject)] if case is not None else []
-    return list(dict.fromkeys([*of_kind(RoughSurface), *named]))
+def keys_by_choice(case: Case | None) -> dict[str, list[str]]:
+    """Return what each choice of laws may be: models that may be asked of the case, and the laws of every kind."""
+    keys: dict[str, list[str]] = {choice: [] for choice in LAWS}
+    for kind in KINDS:
+        keys.get(kind.keyword, []).extend(of_kind(kind))
+    names = [] if case is None else [one.name for one in candidates(case.subject)]
+    return keys | {"model": list(dict.fromkeys([*keys["model"], *names]))}
 
 
 def states_of(question: Question) -> list[str]:
@@ -159,24 +142,7 @@ def states_of(question: Question) -> list[str]:
     return allowed_interfaces(*case.subject.touching) if isinstance(case.subject, Contact) else []
 
 
-def law_keys(keyword: str) -> list[str]:
-    """Keys of the laws of a kind, by its keyword among LAWS."""
-    return [key for kind in KINDS if kind.keyword == keyword for key in of_kind(kind)]
-
-
-def option_values(data: "xarray.Dataset | None") -> dict[str, tuple[str, ...]]:
+def option_values(data: xarray.Dataset | None) -> dict[str, tuple[str, ...]]:
     """The options that the model and the laws of a result have, each with what it may be."""
     named = [] if data is None else str(data.attrs.get("options", "")).split()
-    known = all_options()
-    return {name: known[name] for name in named if name in known}
-
-
-CHOSEN_BY_KEY = tuple(name for name in LAWS if name != "model")
-
-
-def make_ready(answer: Answer) -> None:
-    """Ask once what the form of every page asks: laws are imported when they are first asked for."""
-    model_names(answer.case)
-    option_values(answer.data)
-    for keyword in CHOSEN_BY_KEY:
-        law_keys(keyword)
+    return {name: values for name, values in all_options().items() if name in named}

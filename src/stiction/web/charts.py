@@ -1,38 +1,20 @@
 """Charts for the page: a result in, the options of an ECharts chart out. Nothing is computed."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.answer import at_working_load
-from stiction.report.families import families_of
 from stiction.report.files import unit_of
 from stiction.report.picture_style import scale
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
 from stiction.report.share_pictures import part_in_words, shares_of, stacks
 
-if TYPE_CHECKING:
-    import xarray
-
-__all__ = [
-    "COLOURS",
-    "axis_name",
-    "cells",
-    "chart",
-    "comparison_chart",
-    "curve_chart",
-    "ink_of",
-    "line",
-    "numbers",
-    "prediction_chart",
-    "share_chart",
-    "stacks",
-]
-
 COLOURS = (BLUE, ORANGE, GREEN, RED, SKY, "#CC79A7")  # Okabe and Ito's
+SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]  # viridis, dark to light for everybody
 _DASHES = ("solid", "dashed", "dotted", [8, 3, 2, 3], [2, 2], [12, 4])
-_INK = {False: "#333333", True: "#dddddd"}
+INK = {False: "#333333", True: "#dddddd"}  # of what is written, on a light and on a dark page
 _GRID = {False: "#dddddd", True: "#444444"}
 _HATCHES = ("none", "rect", "triangle", "circle", "diamond", "pin")
 # Beyond this ratio an axis is logarithmic.
@@ -44,28 +26,20 @@ _SHORT = (
 )
 
 
-def ink_of(dark: bool) -> str:
-    """The colour of what is written."""
-    return _INK[dark]
-
-
 def numbers(values: Any) -> list[float | None]:
     """Numbers as JSON has them: what is not finite is nothing."""
     return [float(one) if np.isfinite(one) else None for one in np.atleast_1d(np.asarray(values, dtype=float))]
 
 
-def axis_name(variable: "xarray.DataArray") -> str:
-    """Meaning, symbol and unit of a variable."""
-    name = str(variable.name)
-    symbol = variable.attrs.get("symbol") or (QUANTITIES[name].symbol if name in QUANTITIES else "")
-    unit = unit_of(variable)
-    meaning = str(variable.attrs.get("long_name", name)).partition(",")[0]
-    return f"{meaning} {symbol}".strip() + (f" [{unit}]" if unit else "")
+def axis_name(variable: xarray.DataArray) -> str:
+    """Meaning, symbol and unit of a result; the meaning is short enough for a telephone."""
+    row, unit = QUANTITIES[str(variable.name)], unit_of(variable)
+    return f"{(row.short or row.meaning).partition(',')[0]} {row.symbol}".strip() + (f" [{unit}]" if unit else "")
 
 
 def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[str, Any]], dark: bool) -> dict[str, Any]:
     """Options of a chart with named axes; its description for those who do not see it is ECharts' own, of the title."""
-    ink, grid = _INK[dark], _GRID[dark]
+    ink, grid = INK[dark], _GRID[dark]
     look = {
         "axisLine": {"onZero": False, "lineStyle": {"color": ink}},
         "axisLabel": {"color": ink, "hideOverlap": True, ":formatter": _SHORT},
@@ -97,26 +71,34 @@ def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def cells(name: str, points: list[list[float]], x: tuple[str, str], y: tuple[str, str]) -> dict[str, Any]:
-    """Coloured cells at the points (x, y, value). x, y: the two ends of a cell, as what a browser makes of the number `it`."""
-    ends = [f"(it => {one})(api.value({at}))" for at, pair in enumerate((x, y)) for one in pair]
+def mark(name: str, point: Any, symbol: str = "diamond", size: int = 12, colour: str = RED) -> dict[str, Any]:
+    """Return one point, above all else."""
+    return {"name": name, "type": "scatter", "data": [list(map(float, point))], "symbol": symbol, "symbolSize": size, "z": 6,
+            "itemStyle": {"color": colour, "borderColor": "white", "borderWidth": 1.5}}  # fmt: skip
+
+
+def add_cells(
+    options: dict[str, Any], name: str, points: list[list[float]], ends: list[tuple[str, str]], most: float, words: list[str]
+) -> None:
+    """Add coloured cells, with their scale from 0 to most, below all else at points (x, y, value). ends: of a cell along x and
+    along y, as what a browser makes of the number `it`; words: at both ends of the scale."""
+    corners = [f"(it => {one})(api.value({at}))" for at, pair in enumerate(ends) for one in pair]
     draw = (
-        f"(params, api) => {{ const [left, top] = api.coord([{ends[0]}, {ends[2]}]);"
-        f" const [right, bottom] = api.coord([{ends[1]}, {ends[3]}]);"
+        f"(params, api) => {{ const [left, top] = api.coord([{corners[0]}, {corners[2]}]);"
+        f" const [right, bottom] = api.coord([{corners[1]}, {corners[3]}]);"
         " return {type: 'rect', style: {fill: api.visual('color')},"
         " shape: {x: Math.min(left, right) - 0.5, y: Math.min(top, bottom) - 0.5,"
         " width: Math.abs(right - left) + 1, height: Math.abs(bottom - top) + 1}}; }"
     )
-    return {
-        "name": name,
-        "type": "custom",
-        ":renderItem": draw,
-        "progressive": 0,  # all at once: a picture in parts says something else
-        "data": points,
-        "clip": True,
-        "z": 1,
-        "encode": {"x": 0, "y": 1},
-    }
+    # Not progressive: a picture in parts says something else.
+    cells = {"name": name, "type": "custom", ":renderItem": draw, "progressive": 0, "data": points, "clip": True, "z": 1,
+             "encode": {"x": 0, "y": 1}}  # fmt: skip
+    options["legend"]["data"] = [one["name"] for one in options["series"]]
+    options["series"] = [cells, *options["series"]]
+    options["grid"]["right"] = 96
+    options["visualMap"] = {"min": 0.0, "max": most, "dimension": 2, "seriesIndex": 0, "right": 0, "top": "middle",
+                            "calculable": True, "align": "left", "precision": 3, "inRange": {"color": SHADES},
+                            "text": words, "textStyle": options["textStyle"]}  # fmt: skip
 
 
 def _log(values: Any) -> bool:
@@ -130,7 +112,7 @@ def _positive(values: Any) -> np.ndarray:
     return np.where(given > 0.0, given, np.nan)
 
 
-def _against(curve: "xarray.Dataset", against: str) -> tuple[np.ndarray, dict[str, Any]]:
+def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str, Any]]:
     """Values and axis of what the curve is drawn against."""
     values = np.asarray(curve[against].values, dtype=float)
     axis: dict[str, Any] = {"name": axis_name(curve[against]), "scale": True}
@@ -142,55 +124,45 @@ def _against(curve: "xarray.Dataset", against: str) -> tuple[np.ndarray, dict[st
     return values, axis | {"inverse": True}  # pressing harder goes to the right
 
 
-def curve_chart(curve: "xarray.Dataset", name: str, against: str, here: int, dark: bool) -> dict[str, Any]:
-    """A result against load or separation, with the point that is told in words marked; of friction also its band."""
+def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark: bool) -> dict[str, Any]:
+    """Return a result against load or separation with its bands; the point that is described in words is marked."""
     x, x_axis = _against(curve, against)
-    y = _positive(curve[name].values)
-    bands = [one for one in (f"{name}_low", f"{name}_high") if one in curve]
-    series = [line(axis_name(curve[name]), x, y, 0)]
-    series += [line(f"{one.rpartition('_')[2]}, over ways to find asperities", x, _positive(curve[one].values), 4)
-               for one in bands]  # fmt: skip
+    y, predicted = _positive(curve[name].values), "level" in curve.attrs
+    bands = {}
+    if f"{name}_low" in curve:
+        said = f"{curve.attrs['level']:.0%} interval" if predicted else "over ways to find asperities"
+        bands[said] = [_positive(curve[f"{name}_{end}"].values) for end in ("low", "high")]
     if f"{name}_quantile" in curve:
-        for share in curve["quantile"].values[[0, -1]]:
-            drawn = _positive(curve[f"{name}_quantile"].sel(quantile=share).values)
-            series.append(line(f"{share:g} of what is drawn is below", x, drawn, 4))
+        shares = curve["quantile"].values[[0, -1]]
+        ends = curve[f"{name}_quantile"].sel(quantile=shares).transpose("quantile", ...).values
+        bands["{:.0%} to {:.0%} of what is drawn".format(*shares)] = [_positive(end) for end in ends]
+    wide = _log([y, *(end for band in bands.values() for end in band)])
+    y_axis: dict[str, Any] = {"name": axis_name(curve[name])} | ({"type": "log"} if wide else {"min": 0})
+    series = [line("median" if predicted else y_axis["name"], x, y, 0)]
+    for said, (low, high) in bands.items():
+        series += _band(said, x, low, high)
     if here < x.size and np.isfinite(x[here]) and np.isfinite(y[here]):
-        mark = {"name": "the point in words", "type": "scatter", "data": [[float(x[here]), float(y[here])]], "symbolSize": 12}
-        series.append(mark | {"itemStyle": {"color": RED}, "symbol": "diamond"})
-    y_axis = {"name": axis_name(curve[name])} | ({"type": "log"} if _log(y) else {"min": 0})
-    return chart(f"{axis_name(curve[name])} against {x_axis['name']}", x_axis, y_axis, series, dark)
+        series.append(mark("working load" if predicted else "the point in words", (x[here], y[here])))
+    options = chart(f"{y_axis['name']} against {', with its '.join([x_axis['name'], *bands])}", x_axis, y_axis, series, dark)
+    options["legend"]["data"] = [series[0]["name"], *bands, series[-1]["name"]]
+    return options
 
 
-def prediction_chart(data: "xarray.Dataset", name: str, dark: bool) -> dict[str, Any]:
-    """Return the median of a result along the load, with its interval as a band; the working load is marked."""
-    ordered, here = data.sortby("load"), at_working_load(data)
-    x, x_axis = _against(ordered, "load")
-    low, middle, high = (_positive(ordered[f"{name}{end}"].values) for end in ("_low", "", "_high"))
-    interval = f"{data.attrs['level']:.0%} interval"
-    series = [line("median", x, middle, 0)]
-    for end, values in (("low", low), ("high", high)):
-        edge = line(f"{end} end", x, values, 0)
-        series.append(edge | {"lineStyle": {"color": BLUE, "width": 0.5}})
+def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[dict[str, Any]]:
+    """Return the two ends of a band, thin lines that its legend does not name, and what is between them."""
+    thin = {"lineStyle": {"color": BLUE, "width": 0.5}}
+    edges = [line(f"{end} end", x, values, 0) | thin for end, values in (("low", low), ("high", high))]
     outline = [*zip(x, low, strict=True), *zip(x[::-1], high[::-1], strict=True)]
     corners = [list(map(float, one)) for one in outline if np.isfinite(one).all()]
     draw = (
         "(params, api) => ({type: 'polygon', style: {fill: api.visual('color'), opacity: 0.25},"
         f" shape: {{points: {corners}.map(one => api.coord(one))}}}})"
     )
-    series.append({"name": interval, "type": "custom", ":renderItem": draw, "data": corners[:1], "clip": True, "z": 1,
-                   "silent": True, "itemStyle": {"color": BLUE}, "tooltip": {"show": False}})  # fmt: skip
-    mark = [[float(here["load"]), float(here[name])]]
-    series.append({"name": "working load", "type": "scatter", "data": mark, "symbolSize": 12, "symbol": "diamond",
-                   "itemStyle": {"color": RED}})  # fmt: skip
-    wide = {"type": "log"} if _log([low, high]) else {"min": 0}
-    unit = f" [{QUANTITIES[name].unit}]" if QUANTITIES[name].unit else ""
-    y_axis = {"name": f"{name.replace('_', ' ')} {QUANTITIES[name].symbol}{unit}"} | wide  # short enough for a telephone
-    options = chart(f"{y_axis['name']} against {x_axis['name']}, with its {interval}", x_axis, y_axis, series, dark)
-    options["legend"]["data"] = ["median", interval, "working load"]
-    return options
+    between = {"name": name, "type": "custom", ":renderItem": draw, "data": corners[:1], "clip": True, "z": 1, "silent": True}
+    return [*edges, between | {"itemStyle": {"color": BLUE}, "tooltip": {"show": False}}]
 
 
-def share_chart(curve: "xarray.Dataset", what: str, against: str, dark: bool) -> dict[str, Any]:
+def share_chart(curve: xarray.Dataset, what: str, against: str, dark: bool) -> dict[str, Any]:
     """Parts as stacked shares of the sum of their sizes."""
     total, parts = stacks(curve)[what]
     x, x_axis = _against(curve, against)
@@ -202,43 +174,3 @@ def share_chart(curve: "xarray.Dataset", what: str, against: str, dark: bool) ->
     tension = any(np.nanmin(curve[name].values, initial=0.0) < 0.0 for name in parts)
     named = f"share of {what}" + (", of their sizes: some pull" if tension else "")
     return chart(named, x_axis, {"name": f"share of {what.partition(',')[0]}", "min": 0, "max": 1}, series, dark)
-
-
-def comparison_chart(data: "xarray.Dataset", dark: bool) -> dict[str, Any]:
-    """Friction at the working load by each model, a row each, families apart; what is outside its range is hollow, faint."""
-    mu = data["friction_coefficient_at_load"].values
-    families = families_of(data)
-    shown = [at for at in np.argsort(mu) if np.isfinite(mu[at]) and mu[at] > 0.0]
-    shown.sort(key=lambda at: (families[at], mu[at]))
-    names = [str(data["model"].values[at]) for at in shown]
-    series = []
-    for at, family in enumerate(dict.fromkeys(families[one] for one in shown)):
-        for outside in (False, True):
-            rows = [row for row, one in enumerate(shown) if families[one] == family and _outside(data, one) == outside]
-            colour = COLOURS[at % len(COLOURS)]
-            look = (
-                {"color": "transparent", "borderColor": colour, "borderWidth": 2, "opacity": 0.8}
-                if outside
-                else {"color": colour}
-            )
-            series.append({"name": family + (", outside its range" if outside else ""), "type": "scatter", "symbolSize": 12,
-                           "symbol": ("circle", "rect", "triangle", "diamond")[at % 4], "itemStyle": look,
-                           "data": [[float(mu[shown[row]]), row] for row in rows]})  # fmt: skip
-    best = data.attrs.get("recommended")
-    if best in names:
-        row = names.index(best)
-        ring = {"color": "transparent", "borderColor": RED, "borderWidth": 3}
-        series.append({"name": "recommended", "type": "scatter", "symbol": "circle", "symbolSize": 22, "itemStyle": ring,
-                       "data": [[float(mu[shown[row]]), row]]})  # fmt: skip
-    series = [one for one in series if one["data"]]
-    options = chart("static friction coefficient by each model", {"type": "log", "name": "static friction coefficient mu"},
-                    {"type": "category", "data": names,
-                     "axisLabel": {"color": _INK[dark], "width": 300, "overflow": "truncate", "interval": 0}},
-                    series, dark)  # fmt: skip
-    options["grid"] |= {"left": 316}
-    options["tooltip"]["trigger"] = "item"
-    return options
-
-
-def _outside(data: "xarray.Dataset", at: int) -> bool:
-    return bool(str(data["outside_validity"].values[at]))

@@ -1,22 +1,18 @@
 """What the page gives away: the case file, tables and pictures, made by the same functions as those of the command line."""
 
 import tempfile
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from stiction.case.text import as_toml
-from stiction.report.files import write_netcdf, write_picture
+from stiction.report.view import View
 from stiction.web.asked import Answer
 from stiction.web.working import Progress
 
-if TYPE_CHECKING:
-    from stiction.report.view import View
-
-__all__ = ["KINDS", "content", "report_of"]
+# Names of the files.
+KINDS = ("case.toml", "curve.csv", "curve.nc", "curve.svg", "curve.png")
 
 
-def _view(answer: Answer) -> "View":
+def _view(answer: Answer) -> View:
     """Return what `stiction run` shows of the case."""
     assert answer.case is not None and answer.data is not None
     if answer.prediction is not None:
@@ -28,22 +24,14 @@ def _view(answer: Answer) -> "View":
     return run_view(answer.case, answer.data)
 
 
-def _picture(answer: Answer, path: Path) -> None:
-    write_picture(_view(answer).pictures["curve.png"].draw(), path)
-
-
-def _csv(answer: Answer, path: Path) -> None:
-    _view(answer).files["curve.csv"](path)
-
-
-def _netcdf(answer: Answer, path: Path) -> None:
-    data = _view(answer).data
-    assert data is not None
-    write_netcdf(data, path)
-
-
-def _toml(answer: Answer, path: Path) -> None:
-    path.write_text(as_toml(answer.question.tables), encoding="utf-8")
+def content(answer: Answer, name: str) -> bytes:
+    """One of KINDS, as bytes."""
+    if name == "case.toml":
+        return as_toml(answer.question.tables).encode()
+    with tempfile.TemporaryDirectory(prefix="stiction-") as folder:
+        path = Path(folder) / name
+        _view(answer).writers()[name.replace(".svg", ".png")](path)
+        return path.read_bytes()
 
 
 def report_of(answer: Answer, progress: Progress) -> bytes:
@@ -53,21 +41,3 @@ def report_of(answer: Answer, progress: Progress) -> bytes:
 
     assert answer.case is not None
     return case_as_html(answer.case, as_toml(answer.question.tables), progress=progress).encode()
-
-
-# Name of the file -> what writes it.
-KINDS: dict[str, Callable[[Answer, Path], None]] = {
-    "case.toml": _toml,
-    "curve.csv": _csv,
-    "curve.nc": _netcdf,
-    "curve.svg": _picture,
-    "curve.png": _picture,
-}
-
-
-def content(answer: Answer, name: str) -> bytes:
-    """One of KINDS, as bytes."""
-    with tempfile.TemporaryDirectory(prefix="stiction-") as folder:
-        path = Path(folder) / name
-        KINDS[name](answer, path)
-        return path.read_bytes()

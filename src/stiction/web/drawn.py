@@ -1,12 +1,11 @@
-"""A chart on the page, which is drawn anew when its options change."""
+"""Elements of the page that are drawn anew when what they show changes."""
 
+from collections.abc import Callable
 from typing import Any
 
 from nicegui import ui
 
 from stiction.web.fitting import NARROW, fitted
-
-__all__ = ["Picture", "attributes"]
 
 
 def attributes(element: Any, **given: Any) -> Any:
@@ -17,6 +16,23 @@ def attributes(element: Any, **given: Any) -> Any:
         element.props.update(changed)
         element.update()
     return element
+
+
+class Rows:
+    """A place whose content is made anew where it has changed. add: makes the elements of one row."""
+
+    def __init__(self, element: Any, add: Callable[[Any], object]):
+        self.element, self._add = element, add
+        self._shown: list[Any] = []
+
+    def show(self, rows: list[Any]) -> None:
+        """Show these rows."""
+        if rows != self._shown:
+            self._shown = rows
+            self.element.clear()
+            with self.element:
+                for row in rows:
+                    self._add(row)
 
 
 class Picture:
@@ -35,6 +51,5 @@ class Picture:
         if options is not None and options != dict(self.element.options):
             self.element.options.clear()
             self.element.options.update(options)
-            told = options.get("aria", {}).get("label", {}).get("description", "")
-            attributes(self.element, aria_label=told)
+            attributes(self.element, aria_label=options.get("aria", {}).get("label", {}).get("description", ""))
             self.element.update()

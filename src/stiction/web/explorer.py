@@ -2,28 +2,24 @@
 
 import tempfile
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 from weakref import WeakSet
 
-from stiction.web.address import files_named, packed
 from stiction.web.asked import Answer, Question, solved
 from stiction.web.fields import dropped, placed
 from stiction.web.titles import retitled
 from stiction.web.words import headline
 from stiction.web.working import Latest
 
-__all__ = ["Explorer", "View", "close_all"]
-
 
 @dataclass
 class View:
-    """How the answer is shown. against: "load" or "mean_separation"; stack: what is drawn as shares; here: the point told in
-    words, None for the middle one; dark, narrow: whether the page is dark, and as narrow as a telephone."""
+    """How the answer is shown. against: "load" or "mean_separation"; here: the point described in words, None for the middle
+    one; dark, narrow: whether the page is dark, and as narrow as a telephone."""
 
     against: str = "load"
-    stack: str = ""
     here: int | None = None
     dark: bool = False
     narrow: bool = False
@@ -48,13 +44,13 @@ class Explorer:
         self.view = View()
         self._models: tuple[Answer, list[float]] | None = None
         self.rebuild: Callable[[], None] = lambda: None  # makes the form anew, where the case gets other fields
-        self._listeners: list[Callable[[], None]] = []
+        self._listeners: list[Callable[[], object]] = []
         self.on_wait: Callable[[], None] = lambda: None  # marks what is shown as old, while an answer is awaited
         self._latest = Latest(solved, self._show)
         self._uploads: tempfile.TemporaryDirectory[str] | None = None
         _open.add(self)
 
-    def listen(self, listener: Callable[[], None]) -> None:
+    def listen(self, listener: Callable[[], object]) -> None:
         """Call this after every new answer."""
         self._listeners.append(listener)
 
@@ -89,10 +85,15 @@ class Explorer:
 
     @property
     def here(self) -> int:
-        """Return the point that is told in words; a prediction has it at its working load."""
+        """Return the point that is described in words; a prediction has it at its working load."""
         if self.view.here is None or self.good.prediction is not None:
             return self.good.middle()
         return min(self.view.here, self.good.curve["load"].size - 1)
+
+    @property
+    def load(self) -> float:
+        """Return the load of the point that is described in words, SI or normalised."""
+        return float(self.good.at(self.here)["load"])
 
     def differ(self, answer: Answer, ends: list[float]) -> None:
         """Models differ between these ends on this answer: its number has fewer digits from now on."""
@@ -105,16 +106,6 @@ class Explorer:
         known = self._models[1] if self._models is not None and self._models[0] is self.good else []
         return headline(self.good, self.here, known)
 
-    @property
-    def address(self) -> str:
-        """The address that opens this page again. What was uploaded is not in it."""
-        return f"/?s={packed(self.question.tables)}"
-
-    @property
-    def files(self) -> list[str]:
-        """Files that the case names, which an address does not carry."""
-        return files_named(self.question.tables)
-
     def upload(self, name: str, content: bytes) -> str:
         """Keep a file that was uploaded in a folder of this visitor, and say its name there: that of its ending only, so that
         it cannot be a path."""
@@ -123,7 +114,7 @@ class Explorer:
         ending = "".join(letter for letter in Path(name).suffix.lower() if letter.isalnum())[:12]
         path = Path(self._uploads.name) / (f"upload.{ending}" if ending else "upload")
         path.write_bytes(content)
-        self.question = Question(self.question.tables, self.question.folder, self.question.files | {str(path)})
+        self.question = replace(self.question, files=self.question.files | {str(path)})
         return str(path)
 
     def close(self) -> None:

@@ -10,18 +10,13 @@ from pydantic import BaseModel
 
 from stiction.case.text import inline
 from stiction.contact.contact import Contact, Indices
-from stiction.contact.materials import Material, material, material_names
+from stiction.contact.materials import Material
 from stiction.quantities.errors import InputError
 from stiction.quantities.quantity import Quantity
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 from stiction.surfaces.finished import Finished, is_finished
 from stiction.surfaces.finishes import SURFACE_KINDS, finish_names
-
-__all__ = [
-    "NOT_STATED", "Choices", "InterfacePart", "Knob", "MaterialPart", "Number", "Part", "as_written", "dropped", "got",
-    "numbers_of", "parts_of", "placed",
-]  # fmt: skip
 
 NOT_STATED = "not stated"
 _STRENGTH = ("interfacial_shear_strength", "pressure_coefficient")  # in place of a state of the interface
@@ -76,15 +71,10 @@ class Number:
     def written(self, text: str) -> Any:
         """What the table of a case has for this text: a number where there is no unit, the text where there is one; a list or
         a distribution as a case file has it."""
-        if text.startswith(("[", "{")):
-            try:
-                return tomllib.loads(f"given = {text}")["given"]
-            except tomllib.TOMLDecodeError:
-                return text  # the case will say what is wrong with it
-        if self.quantity.unit:
-            return text
         try:
-            return float(text)
+            if text.startswith(("[", "{")):
+                return tomllib.loads(f"given = {text}")["given"]
+            return text if self.quantity.unit else float(text)
         except ValueError:
             return text  # the case will say what is wrong with it
 
@@ -98,21 +88,16 @@ class Number:
 
     def knob(self, value: float) -> Knob:
         """A slider for it, on which this value has a place."""
-        lower, upper = self.quantity.lower, self.quantity.upper
-        if math.isfinite(lower) and upper <= 2.0:
-            step = 0.005
-            ends = (
-                lower if self.quantity.lower_included else lower + step,
-                upper if self.quantity.upper_included else upper - step,
-            )
-            return Knob(*ends, step, False)
-        example = self.si(self.quantity.example) or 1.0
-        places = [math.log10(one) for one in (example, value) if one > 0.0]
-        low, high = min(places) - _DECADES, max(places) + _DECADES
-        low = max(low, math.log10(lower)) if lower > 0.0 else low
-        if math.isfinite(upper):
-            high = min(high, math.log10(upper) - (0.0 if self.quantity.upper_included else 0.01))
-        return Knob(low, high, 0.01, True)
+        row = self.quantity
+        linear = math.isfinite(row.lower) and row.upper <= 2.0
+        step = 0.005 if linear else 0.01
+        below, above = (0.0 if included else step for included in (row.lower_included, row.upper_included))
+        if linear:
+            return Knob(row.lower + below, row.upper - above, step, False)
+        places = [math.log10(one) for one in (self.si(row.example) or 1.0, value) if one > 0.0]
+        low = math.log10(row.lower) if row.lower > 0.0 else -math.inf
+        high = math.log10(row.upper) - above
+        return Knob(max(min(places) - _DECADES, low), min(max(places) + _DECADES, high), step, True)
 
 
 @dataclass(frozen=True)
@@ -125,55 +110,22 @@ class Choices:
 
 
 @dataclass(frozen=True)
-class MaterialPart:
-    """A body: where it stands in the tables, and its numbers."""
-
-    path: Path
-    numbers: tuple[Number, ...]
-
-    def preset(self, tables: Mapping[str, Any]) -> str:
-        """The name of the material that it starts from, "" if it is all numbers of its own."""
-        given = got(tables, self.path)
-        return given if isinstance(given, str) else str((given or {}).get("preset", ""))
-
-    def names(self, tables: Mapping[str, Any]) -> list[str]:
-        """Materials that it may start from: presets, and those of the case."""
-        own = tables.get("materials")
-        return [*(own if isinstance(own, Mapping) else {}), *material_names()]
-
-    def of_preset(self, tables: Mapping[str, Any], number: Number) -> str:
-        """What the preset says of a number, as text; "" where it says nothing."""
-        try:
-            value = getattr(material(self.preset(tables)), number.quantity.name)
-        except InputError:
-            return ""
-        return "" if value is None else number.text(value)
-
-
-@dataclass(frozen=True)
-class InterfacePart:
-    """The interface of two bodies: the place of its state, and the numbers that stand in place of a state."""
-
-    path: Path
-    numbers: tuple[Number, ...]
-
-
-@dataclass(frozen=True)
 class Part:
-    """A table of the case with its fields; optional: it may be left out as a whole."""
+    """A table of the case with its fields, and what of it stands together: the numbers of a body, or of an interface in place
+    of its state. optional: it may be left out as a whole."""
 
     path: Path
     optional: bool
-    fields: tuple[Number | Choices | MaterialPart | InterfacePart, ...]
+    fields: tuple["Number | Choices | Part", ...]
 
 
 def numbers_of(part: Part) -> Iterator[Number]:
     """Yield the numbers of a part, with those of its bodies and its interface."""
     for one in part.fields:
-        if isinstance(one, Number):
+        if isinstance(one, Part):
+            yield from numbers_of(one)
+        elif isinstance(one, Number):
             yield one
-        elif isinstance(one, MaterialPart | InterfacePart):
-            yield from one.numbers
 
 
 def parts_of(tables: Mapping[str, Any]) -> list[Part]:
@@ -188,41 +140,29 @@ def parts_of(tables: Mapping[str, Any]) -> list[Part]:
 
 
 def _parts(record: type[BaseModel], path: Path, optional: bool) -> Iterator[Part]:
-    fields: list[Number | Choices | MaterialPart | InterfacePart] = []
+    fields: list[Number | Choices | Part] = []
     inner: list[Part] = []
     for name, field in record.model_fields.items():
         place = (*path, name)
-        below = _record_in(field.annotation)
-        if record is Contact and name in _STRENGTH:
-            continue
-        if name in QUANTITIES:
+        below = next((one for one in (field.annotation, *get_args(field.annotation)) if _is_record(one)), None)
+        if name in QUANTITIES and not (record is Contact and name in _STRENGTH):
             fields.append(Number(place, QUANTITIES[name], field.is_required()))
         elif get_origin(field.annotation) is Literal:
             fields.append(Choices(place, get_args(field.annotation), field.default))
         elif name in _WORDS:
             fields.append(Choices(place, *_WORDS[name]))
         elif name == "interface":
-            strengths = [(one, record.model_fields[one].is_required()) for one in _STRENGTH]
-            fields.append(InterfacePart(place, tuple(Number((*path, one), QUANTITIES[one], must) for one, must in strengths)))
+            fields.append(Part(place, True, tuple(Number((*path, one), QUANTITIES[one], False) for one in _STRENGTH)))
         elif below is Material:
-            fields.append(MaterialPart(place, _numbers(Material, place)))
+            fields += _parts(Material, place, False)
         elif below is not None and below is not record:
             inner += _parts(below, place, not field.is_required())
     yield Part(path, optional, tuple(fields))
     yield from inner
 
 
-def _numbers(record: type[BaseModel], path: Path) -> tuple[Number, ...]:
-    known = [(name, field) for name, field in record.model_fields.items() if name in QUANTITIES]
-    return tuple(Number((*path, name), QUANTITIES[name], field.is_required()) for name, field in known)
-
-
-def _record_in(annotation: Any) -> type[BaseModel] | None:
-    """The record that a field holds, if it holds one."""
-    for one in (annotation, *get_args(annotation)):
-        if isinstance(one, type) and issubclass(one, BaseModel):
-            return one
-    return None
+def _is_record(annotation: Any) -> bool:
+    return isinstance(annotation, type) and issubclass(annotation, BaseModel)
 
 
 def as_written(given: Any) -> str:

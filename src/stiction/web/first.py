@@ -4,8 +4,6 @@ import tomllib
 from importlib import resources
 from typing import Any
 
-__all__ = ["OPTIONAL_PARTS", "SURFACE_KNOWN_BY", "first_case"]
-
 # What the switch of a part that may be left out puts there.
 OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
     "coating": {"material": "silver", "thickness": "200 nm", "bodies": "first"},

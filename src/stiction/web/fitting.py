@@ -4,8 +4,6 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-__all__ = ["NARROW", "fitted"]
-
 NARROW = 420  # pixels of a chart, up to which it is narrow
 _LEAST = 340  # pixels: what a legend of a narrow chart may count on
 _LINE, _LETTER, _MARK = 24, 7.0, 44  # pixels of a line of a legend, of one of its letters, and of its mark with its margins
@@ -18,49 +16,41 @@ def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
     where it is not narrow. Others, of charts without axes in a plane, are as they were."""
     if "grid" not in options:
         return dict(options)
-    wide = _wide(options, room)
-    found = {**options, **wide, "legend": {**options["legend"], "type": "plain"}}
-    return {**found, "media": [{"query": {"maxWidth": NARROW}, "option": _narrow(options)}, {"option": _wide(options, room)}]}
+    wide = _at_width(options, room, False)
+    legend = {**options["legend"], "type": "plain"}
+    narrow = {"query": {"maxWidth": NARROW}, "option": _at_width(options, _LEAST, True)}
+    return {**options, **wide, "legend": legend, "media": [narrow, {"option": wide}]}
 
 
-def _wide(options: Mapping[str, Any], room: int) -> dict[str, Any]:
-    found: dict[str, Any] = {"grid": {**options["grid"], "top": _top(options, room)}}
-    letters = {"fontSize": 12, "lineHeight": 15, "width": _columns(options, room)[0], "overflow": "break"}
-    found["legend"] = {"textStyle": {**options["legend"]["textStyle"], **letters}}
-    for axis in ("xAxis", "yAxis"):
-        given = options[axis]
-        label = {"fontSize": 12, "inside": False, "verticalAlign": "middle" if axis == "yAxis" else "top", "padding": 0}
-        found[axis] = {**given, "splitNumber": 5, "z": 0, "axisLabel": {**given["axisLabel"], **label}}
-    if "visualMap" in options:
-        found["visualMap"] = {**options["visualMap"], "orient": "vertical", "left": "auto", "bottom": "auto"}
-    return found
-
-
-def _narrow(options: Mapping[str, Any]) -> dict[str, Any]:
-    x, y = options["xAxis"], options["yAxis"]
-    named = y["type"] == "category"  # a name in each row: above what is drawn there, as beside it there is no room
-    names = {"inside": True, "verticalAlign": "bottom", "padding": [0, 0, 9, 0], "width": _LEAST}
-    name = x["name"] if len(x["name"]) <= _MOST else x["name"].replace(" [", "\n[")
-    bottom = 62 if "\n" in name else 44
-    letters = {"fontSize": 11, "lineHeight": 15, "width": _columns(options, _LEAST)[0], "overflow": "break"}
+def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, Any]:
+    """Return what differs between a narrow chart and a wide one: each names all, so that a chart that is made wider or narrower
+    has nothing left of before."""
+    x, y, size = options["xAxis"], options["yAxis"], 11 if narrow else 12
+    width, lines = _columns(options, room)
+    beside = not (narrow and y["type"] == "category")  # else names stand above what is drawn in their row: there is room
+    label: dict[str, Any] = {"inside": False, "verticalAlign": "middle", "padding": 0}
+    if not beside:
+        label = {"inside": True, "verticalAlign": "bottom", "padding": [0, 0, 9, 0], "width": _LEAST}
+    letters = {"fontSize": size, "lineHeight": 15, "width": width, "overflow": "break"}
     found: dict[str, Any] = {
-        "grid": {"left": 10 if named else 50, "right": 12, "top": _top(options, _LEAST), "bottom": bottom},
+        "grid": {**options["grid"], "top": 12 + _LINE * lines if options["legend"].get("show", True) else 16},
         "legend": {"textStyle": {**options["legend"]["textStyle"], **letters}},
-        "xAxis": {**x, "name": name, "splitNumber": 3, "nameGap": 34 if "\n" in name else 26,
-                  "nameTextStyle": {**x["nameTextStyle"], "lineHeight": 14}, "axisLabel": {**x["axisLabel"], "fontSize": 11}},
-        "yAxis": {**y, "splitNumber": 4, "nameGap": 36, "z": 9 if named else 0,
-                  "axisLabel": {**y["axisLabel"], "fontSize": 11, **(names if named else {})}},
+        "xAxis": {**x, "splitNumber": 3 if narrow else 5, "axisLabel": {**x["axisLabel"], "fontSize": size}},
+        "yAxis": {**y, "splitNumber": 4 if narrow else 5, "z": 0 if beside else 9,
+                  "axisLabel": {**y["axisLabel"], **label, "fontSize": size}},
     }  # fmt: skip
+    if narrow:
+        long = len(x["name"]) > _MOST
+        found["grid"] = {"left": 50 if beside else 10, "right": 12, "top": found["grid"]["top"], "bottom": 62 if long else 44}
+        found["xAxis"] |= {"name": x["name"].replace(" [", "\n[") if long else x["name"], "nameGap": 34 if long else 26}
+        found["yAxis"]["nameGap"] = 36
     if "visualMap" in options:
-        found["grid"]["bottom"] += _SCALE
-        below = {"orient": "horizontal", "left": "center", "right": "auto", "top": "auto", "bottom": 0}
-        found["visualMap"] = {**options["visualMap"], **below}
+        place: dict[str, Any] = {"orient": "vertical", "left": "auto", "bottom": "auto"}
+        if narrow:
+            found["grid"]["bottom"] += _SCALE
+            place = {"orient": "horizontal", "left": "center", "right": "auto", "top": "auto", "bottom": 0}
+        found["visualMap"] = {**options["visualMap"], **place}
     return found
-
-
-def _top(options: Mapping[str, Any], room: int) -> int:
-    """Pixels above the axes: the legend takes as many lines as its names need in so much room."""
-    return 12 + _LINE * _columns(options, room)[1] if options["legend"].get("show", True) else 16
 
 
 def _columns(options: Mapping[str, Any], room: int) -> tuple[int, int]:

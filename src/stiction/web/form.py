@@ -5,30 +5,28 @@ from typing import Any
 
 from nicegui import ui
 
+from stiction.contact.materials import material, material_names
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import DEFAULT_MODEL
 from stiction.surfaces.finished import is_finished
-from stiction.web.asked import CHOSEN_BY_KEY, law_keys, model_names, option_values, states_of
+from stiction.web.asked import keys_by_choice, option_values, states_of
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import (
     NOT_STATED,
     ROUGHNESS,
     Choices,
-    InterfacePart,
-    MaterialPart,
     Number,
     Part,
     as_written,
     dropped,
     got,
+    numbers_of,
     parts_of,
     placed,
 )  # fmt: skip
 from stiction.web.first import OPTIONAL_PARTS, SURFACE_KNOWN_BY
 from stiction.web.points import points_fields
-
-__all__ = ["Form"]
 
 _OWN = "numbers of its own"
 _STRENGTH = "a stated strength"
@@ -49,8 +47,7 @@ class Form:
         self._switched_off: dict[tuple[str, ...], Any] = {}  # numbers of parts, which come back with them
         self._strength_chosen = False  # in place of a state of the interface, also before there is a number
         self._next: ui.label | None = None  # what to state of the interface
-        self.other = ui.label().classes("text-negative").props('role="alert"')  # an error of no field
-        self.other.set_visibility(False)
+        self._other = ui.label().classes("text-negative").props('role="alert"')  # an error of no field
         self._column = ui.column().classes("w-full gap-1")
         self.build()
         explorer.rebuild = self.build
@@ -74,58 +71,59 @@ class Form:
         if self._next is not None:
             data = self._explorer.good.data
             self._next.set_text(data.attrs.get("next_step", "").capitalize() if data is not None else "")
+        beside = False
         for path, one in self._inputs.items():
             wrong = error is not None and _is_of(error, path)
             one.error = str(error) if wrong else None
-        told = any(getattr(one, "error", None) for one in self._inputs.values())
-        self.other.set_text("" if error is None or told else str(error))
-        self.other.set_visibility(error is not None and not told)
+            beside |= wrong
+        self._other.set_text(str(error))
+        self._other.set_visibility(error is not None and not beside)
 
     def _model(self) -> None:
-        tables = self._explorer.question.tables
-        solve = tables.get("solve", {})
+        tables, good = self._explorer.question.tables, self._explorer.good
+        solve, keys = tables.get("solve", {}), keys_by_choice(good.case)
         with ui.expansion("Model and laws", value=True).classes("w-full").props("dense"):
-            good = self._explorer.good
             given = str(solve.get("model", _PREDICTION if good.prediction is not None else DEFAULT_MODEL))
-            self._menu("model", [_PREDICTION, *model_names(good.case)], given, ("solve", "model"), self._model_chosen)
+            self._menu("model", [_PREDICTION, *keys.pop("model")], given, ("solve", "model"), self._choose_model)
             if good.prediction is not None:
                 ui.label("recommended: the prediction by all that is known; a model by name answers alone").classes("text-xs")
             with ui.expansion("Other laws than its own").classes("w-full").props("dense"):
-                for keyword in CHOSEN_BY_KEY:
-                    keys = [
-                        *law_keys(keyword),
-                        *(["none"] if keyword in _MAY_BE_NONE else []),
-                    ]
-                    chosen = str(solve.get(keyword, _NONE))
-                    self._select(keyword, [_NONE, *keys], chosen, ("solve", keyword), _NONE)
-            for name, values in option_values(self._explorer.good.data).items():
+                for choice, laws in keys.items():
+                    known = [_NONE, *laws, *(["none"] if choice in _MAY_BE_NONE else [])]
+                    self._menu(choice, known, str(solve.get(choice, _NONE)), ("solve", choice))
+            for name, values in option_values(good.data).items():
                 here = ("solve", "options", name) if name in solve.get("options", {}) else ("solve", name)
-                self._select(name.replace("_", " "), list(values), str(got(tables, here) or values[0]), here, None)
+                self._menu(name.replace("_", " "), list(values), str(got(tables, here) or values[0]), here)
 
-    async def _model_chosen(self, name: str) -> None:
+    async def _choose_model(self, name: str) -> None:
         """Answer with a model; with the prediction, laws and options that are named go too."""
         tables = self._explorer.question.tables
         kept = {key: one for key, one in tables.get("solve", {}).items() if key in ("load", "separation")}
         await self._explorer.ask({**tables, "solve": kept} if name == _PREDICTION else placed(tables, ("solve", "model"), name))
 
-    def _select(self, label: str, values: list[str], value: str, path: tuple[str, ...], nothing: str | None) -> None:
-        async def chosen(value: str) -> None:
-            await self._explorer.put(path, None if value == nothing else value)
-
-        self._menu(label, values, value, path, chosen)
-
     def _menu(
-        self, label: str, values: list[str], value: str, path: tuple[str, ...], choose: Callable[[str], Awaitable[None]]
-    ) -> None:
-        """A menu; a value that is none of its own is added. choose: asks with what was chosen; then the form is made anew."""
+        self,
+        label: str,
+        values: list[str],
+        value: str,
+        path: tuple[str, ...],
+        choose: Callable[[str], Awaitable[None]] | None = None,
+        searched: bool = False,
+    ) -> ui.select:
+        """A menu; a value that is none of its own is added. choose: asks with what was chosen, by default puts it at its place;
+        then the form is made anew; searched: a name may be typed."""
 
         async def chosen(event: Any) -> None:
-            await choose(event.value)
+            if choose is None:
+                await self._explorer.put(path, None if event.value in (_NONE, NOT_STATED) else event.value)
+            else:
+                await choose(event.value)
             self.build()
 
-        known = values if value in values else [*values, value]
-        one = ui.select(known, value=value, label=label, on_change=chosen).classes("w-full")
-        self._inputs[path] = attributes(one.props("dense outlined options-dense"), aria_label=label)
+        known = list(dict.fromkeys([*values, value]))
+        menu = ui.select(known, value=value, label=label, on_change=chosen, with_input=searched).classes("w-full")
+        self._inputs[path] = attributes(menu.props("dense outlined options-dense"), aria_label=label)
+        return menu
 
     def _part(self, part: Part) -> None:
         tables = self._explorer.question.tables
@@ -134,27 +132,29 @@ class Form:
         with ui.expansion(title.capitalize(), value=len(part.path) < 3).classes("w-full").props("dense"):
             if part.optional:
                 there = f"there is a {title}"
-                switch = ui.switch(there, value=given is not None, on_change=lambda event: self._switched(part, event.value))
+                switch = ui.switch(there, value=given is not None, on_change=lambda event: self._switch(part, event.value))
                 attributes(switch, aria_label=there)
+                if given is None:
+                    return
             if isinstance(given, Mapping) and part.path == ROUGHNESS:
                 if given.keys() & {"first", "second"}:
                     words = "as of finishes: see the case file" if is_finished(given) else "measured: see the tab Surface"
                     ui.label(words).classes("text-sm")
                     return
                 self._known_by(given)
-            if given is None and part.optional:
-                return
             for one in part.fields:
                 if isinstance(one, Number):
                     self._number(one)
-                elif isinstance(one, MaterialPart):
-                    self._material(one)
-                elif isinstance(one, InterfacePart):
+                elif isinstance(one, Choices):
+                    label = _LABELS.get(one.path[-1], one.path[-1])
+                    self._menu(label, list(one.values), str(got(tables, one.path) or one.default), one.path)
+                elif one.path[-1] == "interface":
                     self._interface(one)
                 else:
-                    self._choices(one)
+                    self._material(one)
 
-    async def _switched(self, part: Part, there: bool) -> None:
+    async def _switch(self, part: Part, there: bool) -> None:
+        """Put a part into the case, with its numbers of before, or take it out."""
         if not there:
             self._switched_off[part.path] = got(self._explorer.question.tables, part.path)
         numbers = self._switched_off.get(part.path) or OPTIONAL_PARTS.get(part.path[-1])
@@ -172,16 +172,16 @@ class Form:
         known = list(SURFACE_KNOWN_BY)[is_finished(given)]
         self._menu("the surface is known by", list(SURFACE_KNOWN_BY), known, ROUGHNESS, chosen)
 
-    def _interface(self, part: InterfacePart) -> None:
+    def _interface(self, part: Part) -> None:
         """A menu of states, and in place of a state the numbers of a stated strength."""
-        tables = self._explorer.question.tables
-        stated = [one.path for one in part.numbers if got(tables, one.path) is not None]
+        tables, numbers = self._explorer.question.tables, list(numbers_of(part))
+        stated = any(got(tables, one.path) is not None for one in numbers)
         state = got(tables, part.path)
 
         async def chosen(value: str) -> None:
             self._strength_chosen = value == _STRENGTH
             rest = self._explorer.question.tables
-            for path in (part.path, *(one.path for one in part.numbers)):
+            for path in (part.path, *(one.path for one in numbers)):
                 rest = dropped(rest, path)
             await self._explorer.ask(rest if value in (NOT_STATED, _STRENGTH) else placed(rest, part.path, value))
 
@@ -192,28 +192,27 @@ class Form:
         if value == NOT_STATED:
             self._next = ui.label().classes("text-xs text-negative")
         if by_number or stated:
-            for number in part.numbers:
+            for number in numbers:
                 self._number(number)
 
-    def _choices(self, one: Choices) -> None:
-        value = got(self._explorer.question.tables, one.path) or one.default
-        self._select(_LABELS.get(one.path[-1], one.path[-1]), list(one.values), str(value), one.path, NOT_STATED)
-
-    def _material(self, part: MaterialPart) -> None:
+    def _material(self, part: Part) -> None:
+        """A menu of materials, and the numbers of the one that is chosen."""
         tables = self._explorer.question.tables
-        preset = part.preset(tables)
+        preset = str(got(tables, (*part.path, "preset")) or "")
+        own = tables.get("materials")
+        names = [_OWN, *(own if isinstance(own, Mapping) else {}), *material_names()]
         label = _ENDINGS.get(part.path[-1], part.path[-1])
 
-        async def chosen(event: Any) -> None:
-            await self._explorer.put(part.path, {} if event.value == _OWN else event.value)
-            self.build()
+        async def chosen(value: str) -> None:
+            await self._explorer.put(part.path, {} if value == _OWN else value)
 
-        names = [_OWN, *dict.fromkeys([*part.names(tables), *([preset] if preset else [])])]
-        one = ui.select(names, value=preset or _OWN, label=label, on_change=chosen, with_input=True).classes("w-full")
-        self._inputs[part.path] = attributes(one.props("dense outlined options-dense"), aria_label=f"material of the {label}")
+        menu = self._menu(label, names, preset or _OWN, part.path, chosen, searched=True)
+        attributes(menu, aria_label=f"material of the {label}")
+        known = material(preset) if preset in material_names() else None
         with ui.expansion(f"numbers of the {label}", value=not preset).classes("w-full").props("dense"):
-            for number in part.numbers:
-                self._number(number, part.of_preset(tables, number))
+            for number in numbers_of(part):
+                value = getattr(known, number.quantity.name, None)
+                self._number(number, "" if value is None else number.text(value))
 
     def _number(self, one: Number, otherwise: str = "") -> None:
         """A text and, where it holds one number, a slider. otherwise: what holds where the text is empty."""
@@ -223,25 +222,23 @@ class Form:
         text = ui.input(value=as_written(given), placeholder=otherwise)
         attributes(text.props("dense outlined debounce=300").classes("w-full"), hint=one.help, aria_label=one.label)
         self._inputs[one.path] = text
-        slider = None
-        if value is not None:
-            knob = one.knob(value)
-            slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value))
-            slider.props("dense").classes("w-full px-2")
-            attributes(slider, aria_label=f"{one.label}, slider", aria_valuetext=one.text(value))
 
         async def typed(_: Any) -> None:
             wanted = str(text.value or "").strip()
-            if wanted == as_written(got(self._explorer.question.tables, one.path)):
-                return  # it was the slider that wrote it
-            await self._explorer.put(one.path, one.written(wanted) if wanted else None)
+            if wanted != as_written(got(self._explorer.question.tables, one.path)):  # else it was the slider that wrote it
+                await self._explorer.put(one.path, one.written(wanted) if wanted else None)
 
         text.on_value_change(typed)
-        if slider is None:
+        if value is None:
             return
+        knob = one.knob(value)
+        slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value))
+        attributes(
+            slider.props("dense").classes("w-full px-2"), aria_label=f"{one.label}, slider", aria_valuetext=one.text(value)
+        )
 
         async def moved(event: Any) -> None:
-            at = one.text(one.knob(value).value(float(event.args)))  # type: ignore[arg-type]  # there is a value
+            at = one.text(knob.value(float(event.args)))
             attributes(slider, aria_valuetext=at)
             put = self._explorer.put(one.path, one.written(at))
             text.set_value(at)

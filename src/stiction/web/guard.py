@@ -4,8 +4,6 @@ from collections.abc import Awaitable, Callable, MutableMapping
 from typing import Any
 from urllib.parse import urlsplit
 
-__all__ = ["LARGEST_UPLOAD", "MOST_VISITORS", "Guard"]
-
 LARGEST_UPLOAD = 64 * 2**20  # bytes
 MOST_VISITORS = 200  # pages open at once
 _LONGEST_ADDRESS = 24_000

@@ -6,7 +6,7 @@ from typing import Any
 from nicegui import context, ui
 
 from stiction.quantities.errors import InputError
-from stiction.web.address import unpacked
+from stiction.web.address import packed, unpacked
 from stiction.web.asked import Question, solved
 from stiction.web.asperity_tab import AsperityTab
 from stiction.web.compare_tab import CompareTab
@@ -18,8 +18,6 @@ from stiction.web.share_tab import ShareTab
 from stiction.web.studies_tab import StudiesTab
 from stiction.web.surface_tab import SurfaceTab
 from stiction.web.working import run
-
-__all__ = ["make_page"]
 
 _STYLE = """
 .w-full { width: 100% } .w-28 { width: 7rem } .w-32 { width: 8rem } .w-48 { width: 12rem } .w-56 { width: 14rem }
@@ -56,8 +54,9 @@ _STYLE = """
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """
 _NARROW = 800  # pixels of a page that is one column, as in its style
-# Tabs that are built when they are first opened: name -> what builds one.
+# Name -> what builds the tab: the first with the page, others when they are first opened.
 TABS: dict[str, Callable[[Explorer], Any]] = {
+    "Contact": ContactTab,
     "Compare": CompareTab,
     "Where am I": PlaceTab,
     "One asperity": AsperityTab,
@@ -67,38 +66,39 @@ TABS: dict[str, Callable[[Explorer], Any]] = {
 }
 
 
-def make_page(question: Question, state: str) -> Callable[[], Any]:
-    """What builds the page of one visitor. question: the case that is served; state: what the address holds, "" for nothing."""
-
-    async def build() -> None:
-        wrong = None
-        asked = question
-        if state:
-            try:
-                asked = question.with_tables(unpacked(state))
-            except InputError as error:
-                wrong = error
-        answer = await run(solved, asked)
-        if answer.error is not None:
-            wrong, answer = answer.error, await run(solved, question)
-        if answer.error is not None:
-            ui.label(str(answer.error)).props('role="alert"')
-            return
-        _frame(Explorer(answer.question, answer), wrong)
-
-    return build
+async def make_page(question: Question, state: str) -> None:
+    """Build the page of one visitor. question: the case that is served; state: what the address holds, "" for nothing."""
+    wrong = None
+    asked = question
+    if state:
+        try:
+            asked = question.with_tables(unpacked(state))
+        except InputError as error:
+            wrong = error
+    answer = await run(solved, asked)
+    if answer.error is not None:
+        wrong, answer = answer.error, await run(solved, question)
+    if answer.error is not None:
+        ui.label(str(answer.error)).props('role="alert"')
+        return
+    _frame(Explorer(answer.question, answer), wrong)
 
 
 def _frame(explorer: Explorer, wrong: InputError | None) -> None:
     ui.add_css(_STYLE)
     ui.colors(primary="#1565C0")  # dark enough for white letters
     dark = ui.dark_mode(None)
+
+    def switch() -> None:
+        dark.set_value(not explorer.view.dark)
+        explorer.view.dark = not explorer.view.dark
+        explorer.redraw()
+
     with ui.header().classes("items-center gap-4 py-1 no-wrap").style("background: #0B3C5D"):
         ui.label("stiction").classes("text-lg font-bold").props('role="heading" aria-level="1"')
         number = ui.label().classes("font-bold one-line answer").style("flex: none; max-width: 50%")
         title = ui.label().classes("grow text-sm one-line")
-        look = ui.button(icon="contrast", on_click=lambda: _switch(explorer, dark))
-        look.props('flat dense color="white" aria-label="light or dark"')
+        ui.button(icon="contrast", on_click=switch).props('flat dense color="white" aria-label="light or dark"')
     if wrong is not None:
         ui.label(f"The address was not used: {wrong}").classes("text-negative").props('role="alert"')
     with ui.element("div").classes("frame"):
@@ -107,60 +107,49 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
         with ui.column().classes("w-full gap-2 results"):
             _tabs(explorer)
 
-    def waiting() -> None:
+    def mark() -> None:
         ui.query("body").classes(**{"add" if explorer.waits else "remove": "waiting"})
 
-    def told() -> None:
+    def show() -> None:
         title.set_text(str(explorer.good.question.tables.get("title", "")))
         number.set_text(explorer.headline[0])
 
     def moved() -> None:
-        told()
-        waiting()
-        ui.navigate.history.replace(explorer.address)
+        show()
+        mark()
+        ui.navigate.history.replace(f"/?s={packed(explorer.question.tables)}")
+
+    async def see() -> None:
+        """Ask the browser whether the page is dark and how wide it is: charts and pictures need to know."""
+        try:
+            found = await ui.run_javascript("[document.body.classList.contains('body--dark'), window.innerWidth]", timeout=5.0)
+        except TimeoutError:
+            return  # who does not answer sees light charts
+        explorer.view.dark, explorer.view.narrow = bool(found[0]), float(found[1]) <= _NARROW
+        explorer.redraw()
 
     explorer.listen(moved)
-    explorer.on_wait = waiting
-    told()
-    client = context.client
-    client.on_delete(explorer.close)
-    client.on_connect(lambda: _see(explorer))
-
-
-async def _see(explorer: Explorer) -> None:
-    """Ask the browser whether the page is dark and how wide it is: charts and pictures need to know."""
-    try:
-        found = await ui.run_javascript("[document.body.classList.contains('body--dark'), window.innerWidth]", timeout=5.0)
-        explorer.view.dark, explorer.view.narrow = bool(found[0]), float(found[1]) <= _NARROW
-    except TimeoutError:
-        return  # who does not answer sees light charts
-    explorer.redraw()
-
-
-def _switch(explorer: Explorer, dark: Any) -> None:
-    explorer.view.dark = not explorer.view.dark
-    dark.set_value(explorer.view.dark)
-    explorer.redraw()
+    explorer.on_wait = mark
+    show()
+    context.client.on_delete(explorer.close)
+    context.client.on_connect(see)
 
 
 def _tabs(explorer: Explorer) -> None:
     built: dict[str, Any] = {}
     with ui.tabs().props('align="left" outside-arrows mobile-arrows no-caps inline-label') as tabs:
-        for name in ("Contact", *TABS):
-            ui.tab(name)
-    panels: dict[str, Any] = {}
-    with ui.tab_panels(tabs, value="Contact", animated=False, keep_alive=True).classes("w-full"):
-        with ui.tab_panel("Contact").classes("p-0 gap-2"):
-            ContactTab(explorer)
         for name in TABS:
-            panels[name] = ui.tab_panel(name).classes("p-0 gap-2")
+            ui.tab(name)
+    with ui.tab_panels(tabs, value="Contact", animated=False, keep_alive=True).classes("w-full"):
+        panels = {name: ui.tab_panel(name).classes("p-0 gap-2") for name in TABS}
 
-    async def opened(event: Any) -> None:
-        name = event.value
-        if name in TABS and name not in built:
+    async def open_tab(name: str) -> None:
+        if name not in built:
             with panels[name]:
                 built[name] = TABS[name](explorer)
-        if hasattr(built.get(name), "opened"):
+        if hasattr(built[name], "opened"):
             await built[name].opened()
 
-    tabs.on_value_change(opened)
+    with panels["Contact"]:
+        built["Contact"] = ContactTab(explorer)
+    tabs.on_value_change(lambda event: open_tab(event.value))

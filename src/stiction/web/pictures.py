@@ -1,20 +1,75 @@
-"""Pictures and tables of the room `report` for the page: a matplotlib figure as an image, a table of the terminal as text."""
+"""What a view shows, on the page: its tables, sentences and pictures, and pictures of the room `report` alone."""
 
 import base64
 import io
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple
 
 from nicegui import ui
+from rich.table import Table
 
+from stiction.report.html_tables import of_printed
+from stiction.report.view import View
+from stiction.report.whole_keys import WholeKeys
 from stiction.web.drawn import attributes
-
-__all__ = ["image_of", "show_image", "text_of"]
-
 
 _NARROW = 5.6  # inches: on a page as narrow as a telephone letters of eight points can then be read
 _PANEL = 3.9  # inches, the height of a panel there
 _FEW = 3  # steps of an axis there
+# The first cell of a row as a button, which a keyboard reaches; the name is bound as text.
+_BUTTON = """<q-btn flat dense no-caps align="left" color="primary" style="text-align: left" :label="props.row[0]"
+  @click="() => $parent.$emit('opened', props.row[0])" />"""
+# A row on a narrow page: its cells below one another.
+_CARD = """<q-card flat bordered class="w-full q-pa-sm q-mb-sm">HEAD<div v-for="one in props.cols.slice(FIRST)" :key="one.name">
+  <b v-if="one.label">{{ one.label }}:</b> {{ one.value }}</div></q-card>"""
+
+
+class Shown(NamedTuple):
+    """What is shown of a view: tables and sentences, images, each with what it shows in words, and what is wrong with it."""
+
+    parts: list[Any]
+    pictures: list[tuple[str, str]]
+    warnings: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, view: View, narrow: bool) -> "Shown":
+        """Draw a view for a narrow page or a wide one."""
+        pictures = [(image_of(one.draw(), narrow), one.told) for one in view.pictures.values()]
+        return cls(list(view.parts()), pictures, view.warnings)
+
+    def show(self, narrow: bool) -> None:
+        """Add it to the page."""
+        for words in self.warnings:
+            ui.label(words).classes("text-lg text-negative").props('role="alert"')
+        show_parts(self.parts, narrow)
+        for source, told in self.pictures:
+            show_image(source, told)
+
+
+def show_parts(parts: Iterable[Any], narrow: bool, opened: Callable[[str], object] | None = None) -> None:
+    """Add tables and sentences, as a terminal has them, to the page; opened: told the first cell of a row that is chosen."""
+    for part in parts:
+        table = part.table if isinstance(part, WholeKeys) else part
+        if isinstance(table, Table):
+            show_table(table, narrow, opened if isinstance(part, WholeKeys) else None)
+        elif str(part):
+            ui.label(str(part)).classes("text-sm").style("white-space: pre-line")
+
+
+def show_table(printed: Table, narrow: bool, opened: Callable[[str], object] | None = None) -> None:
+    """Add a table of the terminal to the page; on a narrow one its cells stand below one another."""
+    table = of_printed(printed, "")
+    columns = [
+        {"name": str(at), "label": head, "field": str(at), "align": "right" if table.right(at) else "left"}
+        for at, head in enumerate(table.heads)
+    ]
+    rows = [{str(at): cell for at, cell in enumerate(row)} for row in table.rows]
+    shown = ui.table(columns=columns, rows=rows).classes("w-full").props("dense flat wrap-cells")
+    shown.props("grid" if narrow else "" if any(table.heads) else "hide-header")
+    shown.add_slot("item", _CARD.replace("HEAD", _BUTTON if opened else "").replace("FIRST", "1" if opened else "0"))
+    if opened:
+        shown.add_slot("body-cell-0", f'<q-td :props="props">{_BUTTON}</q-td>')
+        shown.on("opened", lambda event: opened(event.args))
 
 
 def image_of(figure: Any, narrow: bool = False) -> str:
@@ -43,17 +98,6 @@ def _make_narrow(figure: Any) -> None:
     for axis in (one for axes in figure.axes for one in (axes.xaxis, axes.yaxis)):
         if axis.get_scale() == "linear" and isinstance(axis.get_major_locator(), AutoLocator):
             axis.set_major_locator(MaxNLocator(_FEW))
-
-
-def text_of(parts: Iterable[Any], width: int = 118) -> str:
-    """What the terminal would show of tables and notes."""
-    from rich.console import Console
-
-    made = Console(file=io.StringIO(), width=width, color_system=None, force_terminal=False)
-    for one in parts:
-        made.print(one)
-    text: str = made.file.getvalue()  # type: ignore[attr-defined]
-    return text
 
 
 def show_image(source: str, told: str) -> None:

@@ -9,7 +9,7 @@ from nicegui import Client, app, ui
 from stiction.case.read import read_content
 from stiction.quantities.errors import InputError
 from stiction.web.address import files_named
-from stiction.web.asked import Question, make_ready, solved
+from stiction.web.asked import Question, keys_by_choice, option_values, solved
 from stiction.web.explorer import close_all
 from stiction.web.first import first_case
 from stiction.web.guard import Guard, names_for
@@ -17,8 +17,6 @@ from stiction.web.page import make_page
 
 _MOST_CONNECTIONS = 1000
 _PATIENCE = 600.0  # seconds for a page: other models have kernels of their own, compiled when they are first asked
-
-__all__ = ["check_port", "question_of", "serve", "set_up"]
 
 
 def question_of(case: Path | None) -> Question:
@@ -35,7 +33,9 @@ def question_of(case: Path | None) -> Question:
     answer = solved(question)
     if answer.error is not None:
         raise answer.error
-    make_ready(answer)
+    # What the form of every page asks: laws are imported when they are first asked for.
+    keys_by_choice(answer.case)
+    option_values(answer.data)
     return question
 
 
@@ -51,23 +51,20 @@ def check_port(host: str, port: int) -> None:
         raise InputError("--port", port, f"a port of {host} that is free, 1024 to 65535 ({why})") from None
 
 
-def set_up(question: Question, host: str) -> None:
-    """The page of a case, with its guard, in the application of this process."""
+def serve(question: Question, host: str, port: int) -> None:
+    """Serve the page of a case, behind its guard, until it is interrupted."""
     app.add_middleware(Guard, names=names_for(host), visitors=lambda: len(Client.instances))
 
     @ui.page("/", title="stiction", response_timeout=_PATIENCE)
     async def page(s: str = "") -> None:
-        await make_page(question, s)()
+        await make_page(question, s)
 
-
-def serve(question: Question, host: str, port: int) -> None:
-    """Serve the page until it is interrupted."""
-    set_up(question, host)
     app.on_shutdown(close_all)
-    looks: dict[str, Any] = {"title": "stiction", "dark": None, "language": "en-US", "show": False}
-    bounds: dict[str, Any] = {"limit_concurrency": _MOST_CONNECTIONS, "h11_max_incomplete_event_size": 2**16}
     # Nothing is packed for a browser on this machine, which takes longer than to hand it over; nor is the library asked that
     # makes styles in the browser, which is half of what a page takes there: page.py has the few that are used.
-    looks |= {"tailwind": False} | ({"gzip_middleware_factory": None} if names_for(host) else {})
-    server: dict[str, Any] = {"reload": False, "reconnect_timeout": 10.0, "uvicorn_logging_level": "warning"}
-    ui.run(host=host, port=port, show_welcome_message=False, **looks, **bounds, **server)
+    middleware: dict[str, Any] = {"gzip_middleware_factory": None} if names_for(host) else {}
+    ui.run(
+        host=host, port=port, title="stiction", dark=None, language="en-US", tailwind=False, show=False, reload=False,
+        show_welcome_message=False, reconnect_timeout=10.0, uvicorn_logging_level="warning",
+        limit_concurrency=_MOST_CONNECTIONS, h11_max_incomplete_event_size=2**16, **middleware,
+    )  # fmt: skip

@@ -6,13 +6,12 @@ from nicegui import ui
 
 from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
+from stiction.web.address import files_named
 from stiction.web.downloads import KINDS, content, report_of
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.studying import Study
 from stiction.web.working import run
-
-__all__ = ["ShareTab"]
 
 
 class ShareTab:
@@ -29,11 +28,11 @@ class ShareTab:
                 attributes(button, aria_label=f"download {name}")
         ui.label("The report: answer, inputs with their sources, pictures, all models, validity, on one page to print or send. "
                  "On the command line: stiction report case.toml").classes("text-sm")  # fmt: skip
-        self._study = Study(
+        Study(
             explorer,
             "Make the report",
             lambda progress: report_of(explorer.good, progress),
-            self._give,
+            lambda page: ui.download.content(page, "report.html"),
             "report.html is downloaded",
         )
         ui.label("The same numbers, to the last digit, on the command line: stiction run case.toml").classes("text-sm")
@@ -54,12 +53,8 @@ class ShareTab:
             attributes(button, loading=False)
         ui.download.content(data, name)
 
-    @staticmethod
-    def _give(page: bytes) -> None:
-        ui.download.content(page, "report.html")
-
     def show(self) -> None:
         """The newest case."""
         self._text.set_content(as_toml(self._explorer.good.question.tables))
-        files = ", ".join(self._explorer.files)
+        files = ", ".join(files_named(self._explorer.question.tables))
         self._files.set_text(f"Not in the address: {files}. Who opens it has to have these files." if files else "")

@@ -10,8 +10,6 @@ from stiction.quantities.errors import InputError
 from stiction.web.explorer import Explorer
 from stiction.web.working import STUDIES, Progress, run
 
-__all__ = ["Study"]
-
 _EVERY = 0.3  # seconds between looks at how far it is
 
 
@@ -34,7 +32,6 @@ class Study:
         self._progress: Progress | None = None
         self._asked: Any = None  # the answer of the case, and its point, of the last run
         self._shown: Any = None  # those of the result that is shown
-        self._began = 0.0
         with ui.row().classes("items-center gap-3 w-full"):
             self._start = ui.button(label, on_click=self.start).props("no-caps")
             self._stop = ui.button("Stop", on_click=self.stop).props("no-caps outline")
@@ -42,8 +39,7 @@ class Study:
         self._old = ui.label(f"Result of earlier numbers: press “{label}” for the present ones.")
         self._old.classes("text-negative font-bold").props('role="status"')
         self._timer = ui.timer(_EVERY, self._look, active=False)
-        self._stop.set_visibility(False)
-        self._mark()
+        self._running(False)
         if explorer is not None:
             explorer.listen(self._mark)
         context.client.on_delete(self.stop)  # who leaves keeps nobody waiting
@@ -51,17 +47,13 @@ class Study:
     @property
     def is_current(self) -> bool:
         """Whether the last run was of the present answer and point."""
-        return self._of_present(self._asked)
+        return bool(self._asked == self._present())
 
-    def _present(self) -> tuple[Any, int]:
-        return (None, 0) if self._explorer is None else (self._explorer.good, self._explorer.here)
-
-    def _of_present(self, asked: Any) -> bool:
-        answer, here = self._present()
-        return asked is not None and asked[0] is answer and asked[1] == here
+    def _present(self) -> Any:
+        return self._explorer and (self._explorer.good, self._explorer.here)
 
     def _mark(self) -> None:
-        self._old.set_visibility(self._shown is not None and not self._of_present(self._shown))
+        self._old.set_visibility(self._shown is not None and self._shown != self._present())
 
     def _watched(self, progress: Progress) -> Any:
         """The result; its numbers are noted first, so that it is never taken for one of later numbers."""
@@ -73,7 +65,6 @@ class Study:
         if self._progress is not None:
             return
         self._progress = progress = Progress()
-        self._began = time.monotonic()
         self._running(True)
         said = ""
         try:
@@ -87,7 +78,6 @@ class Study:
             self._progress = None
             self._running(False)
             self._said.set_text(said)
-            self._mark()
 
     def stop(self) -> None:
         """End it at its next step."""
@@ -95,9 +85,11 @@ class Study:
             self._progress.stop()
 
     def _running(self, running: bool) -> None:
+        self._began = time.monotonic()
         self._start.set_enabled(not running)
         self._stop.set_visibility(running)
         self._timer.active = running
+        self._mark()
 
     def _look(self) -> None:
         progress = self._progress

@@ -8,13 +8,11 @@ import numpy as np
 from stiction.quantities.units import show
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spectrum import BinnedSpectrum
-from stiction.web.charts import chart, ink_of, line
+from stiction.web.charts import INK, SHADES, chart, line
 from stiction.web.surface_work import Band
 
-__all__ = ["solid_chart", "spectrum_chart", "wavevectors"]
-
 _SHOWN = 96  # points along a side of the map in three dimensions
-_SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]
+
 _DECADES = 10  # of the spectrum; a filter leaves rounding below
 
 
@@ -38,7 +36,7 @@ def spectrum_chart(
     area = {
         "silent": True,
         "itemStyle": {"color": "rgba(128, 128, 128, 0.25)"},
-        "label": {"color": ink_of(dark), "position": "insideTop"},
+        "label": {"color": INK[dark], "position": "insideTop"},
         "data": [[{"xAxis": low, "name": said}, {"xAxis": high}] for low, high, said in left_out],
     }
     series = []
@@ -61,7 +59,7 @@ def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
     points = [[float(a), float(b), None if np.isnan(z) else float(z)] for b, row in zip(y, heights, strict=True)
               for a, z in zip(x, row, strict=True)]  # fmt: skip
     seen = [float(np.nanmin(heights)), float(np.nanmax(heights))]
-    ink = ink_of(dark)
+    ink = INK[dark]
     look = {"axisLine": {"lineStyle": {"color": ink}}, "axisLabel": {"color": ink}, "nameTextStyle": {"color": ink}}
     axes = {
         f"{name}Axis3D": {"type": "value", "name": said, "nameGap": 30, "splitNumber": 3, **look}
@@ -69,6 +67,6 @@ def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
     }
     return axes | {
         "grid3D": {"boxHeight": 30, "viewControl": {"distance": 230}},
-        "visualMap": {"min": seen[0], "max": seen[1], "dimension": 2, "inRange": {"color": _SHADES}, "show": False},
+        "visualMap": {"min": seen[0], "max": seen[1], "dimension": 2, "inRange": {"color": SHADES}, "show": False},
         "series": [{"type": "surface", "wireframe": {"show": False}, "data": points, "dataShape": list(heights.shape)}],
     }

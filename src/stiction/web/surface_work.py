@@ -9,6 +9,7 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
+from stiction.report.surface_pictures import asperity_figure, map_figure, resolution_figure
 from stiction.studies.scans.analysis import Analysis, analyse
 from stiction.studies.scans.resolution import resolution_study
 from stiction.surfaces.fill import fill_missing
@@ -24,11 +25,6 @@ from stiction.web.pictures import image_of
 from stiction.web.words import headline
 from stiction.web.working import Progress
 
-__all__ = [
-    "Band", "Pictures", "Scan", "example_scan", "fan_picture", "map_picture", "pictures_of", "read_bounded", "said_of_friction",
-    "spectrum_of",
-]  # fmt: skip
-
 _MOST_POINTS = 1_500_000  # of a scan on the page
 
 
@@ -40,10 +36,9 @@ class Band:
     shortest: float | None = None
     longest: float | None = None
 
-    def tables(self) -> dict[str, Any]:
-        """The same as a case has it."""
-        ends = {"shortest": self.shortest, "longest": self.longest}
-        return {"form": self.form} | {name: f"{value:.10g} m" for name, value in ends.items() if value is not None}
+    def of(self, surface: HeightMap) -> HeightMap:
+        """Return a surface in this band."""
+        return prepared(surface, self.form, None, None, self.shortest, self.longest)
 
 
 @dataclass(frozen=True)
@@ -56,16 +51,8 @@ class Scan:
 
     def roughness(self, band: Band) -> dict[str, Any]:
         """The table of a case that has it as the first body."""
-        return {"first": {"file": self.file, **self.told}, **band.tables()}
-
-
-@dataclass(frozen=True)
-class Pictures:
-    """What is drawn of a scan: its analysis, its map, the heights of its asperities."""
-
-    analysis: Analysis
-    map: str
-    heights: str
+        ends = {name: f"{value:.10g} m" for name, value in (("shortest", band.shortest), ("longest", band.longest)) if value}
+        return {"first": {"file": self.file, **self.told}, "form": band.form, **ends}
 
 
 def read_bounded(path: Path, told: Mapping[str, str]) -> HeightMap:
@@ -78,49 +65,34 @@ def read_bounded(path: Path, told: Mapping[str, str]) -> HeightMap:
     return surface
 
 
-def _in(surface: HeightMap, band: Band) -> HeightMap:
-    return prepared(surface, band.form, None, None, band.shortest, band.longest)
-
-
-def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum | InputError:
-    """The averaged spectrum of a scan in a band, its gaps filled; or why there is none."""
-    try:
-        inside = _in(surface, band)
-        return radial_average(power_spectrum(inside if inside.complete else fill_missing(inside)))
-    except InputError as error:
-        return error
+def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum:
+    """The averaged spectrum of a scan in a band, its gaps filled. Raises InputError."""
+    inside = band.of(surface)
+    return radial_average(power_spectrum(inside if inside.complete else fill_missing(inside)))
 
 
 def said_of_friction(question: Question, scan: Scan, band: Band, load: float) -> str:
     """Friction at a load, SI, with the scan in a band as the first body of the case: a sentence."""
     if "contact" not in question.tables:
         return "Friction with this surface: of dimensionless groups there is none; begin with a case in units."
-    kept = {name: one for name, one in question.tables.get("solve", {}).items() if name not in ("load", "separation")}
     tables = placed(question.tables, ("contact", "roughness"), scan.roughness(band))
-    answer = solved(question.with_tables({**tables, "solve": {**kept, "load": [f"{load!r} N"]}}))
+    answer = solved(question.with_tables(tables).at_load(f"{load!r} N"))
     if answer.error is not None:
         return str(answer.error).replace(scan.file, Path(scan.file).name)
     said, where = headline(answer, 0)
     return f"{said} with this surface as the first body, {where}"
 
 
-def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> Pictures | InputError:
-    """What is drawn of a scan in a band, with the asperities of a method on its map; or why nothing is. narrow: for a narrow
-    page."""
-    from stiction.report.surface_pictures import asperity_figure
-
-    try:
-        found = analyse(_in(surface, band))
-        heights = image_of(asperity_figure(found.asperities.values(), found.surface), narrow)
-        return Pictures(found, map_picture(found, method, narrow), heights)
-    except InputError as error:
-        return error
+def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> tuple[Analysis, str, str]:
+    """What is found in a scan in a band, the heights of its asperities, and its map with those of a method. Raises InputError.
+    narrow: for a narrow page."""
+    found = analyse(band.of(surface))
+    heights = image_of(asperity_figure(found.asperities.values(), found.surface), narrow)
+    return found, heights, map_picture(found, method, narrow)
 
 
 def map_picture(found: Analysis, method: str, narrow: bool) -> str:
     """The map, with the asperities of a method, "" for none."""
-    from stiction.report.surface_pictures import map_figure
-
     return image_of(map_figure(found.surface, found=found.asperities.get(method)), narrow)
 
 
@@ -131,9 +103,7 @@ def example_scan(path: Path) -> dict[str, str]:
     return {"size": "40 um", "unit": "nm"}
 
 
-def fan_picture(surface: HeightMap, contact: Contact | None, load: float | None, progress: Progress, narrow: bool) -> str:
+def resolution_picture(surface: HeightMap, contact: Contact | None, load: float, progress: Progress, narrow: bool) -> str:
     """Numbers of the asperities, and friction, against the shortest wave that is left: a picture. Raises InputError."""
-    from stiction.report.method_pictures import resolution_figure
-
     asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
     return image_of(resolution_figure(resolution_study(surface, progress=progress("Filtering"), **asked)), narrow)

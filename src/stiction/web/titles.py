@@ -5,8 +5,6 @@ from typing import Any
 
 from stiction.web.fields import got
 
-__all__ = ["retitled"]
-
 _SUBJECTS = ("contact", "indices")
 
 
@@ -22,15 +20,14 @@ def _described(tables: Mapping[str, Any]) -> str:
     """Name the bodies, and the film with its thickness, of a contact; or dimensionless groups."""
     if "contact" not in tables:
         return "Dimensionless groups"
-    bodies = " on ".join(_material(got(tables, ("contact", body))) for body in ("first", "second"))
-    film = got(tables, ("contact", "coating"))
-    if not isinstance(film, Mapping):
+    bodies = " on ".join(_material(tables, body) for body in ("first", "second"))
+    if not isinstance(got(tables, ("contact", "coating")), Mapping):
         return bodies.capitalize()
-    thickness = film.get("thickness")  # a text; a list or a distribution is too long for a title
-    parts = [f"{_material(film.get('material')).capitalize()} film", thickness if isinstance(thickness, str) else "", bodies]
-    return ", ".join(filter(None, parts))
+    thickness = got(tables, ("contact", "coating", "thickness"))  # a text; a list or a distribution is too long for a title
+    film = f"{_material(tables, 'coating', 'material').capitalize()} film"
+    return ", ".join([film, *([thickness] if isinstance(thickness, str) else []), bodies])
 
 
-def _material(given: Any) -> str:
-    name = given if isinstance(given, str) else got(given, ("preset",))
-    return str(name or "material of its own").replace("_", " ")
+def _material(tables: Mapping[str, Any], *place: str) -> str:
+    name = got(tables, ("contact", *place, "preset")) or "material of its own"
+    return str(name).replace("_", " ")

@@ -8,8 +8,6 @@ from nicegui.events import UploadEventArguments
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
 
-__all__ = ["upload_button"]
-
 
 def upload_button(
     explorer: Explorer,

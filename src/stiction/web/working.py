@@ -9,7 +9,7 @@ from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import partial
 from typing import Any, Generic, TypeVar
 
-__all__ = ["QUICK", "STUDIES", "Latest", "Progress", "run"]
+from stiction.quantities.errors import InputError
 
 _T = TypeVar("_T")
 LONGEST = 60.0  # seconds of a study
@@ -26,11 +26,11 @@ async def run(work: Callable[..., _T], *arguments: Any, pool: Executor = QUICK) 
 class Latest(Generic[_T]):
     """Asks for some work, one at a time: of questions that come while it is under way only the newest is asked.
 
-    work: what is done, in a thread; show: what is done with the result, in the loop.
+    work: what is done, in a thread; show: what is done with the result, in the loop; refuse: with why there is none.
     """
 
-    def __init__(self, work: Callable[..., _T], show: Callable[[_T], object]):
-        self._work, self._show = work, show
+    def __init__(self, work: Callable[..., _T], show: Callable[[_T], object], refuse: Callable[[str], object] = print):
+        self._work, self._show, self._refuse = work, show, refuse
         self._waiting: tuple[Any, ...] | None = None
         self._running = False
 
@@ -43,7 +43,10 @@ class Latest(Generic[_T]):
         try:
             while self._waiting is not None:
                 question, self._waiting = self._waiting, None
-                self._show(await run(self._work, *question))
+                try:
+                    self._show(await run(self._work, *question))
+                except InputError as error:
+                    self._refuse(str(error))
         finally:
             self._running = False
 
