@@ -10,13 +10,8 @@ from matplotlib.colors import to_hex
 
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
-from stiction.report.surface_pictures import (
-    asperity_figure,
-    map_figure,
-    method_spread_figure,
-    resolution_figure,
-    spectrum_figure,
-)
+from stiction.report.method_pictures import method_spread_figure, resolution_figure
+from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
 from stiction.solving.method_spread import with_method_spread
 from stiction.solving.solve import solve
 from stiction.surfaces.asperity_set import Asperities

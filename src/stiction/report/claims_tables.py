@@ -9,8 +9,6 @@ from rich.text import Text
 
 from stiction.report.tables import facts
 
-__all__ = ["claims_meaning", "claims_table"]
-
 
 def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
     """The claims map in words: for each claim and reading the share of the plane where it holds, and where. here: the indices

@@ -8,8 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.number_table import number_table
-from stiction.report.tables import shown
+from stiction.report.number_table import number_table, shown, some
 
 if TYPE_CHECKING:
     import xarray
@@ -29,7 +28,7 @@ def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
 def design_table(data: "xarray.Dataset", along: str) -> Table:
     """A row for each design, at most about twelve."""
     columns = columns_of(data, along)
-    numbers = np.unique(np.linspace(0, data.sizes[along] - 1, min(data.sizes[along], _ROWS)).round().astype(int))
+    numbers = some(data.sizes[along], _ROWS)
     if along == "design":
         numbers = np.arange(min(data.sizes[along], _ROWS))
     shown_columns = [name for name in columns if name not in ("broken", "violated")]

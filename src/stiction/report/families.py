@@ -9,8 +9,6 @@ from stiction.records.registry import YIELDED
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["families_of", "said_of_plastic_junctions", "with_plastic_junctions"]
-
 
 def families_of(data: "xarray.Dataset") -> list[str]:
     """The family of each model, in words, with what its plastic junctions resist; "" of those that say nothing of friction."""

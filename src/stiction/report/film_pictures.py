@@ -8,13 +8,11 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from stiction.quantities.units import show
+from stiction.report.number_table import prefix, shown
 from stiction.report.pictures import BLUE, GREY, ORANGE, RED, doubts_below, finish, heading
-from stiction.report.tables import shown
 
 if TYPE_CHECKING:
     import xarray
-
-__all__ = ["film_figure"]
 
 _LEVELS = 12
 _LINE = 0.17  # inches, of a line below the panels
@@ -78,10 +76,7 @@ def _section_panel(figure: Figure, axes: Axes, section: "xarray.Dataset") -> Non
 def _interface_panel(axes: Axes, section: "xarray.Dataset") -> None:
     x, normal, shear = (section[name].values for name in ("x", "interface_normal_stress", "interface_shear_stress"))
     in_si = section["interface_normal_stress"].attrs["units"] == "Pa"
-    most = max(float(np.abs(normal).max()), float(np.abs(shear).max()), 1e-300)
-    size = 10.0 ** np.floor(np.log10(most))
-    number, _, unit = show(size, "hardness").partition(" ") if in_si else ("1", "", "of the mean pressure")
-    factor = float(number) / size if in_si else 1.0
+    factor, unit = prefix("hardness", float(np.abs([normal, shear]).max())) if in_si else (1.0, "of the mean pressure")
     axes.plot(x, factor * normal, color=BLUE, label="across it, tension above 0")
     axes.plot(x, factor * shear, color=ORANGE, linestyle="--", label="shear on it, along x")
     axes.axhline(0.0, color=GREY, linewidth=0.8)

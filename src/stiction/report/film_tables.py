@@ -1,17 +1,14 @@
 """What the command line prints of the stresses in a film."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.table import Table
 
-from stiction.report.number_table import number_table
-from stiction.report.tables import shown
+from stiction.report.number_table import number_table, short, shown, some
 
 if TYPE_CHECKING:
     import xarray
-
-__all__ = ["MEANINGS", "film_table"]
 
 _ROWS = 12
 # What the columns are.
@@ -30,7 +27,7 @@ _HEADS = {
 def film_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     """About twelve points of a result of `film_stresses`, or all; every number with its unit where it has one."""
     count = max(data["load"].size, 1)
-    chosen = np.unique(np.linspace(0, count - 1, count if all_rows else min(count, _ROWS)).round().astype(int))
+    chosen = some(count, count if all_rows else _ROWS)
     names = [name for name in _HEADS if name in data]
     table = number_table(_HEADS[name] for name in names)
     columns = [np.broadcast_to(np.ravel(data[name].values), count)[chosen] for name in names]
@@ -39,9 +36,7 @@ def film_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     return table
 
 
-def _cell(value, variable: "xarray.DataArray") -> str:
+def _cell(value: Any, variable: "xarray.DataArray") -> str:
     if variable.dtype.kind in "OU":
         return str(value) or "-"
-    if variable.attrs.get("units", "1") != "1":
-        return shown(float(value), str(variable.name))
-    return f"{float(f'{value:.4g}'):g}" if np.isfinite(value) else "-"
+    return short(value) if variable.attrs.get("units", "1") == "1" else shown(float(value), str(variable.name))

@@ -2,8 +2,6 @@
 
 import math
 
-__all__ = ["rounded"]
-
 _MOST = 3  # digits, of a friction coefficient that is computed: what is read off an instrument has no more
 
 

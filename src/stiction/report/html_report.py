@@ -28,8 +28,6 @@ from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
 from stiction.solving.overview import entries
 from stiction.studies.findings import Findings, find_out, text_of_file
 
-__all__ = ["as_html", "case_as_html", "check_place", "report_record", "write_html", "write_report"]
-
 _SUFFIXES = (".html", ".htm")
 
 

@@ -8,8 +8,6 @@ from rich.text import Text
 
 from stiction.report.html_words import letters
 
-__all__ = ["FORMULAS", "Table", "of_printed"]
-
 
 @dataclass(frozen=True)
 class Table:

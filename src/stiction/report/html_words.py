@@ -4,8 +4,6 @@ import re
 
 from markupsafe import Markup, escape
 
-__all__ = ["breakable", "formula", "letters"]
-
 _GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "epsilon": "ε", "eta": "η", "theta": "θ", "lambda": "λ", "lam": "λ",
           "mu": "μ", "nu": "ν", "omega": "ω", "pi": "π", "psi": "ψ", "sigma": "σ", "tau": "τ", "Delta": "Δ"}  # fmt: skip
 _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=True))})(?![A-Za-z])")

@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["inline"]
-
 _MOST = 300_000  # characters of a drawing, above which it is an image
 _DOTS_PER_INCH = 160
 # What a page has no use for; the style would hold for the whole of it.

@@ -11,14 +11,13 @@ from matplotlib.ticker import FixedLocator, NullLocator
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.picture_style import look_of, plain, scale, unit_for
+from stiction.report.number_table import prefix
+from stiction.report.picture_style import look_of, plain, unit_for
 from stiction.report.pictures import GREY, RED, SKY, WIDE, doubts_below, draw_band, finish, heading, label, say
 from stiction.solving.method_spread import METHOD
 
 if TYPE_CHECKING:
     import xarray
-
-__all__ = ["method_spread_figure", "resolution_figure"]
 
 # The panels of a resolution study: variable, quantity that names it, name for the axis.
 _RESOLUTION_PANELS = (
@@ -82,7 +81,7 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
     table = resolution_study[variable].transpose(METHOD, "cutoff").values
     drawn = np.where(table > 0.0, table, np.nan)  # of not a number this is false too
     factor, unit = unit_for(quantity, float(np.max(drawn, initial=0.0, where=drawn > 0.0)))
-    across, length = scale(float(resolution_study["cutoff"].max()))
+    across, length = prefix("scan_size", float(resolution_study["cutoff"].max()))
     cutoffs = resolution_study["cutoff"].values * across
     places = _places(cutoffs)
     order = np.argsort(places)

@@ -6,8 +6,6 @@ from typing import Any
 from stiction.records.registry import GRADES
 from stiction.solving.choice import LAWS
 
-__all__ = ["grade_line", "model_line"]
-
 
 def model_line(used: Mapping[str, Any]) -> str:
     """Return the model of a result, by its attributes, with all laws and options that answered and its heights.

@@ -14,8 +14,6 @@ from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, finish
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["models_figure", "rows_of_models"]
-
 _LOOKS = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"), (SKY, "D"))
 _MU = "friction_coefficient_at_load"
 _WIDE = 1e4  # friction more than this factor below the largest stands at the edge: the axis would be of it alone

@@ -13,8 +13,6 @@ from stiction.solving.unused import unused_of
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Summary", "summary"]
-
 _SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient", "touching_asperities")
 
 

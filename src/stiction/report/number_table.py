@@ -1,11 +1,13 @@
-"""Tables of numbers on a terminal: no lines, names at the left, numbers at the right."""
+"""Tables of numbers on a terminal: no lines, names at the left, numbers at the right; how a number stands in them."""
 
+import math
 from collections.abc import Iterable
 
+import numpy as np
 from rich.table import Table
 from rich.text import Text
 
-__all__ = ["number_table"]
+from stiction.quantities.units import show
 
 
 def number_table(heads: Iterable[str], name: str | None = None, *, wrap: bool = False, gap: int = 2) -> Table:
@@ -16,3 +18,25 @@ def number_table(heads: Iterable[str], name: str | None = None, *, wrap: bool = 
     for head in heads:
         table.add_column(Text(head), justify="right", no_wrap=not wrap)
     return table
+
+
+def some(count: int, most: int) -> np.ndarray:
+    """Return places of at most so many of `count`, evenly, both ends among them."""
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
+
+
+def short(value: float, digits: int = 4) -> str:
+    """Return a number with a few digits; "-" if it is none."""
+    return f"{float(f'{value:.{digits}g}'):g}" if np.isfinite(value) else "-"
+
+
+def shown(value: float, name: str, digits: int = 4) -> str:
+    """Return a value of the named quantity, given in SI, with a fitting prefix, to a few digits; "-" if it is no number."""
+    return show(value, name, digits).replace("m^2", "m²") if np.isfinite(value) else "-"
+
+
+def prefix(quantity: str, largest: float) -> tuple[float, str]:
+    """Return what values up to this one, in SI, are multiplied by, and the unit with a fitting prefix that they then have."""
+    size = 10.0 ** math.floor(math.log10(largest)) if largest > 0.0 else 1.0
+    text, _, unit = show(size, quantity).partition(" ")
+    return float(text) / size, unit.replace("m^2", "m²")

@@ -1,18 +1,15 @@
 """Words, units and looks that pictures have in common."""
 
-import math
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import FuncFormatter, LogFormatter
+from matplotlib.ticker import FuncFormatter
 
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
-from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, finish
+from stiction.report.number_table import prefix
+from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, InUnit, finish
 from stiction.surfaces.finding import methods
-
-__all__ = ["along", "look_of", "plain", "scale", "unit_for"]
 
 COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
 _MARKERS = ("o", "s", "^", "D", "v", "P")
@@ -25,28 +22,13 @@ def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool =
     seen = np.abs(values[np.isfinite(values)])
     if log and seen.size and values.min() > 0.0 and seen.max() > 9.0 * seen.min():
         getattr(axes, f"set_{which}scale")("log")
-    size = 10.0 ** math.floor(math.log10(seen.max())) if seen.size and seen.max() > 0.0 else 1.0
-    text, _, unit = show(size, quantity).partition(" ")
-    factor = float(text) / size if row.unit else 1.0
+    factor, unit = prefix(quantity, float(seen.max(initial=0.0)))
     finish(axes)
-    if factor != 1.0:
+    if row.unit and factor != 1.0:
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:.6g}"))
         if axis.get_scale() == "log":
-            axis.set_minor_formatter(_InUnit(factor))
-    axis.set_label_text(
-        f"{before}{row.short or row.meaning} ${row.latex}$" + (f" [{unit.replace('m^2', 'm²')}]" if unit else "")
-    )
-
-
-class _InUnit(LogFormatter):
-    """Labels of small ticks in a unit with a prefix, where matplotlib would label them."""
-
-    def __init__(self, factor: float):
-        super().__init__(minor_thresholds=(1.2, 0.5))
-        self.factor = factor
-
-    def __call__(self, x: float, pos: int | None = None) -> str:
-        return f"{x * self.factor:.6g}" if super().__call__(x, pos) else ""
+            axis.set_minor_formatter(InUnit(factor))
+    axis.set_label_text(f"{before}{row.short or row.meaning} ${row.latex}$" + (f" [{unit}]" if unit else ""))
 
 
 def look_of(method: str, at: int) -> dict[str, Any]:
@@ -66,13 +48,4 @@ def unit_for(quantity: str, largest: float) -> tuple[float, str]:
     """What values up to this one, in SI, are to be multiplied by, and the unit they then have."""
     if quantity == "asperity_density":
         return next(((per, unit) for per, unit in ((1e-12, "1/µm²"), (1e-6, "1/mm²")) if largest * per >= 0.1), (1.0, "1/m²"))
-    return scale(largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")
-
-
-def scale(length: float) -> tuple[float, str]:
-    """What a length in metres is to be multiplied by, and the unit it then has, so that this one is 1 to 1000."""
-    if not length > 0.0:
-        return 1.0, "m"
-    size = 10.0 ** math.floor(math.log10(length))
-    text, _, unit = show(size, "mean_separation").partition(" ")
-    return float(text) / size, unit
+    return prefix(quantity, largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")

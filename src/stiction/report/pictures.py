@@ -14,8 +14,8 @@ from matplotlib.ticker import FuncFormatter, LogFormatter, NullLocator
 
 from stiction.laws.validity import doubts_of
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.report.files import unit_of
+from stiction.report.number_table import prefix
 
 if TYPE_CHECKING:
     import xarray
@@ -257,23 +257,26 @@ def finish(axes: Axes) -> None:
             axis.set_minor_locator(NullLocator())
         elif axis.get_scale() == "log":
             axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-            axis.set_minor_formatter(_PlainMinor(minor_thresholds=(1.2, 0.5)))
+            axis.set_minor_formatter(InUnit(1.0))
 
 
-class _PlainMinor(LogFormatter):
-    """Labels of small ticks as 0.6 rather than 6e-01; none where matplotlib finds that there are enough."""
+class InUnit(LogFormatter):
+    """Labels of small ticks in a unit with a prefix, as 0.6 rather than 6e-01; none where matplotlib finds enough."""
+
+    def __init__(self, factor: float):
+        super().__init__(minor_thresholds=(1.2, 0.5))
+        self.factor = factor
 
     def __call__(self, x: float, pos: int | None = None) -> str:
-        return f"{x:g}" if super().__call__(x, pos) else ""
+        return f"{x * self.factor:.6g}" if super().__call__(x, pos) else ""
 
 
 def _prefixed(axes: Axes, variable: "xarray.DataArray") -> None:
     """Ticks of the x axis in a unit with a fitting prefix; the data stay in SI."""
-    size = float(np.max(np.abs(variable.values), initial=0.0))
-    if variable.attrs.get("units", "1") == "1" or size == 0.0:
+    largest = float(np.max(np.abs(variable.values), initial=0.0))
+    if variable.attrs.get("units", "1") == "1" or largest == 0.0:
         return
-    text, _, unit = show(10.0 ** np.floor(np.log10(size)), str(variable.name)).partition(" ")
-    factor = float(text) / 10.0 ** np.floor(np.log10(size))
+    factor, unit = prefix(str(variable.name), largest)
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:g}"))
     axes.set_xlabel(label(variable).replace(f"[{variable.attrs['units']}]", f"[{unit}]"))
 

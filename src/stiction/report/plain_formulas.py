@@ -4,8 +4,6 @@ import re
 import unicodedata
 from dataclasses import dataclass, field
 
-__all__ = ["as_code", "as_text", "formula"]
-
 _GREEK = re.compile(
     "(alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau|upsilon|phi|chi|psi|omega)",
     re.IGNORECASE,

@@ -12,8 +12,6 @@ from stiction.report.pictures import BLUE, RED, WIDE
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["prediction_figure"]
-
 _MU = "friction_coefficient"
 
 

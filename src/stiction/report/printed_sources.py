@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from stiction.records.sources import ENTRY
 from stiction.solving.overview import entries
 
-__all__ = ["Printed", "in_letters", "printed"]
-
 _FIELD = re.compile(r"^\s*(\w+)\s*=\s*\{(.*)\},?$", re.MULTILINE)
 _ACCENTS = {'"': "\u0308", "'": "\u0301", "`": "\u0300", "^": "\u0302", "~": "\u0303", "v": "\u030c", "c": "\u0327"}
 _ACCENT = re.compile(r"""\\(["'`^~]|[vc]\s)\s*\{?\\?([A-Za-z])\}?""")

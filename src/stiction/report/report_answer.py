@@ -10,26 +10,14 @@ from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report import answer
 from stiction.report.honest_digits import rounded
+from stiction.report.number_table import shown
 from stiction.report.report_inputs import plain_name, with_powers
 from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
-from stiction.report.tables import shown
 from stiction.report.uncertainty_tables import MEANINGS
 from stiction.studies.findings import Findings
 
 if TYPE_CHECKING:
     import xarray
-
-__all__ = [
-    "Spread",
-    "answer_in_words",
-    "beside_headline",
-    "best_of",
-    "doubts_here",
-    "headline",
-    "question",
-    "spreads",
-    "value_in_words",
-]
 
 _MU = "friction_coefficient"
 _FAR = 1.5  # a factor between two models' friction that a reader has to be told of

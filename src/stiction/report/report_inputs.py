@@ -10,8 +10,6 @@ from stiction.report.html_tables import Table
 from stiction.report.tables import group_in_words
 from stiction.studies.findings import Findings, places_in
 
-__all__ = ["groups_of_groups", "groups_of_inputs", "plain_name", "with_powers"]
-
 _PARTS = {
     "first": "First body",
     "second": "Second body",

@@ -18,15 +18,6 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-__all__ = [
-    "Picture",
-    "all_of_one",
-    "pictures_of_comparison",
-    "pictures_of_curve",
-    "pictures_of_scan",
-    "pictures_of_uncertainty",
-]
-
 _TITLES = {
     "friction_coefficient": "Static friction coefficient against load",
     "contact_area": "Real contact area against load",
@@ -146,7 +137,7 @@ def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
         caption = "The friction coefficient with its band over what is uncertain of the inputs."
         yield _picture(lambda: uncertainty_figure(plain), "band", caption)
     if "friction_coefficient_by_method" in data:
-        from stiction.report.surface_pictures import method_spread_figure
+        from stiction.report.method_pictures import method_spread_figure
 
         plain = data.assign_attrs(doubts="[]")
         caption = "Friction against load after every way of finding asperities in the scans."

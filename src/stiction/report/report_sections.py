@@ -29,9 +29,6 @@ from stiction.studies.findings import Findings
 if TYPE_CHECKING:
     from stiction.case.uncertain import Uncertain
 
-__all__ = ["answer_table", "compared", "comparison_lines", "curve_rows", "doubt_table", "here_table", "model_lines", "notes",
-           "scan_parts", "spread_table_of", "uncertainty_lines", "versions"]  # fmt: skip
-
 _RESULTS = ("friction_coefficient", "friction_force", "contact_area", "area_fraction", "nominal_pressure", "mean_separation",
             "touching_asperities", "pull_off_force")  # fmt: skip
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotlib")

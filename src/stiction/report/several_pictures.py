@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
-from stiction.quantities.units import show
+from stiction.report.number_table import prefix, some
 from stiction.report.pictures import RED, WIDE, doubts_below, finish, heading, label, say
 from stiction.report.several_tables import (
     coordinates_along,
@@ -16,14 +16,11 @@ from stiction.report.several_tables import (
     of_value,
     points_dimension,
     shown_quantity,
-    some,
     varied,
 )
 
 if TYPE_CHECKING:
     import xarray
-
-__all__ = ["several_figure"]
 
 _LINES, _MAPS, _MULTIPLES = 6, 6, 3
 _DECADE = 9.0  # an axis whose values span more than this is logarithmic if they are spaced so
@@ -184,11 +181,7 @@ def _x_values(data: "xarray.Dataset", dim: str) -> np.ndarray:
 def _prefix(data: "xarray.Dataset", name: str) -> tuple[float, str]:
     """What values of a quantity are drawn times, and the unit with a fitting prefix that they then have."""
     unit, largest = data[name].attrs.get("units", "1"), float(np.abs(data[name].values).max())
-    if unit == "1" or largest == 0.0:
-        return 1.0, unit
-    size = 10.0 ** np.floor(np.log10(largest))
-    text, _, prefixed = show(size, name.rpartition(".")[2]).partition(" ")
-    return float(text) / size, prefixed
+    return (1.0, unit) if unit == "1" or largest == 0.0 else prefix(name.rpartition(".")[2], largest)
 
 
 def _axis_label(data: "xarray.Dataset", dim: str) -> str:

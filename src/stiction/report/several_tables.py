@@ -6,13 +6,10 @@ import numpy as np
 from rich.table import Table
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.number_table import number_table
-from stiction.report.tables import shown
+from stiction.report.number_table import number_table, shown, some
 
 if TYPE_CHECKING:
     import xarray
-
-__all__ = ["coordinates_along", "of_point", "of_value", "points_dimension", "several_table", "shown_quantity", "some", "varied"]
 
 _ROWS, _POINTS = 16, 4
 # What the points of a curve are called, as dimensions of a result.
@@ -38,11 +35,6 @@ def varied(data: "xarray.Dataset") -> list[str]:
 def coordinates_along(data: "xarray.Dataset", dim: str) -> list[str]:
     """The quantities that vary along a dimension."""
     return [str(name) for name, one in data.coords.items() if one.dims == (dim,)]
-
-
-def some(count: int, most: int) -> np.ndarray:
-    """Places of at most so many of `count`, evenly, both ends among them."""
-    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
 
 
 def of_value(data: "xarray.Dataset", name: str, at: int) -> str:

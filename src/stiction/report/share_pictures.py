@@ -12,8 +12,6 @@ from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, finish, labe
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["part_in_words", "share_figure", "shares_of", "stacks"]
-
 _COLOURS = (BLUE, ORANGE, GREEN, RED, SKY)
 _HATCHES = ("", "//", "..", "\\\\", "xx")
 

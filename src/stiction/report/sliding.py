@@ -10,8 +10,6 @@ from stiction.report.tables import curve_table, run_notes
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["sliding_notes", "sliding_table"]
-
 _HEADS = {
     "mean_separation": "separation",
     "load": "load",

@@ -14,8 +14,6 @@ from stiction.report.pictures import doubts_below, heading, say
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["sliding_figure"]
-
 
 def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """Force over load against displacement, with the static friction that it cannot pass and where it is largest; and, where

@@ -14,14 +14,12 @@ from matplotlib.image import AxesImage
 from matplotlib.ticker import FixedLocator, MaxNLocator, NullLocator
 
 from stiction.quantities.units import show
-from stiction.report.method_pictures import method_spread_figure, resolution_figure
-from stiction.report.picture_style import look_of, plain, scale, unit_for
+from stiction.report.number_table import prefix
+from stiction.report.picture_style import look_of, plain, unit_for
 from stiction.report.pictures import BLUE, GREEN, GREY, SKY, finish, say
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spectrum import BinnedSpectrum
-
-__all__ = ["asperity_figure", "map_figure", "method_spread_figure", "resolution_figure", "spectrum_figure"]
 
 _ABSENT: dict[str, Any] = {"facecolor": "#dddddd", "edgecolor": GREY, "hatch": "////"}  # the look of missing points
 _MOST = 1200  # points along a side of a picture, which has fewer pixels; more would only take time
@@ -50,7 +48,7 @@ def map_figure(surface: HeightMap, title: str = "", found: Asperities | None = N
         say(bars, "no heights")
         return figure
     ends = (float(valid.min()), float(valid.max())) if surface.is_profile else _limits(_some(valid))
-    factor, unit = scale(ends[1] - ends[0])
+    factor, unit = prefix("scan_size", ends[1] - ends[0])
     if surface.is_profile:
         _draw_profile(picture, surface, factor, unit)
     else:
@@ -73,7 +71,7 @@ def _draw_places(axes: Axes, surface: HeightMap, found: Asperities, factor: floa
     """A mark at every asperity, smaller where they are many; says what the marks are."""
     if not len(found.places):
         return f"{plain(found.method)}: averages only, no places"
-    across, _ = scale(surface.size[1] if surface.is_profile else max(surface.size))
+    across, _ = prefix("scan_size", surface.size[1] if surface.is_profile else max(surface.size))
     row, column = found.places.T
     if surface.is_profile:
         x, y = column * surface.pitch[1] * across, surface.heights[row, column] * factor
@@ -101,7 +99,7 @@ def _limits(heights: np.ndarray) -> tuple[float, float]:
 def _draw_map(axes: Axes, surface: HeightMap, ends: tuple[float, float], factor: float) -> AxesImage:
     step = [-(-count // _MOST) for count in surface.heights.shape]
     shown = np.ma.masked_invalid(surface.heights[:: step[0], :: step[1]]) * factor
-    across, length = scale(max(surface.size))
+    across, length = prefix("scan_size", max(surface.size))
     # The last of every few points stands for more than is there: the picture ends where the map does.
     top, right = (n * k * pitch * across for n, k, pitch in zip(shown.shape, step, surface.pitch, strict=True))
     if surface.missing:
@@ -115,7 +113,7 @@ def _draw_map(axes: Axes, surface: HeightMap, ends: tuple[float, float], factor:
 
 
 def _draw_profile(axes: Axes, surface: HeightMap, factor: float, unit: str) -> None:
-    across, length = scale(surface.size[1])
+    across, length = prefix("scan_size", surface.size[1])
     pitch = surface.pitch[1] * across
     for start, end in _runs(np.isnan(surface.heights[0])):
         axes.axvspan((start - 0.5) * pitch, (end - 0.5) * pitch, linewidth=0.0, **_ABSENT)
@@ -175,7 +173,7 @@ def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], tit
     if not any((one.density > 0.0).any() for one in named.values()):
         say(axes, "no waves: all heights are alike")
         return figure
-    factor, unit = scale(float(first.wavelength.max()))
+    factor, unit = prefix("scan_size", float(first.wavelength.max()))
     power = 3 if first.is_profile else 4
     for at, (name, one) in enumerate(named.items()):
         _spectrum_line(axes, one, factor, power, name, look_of("", at))
@@ -237,7 +235,7 @@ def asperity_figure(found: Iterable[Asperities], surface: HeightMap | None = Non
         say(axes, "no asperities")
         return figure
     ends = _ends(sets)
-    factor, unit = scale(ends[1] - ends[0])
+    factor, unit = prefix("scan_size", ends[1] - ends[0])
     per_area = unit_for("asperity_density", max(one.density for one in sets))
     if surface is not None and surface.missing < surface.heights.size:
         heights = surface.heights[~np.isnan(surface.heights)]

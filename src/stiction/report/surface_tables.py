@@ -10,8 +10,8 @@ from rich.text import Text
 
 from stiction.case.text import inline
 from stiction.quantities.units import show
-from stiction.report.number_table import number_table
-from stiction.report.tables import facts, shown
+from stiction.report.number_table import number_table, short, shown
+from stiction.report.tables import facts
 from stiction.studies.scans.analysis import Analysis
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spikes import SUSPICIOUS
@@ -139,7 +139,7 @@ def asperity_table(analysis: Analysis) -> Table:
     for method, one in analysis.asperities.items():
         cells = _cells(one.deviation, one.radius, one.density)
         count = str(one.count) if one.count else "-"
-        table.add_row(method, *cells, count, analysis.heights[method].name, _number(one.skewness))
+        table.add_row(method, *cells, count, analysis.heights[method].name, short(one.skewness, 3))
     return table
 
 
@@ -167,7 +167,7 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
         cells = _cells(one.asperity_height_deviation, one.asperity_radius, one.asperity_density)
         mu = [] if friction is None else friction.sel(asperity_method=method).values.ravel()[[at for at, _ in loads]].tolist()
         look = "bold" if method == measured.method else ""
-        table.add_row(method, *cells, one.height_distribution, *map(_number, mu), style=look)
+        table.add_row(method, *cells, one.height_distribution, *(short(one, 3) for one in mu), style=look)
     return table
 
 
@@ -202,7 +202,7 @@ def contact_table(contact: "ContactOfMap") -> Table:
     """The contact of a map: a row for each nominal pressure."""
     table = number_table((re.sub(r" (?=in |load)|(?=/\(|/Sq)", "\n", head) for head in contact.columns), wrap=True)
     for row in zip(*contact.columns.values(), strict=True):
-        table.add_row(*map(_number, row))
+        table.add_row(*(short(one, 3) for one in row))
     return table
 
 
@@ -224,7 +224,7 @@ def _table(*more: str) -> Table:
 
 def _cells(deviation: float, radius: float, density: float) -> list[str]:
     lengths = shown(deviation, "asperity_height_deviation", 3), shown(radius, "asperity_radius", 3)
-    return [*lengths, f"{density:.2e}", _number(deviation * radius * density)]
+    return [*lengths, f"{density:.2e}", short(deviation * radius * density, 3)]
 
 
 def _ends(data: "xarray.Dataset") -> list[tuple[int, float]]:
@@ -235,7 +235,3 @@ def _ends(data: "xarray.Dataset") -> list[tuple[int, float]]:
         return []
     order = pressed[np.argsort(loads[pressed])]
     return [(int(at), float(loads[at])) for at in dict.fromkeys((order[0], order[-1]))]
-
-
-def _number(value: float) -> str:
-    return f"{value:.3g}" if np.isfinite(value) else "-"

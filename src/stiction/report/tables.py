@@ -19,7 +19,7 @@ from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_wi
 from stiction.report.comparison_rows import run_command
 from stiction.report.families import said_of_plastic_junctions
 from stiction.report.model_line import grade_line, model_line
-from stiction.report.number_table import number_table
+from stiction.report.number_table import number_table, prefix, short, shown, some
 from stiction.report.plain_formulas import as_text
 from stiction.solving.accuracy.film_errors import in_words, read_film_errors
 from stiction.solving.unused import unused_of
@@ -47,7 +47,8 @@ def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[s
     """About twelve points along a curve of one dimension, or all, each column in units with a fitting prefix. heads: name of a
     result -> head of its column; by default those of a curve."""
     heads = _COLUMNS if heads is None else heads
-    chosen = _chosen_rows(data["load"].size, all_rows)
+    count = data["load"].size
+    chosen = some(count, count if all_rows else _ROWS)
     names = [name for name in heads if name in data]
     columns = [_column(data[name], name, chosen) for name in names]
     units = any(unit for unit, _ in columns)
@@ -60,17 +61,11 @@ def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[s
     return table
 
 
-def _chosen_rows(count: int, all_rows: bool) -> np.ndarray:
-    return np.unique(np.linspace(0, count - 1, count if all_rows else min(count, _ROWS)).round().astype(int))
-
-
 def rows_shown(data: "xarray.Dataset") -> str:
     """How many of the points `curve_table` shows; "" if all."""
     count = data["load"].size
-    shown = len(_chosen_rows(count, False))
-    return (
-        f"{shown} of {count} points are shown; --all-rows shows all, and --out writes all to curve.csv" if shown < count else ""
-    )
+    text = f"{_ROWS} of {count} points are shown; --all-rows shows all, and --out writes all to curve.csv"
+    return text if count > _ROWS else ""
 
 
 def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
@@ -78,26 +73,10 @@ def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tupl
     values = np.broadcast_to(variable.values, max(variable.size, chosen.max() + 1))[chosen]
     unit = variable.attrs.get("units", "1")
     sizes = np.abs(values[np.isfinite(values) & (values != 0.0)])
-    if unit == "1" or not sizes.size:
-        return ("" if unit == "1" else _squared(unit)), [_short(value) for value in values]
-    if name != "mean_separation" and sizes.max() > _WIDE * sizes.min():
+    if unit != "1" and sizes.size and name != "mean_separation" and sizes.max() > _WIDE * sizes.min():
         return "", [shown(value, name) for value in values]
-    power = 10.0 ** np.floor(np.log10(np.median(sizes)))
-    number, _, prefixed = show(power, name).partition(" ")
-    return _squared(prefixed), [_short(value * float(number) / power) for value in values]
-
-
-def _short(value: float) -> str:
-    return f"{float(f'{value:.4g}'):g}" if np.isfinite(value) else "-"
-
-
-def shown(value: float, name: str, digits: int = 4) -> str:
-    """A value of the named quantity, given in SI, with a fitting prefix, to a few digits; "-" if it is not a number."""
-    return _squared(show(value, name, digits)) if np.isfinite(value) else "-"
-
-
-def _squared(text: str) -> str:
-    return text.replace("m^2", "m²")
+    factor, unit = (1.0, "") if unit == "1" else prefix(name, float(np.median(sizes)) if sizes.size else 1.0)
+    return unit, [short(value * factor) for value in values]
 
 
 def facts(pairs: Iterable[tuple[str, str]]) -> Table:
@@ -150,10 +129,9 @@ def _numbers(part: Any) -> str:
 
 def _number(value: Any, name: str) -> str:
     """One number, or where it is several their ends: "100 nm to 2 um (5 values)"."""
-    if not hasattr(value, "dims"):
-        return _squared(show(value, name))
-    low, high = (_squared(show(float(end), name)) for end in (value.min(), value.max()))
-    return f"{low} to {high} ({value.size} values)"
+    ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
+    text = " to ".join(show(float(end), name).replace("m^2", "m²") for end in ends)
+    return f"{text} ({value.size} values)" if hasattr(value, "dims") else text
 
 
 # Of a contact whose materials are told, what is of these alone.
@@ -260,7 +238,7 @@ def comparison_table(data: "xarray.Dataset") -> Table:
         one = data.isel(model=int(at))
         mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
         unit = one["contact_area"].attrs.get("units", "1")
-        size = _short(area) if unit == "1" else shown(area, "contact_area", digits=3)
+        size = short(area) if unit == "1" else shown(area, "contact_area", digits=3)
         numbers = ", ".join(map(str, sorted(1 + known.index(line) for line in doubts_of_model(one))))
         name = str(one["model"].item())
         look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
@@ -269,7 +247,7 @@ def comparison_table(data: "xarray.Dataset") -> Table:
         wrong = f"{error:+.0%}" if np.isfinite(error) else "-"
         resist = str(one["plastic_junctions_resist"].item()) or "-"
         liquid = [one[column].item() for column in wet]
-        row = (name, one["grade"].item(), _short(mu), fourth, wrong, resist, *liquid, numbers or "-")
+        row = (name, one["grade"].item(), short(mu), fourth, wrong, resist, *liquid, numbers or "-")
         table.add_row(*map(Text, row), style=look)
     return table
 
@@ -305,7 +283,7 @@ def comparison_summary(data: "xarray.Dataset") -> list[Text]:
             lines.append(Text(f"what would have to change: {used['advice']}", style="bold yellow"))
         if "friction_coefficient_at_load_low" in data and used["recommended"] in data["model"]:
             best = data.sel(model=used["recommended"])
-            mu = _short(float(best["friction_coefficient_at_load"]))
+            mu = short(float(best["friction_coefficient_at_load"]))
             text = f"of it, mu {mu}, {over_methods(best)} over the methods of finding asperities"
             lines.append(Text(f"{text} (taken: {used['roughness_method']})", style="bold"))
     else:
@@ -324,7 +302,7 @@ def _within(data: "xarray.Dataset") -> str:
         return "none of them within its validity"
     if len(within) == 1:
         one = data.isel(model=int(within[0]))
-        mu = _short(float(one["friction_coefficient_at_load"]))
+        mu = short(float(one["friction_coefficient_at_load"]))
         return f"{mu} by the only one within its validity, {one['model'].item()} of grade {one['grade'].item()}: no range"
     return f"{_range(data.attrs['spread_within_validity'])} of the {len(within)} within their validity"
 
@@ -339,12 +317,12 @@ def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
     for row in rows:
         by_kind.setdefault(row["kind"], []).append(row)
     tables = []
-    for kind, some in by_kind.items():
+    for kind, entries in by_kind.items():
         table = Table(box=SIMPLE_HEAD, title=kind, title_style="bold", title_justify="left", pad_edge=False, expand=True)
         table.add_column("key", no_wrap=True, width=31)
         table.add_column("grade", no_wrap=True)
         table.add_column("what it is, and for what it is valid", ratio=1)
-        for row in some:
+        for row in entries:
             said = "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
             table.add_row(Text(row["key"]), Text(row["grade"]), Text(said))
         tables.append(table)

@@ -9,8 +9,8 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.number_table import number_table
-from stiction.report.several_tables import of_point, points_dimension, shown_quantity, some, varied
+from stiction.report.number_table import number_table, short, some
+from stiction.report.several_tables import of_point, points_dimension, shown_quantity, varied
 from stiction.report.whole_keys import WholeKeys
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
         one = whole.isel({dim: int(at)}) if dim else whole
         band, error = one[f"{name}_quantile"].values, one[f"{name}_quantile_error"].values
         worst = float(np.nanmax(error)) if np.isfinite(error).any() else np.nan
-        table.add_row(of_point(data, int(at)), *(_short(value) for value in (float(one[name]), *band)), _short(worst, 2))
+        table.add_row(of_point(data, int(at)), *(short(value) for value in (float(one[name]), *band)), short(worst, 2))
     return table
 
 
@@ -52,10 +52,6 @@ def band_lines(data: "xarray.Dataset") -> Iterator[Any]:
     table = band_table(data)
     yield WholeKeys(table) if isinstance(table, Table) else table
     yield from uncertain_notes(data)
-
-
-def _short(value: float, digits: int = 4) -> str:
-    return f"{value:.{digits}g}" if np.isfinite(value) else "-"
 
 
 def uncertain_notes(data: "xarray.Dataset") -> Iterator[Text]:
@@ -93,7 +89,7 @@ def spread_table(data: "xarray.Dataset") -> Table:
     table = number_table(("from", "to", "a factor"), "mu differs by")
     for name in data["spread"].values:
         one = data.sel(spread=name)
-        cells = [_short(float(one[f"spread_{end}"]), 3) for end in ("low", "high", "factor")]
+        cells = [short(float(one[f"spread_{end}"]), 3) for end in ("low", "high", "factor")]
         if name == "models" and float(one["spread_factor"]) == 1.0:
             cells[-1] = "one opinion"  # one of them has nearly all of the weight: that is no agreement
         table.add_row(f"{MEANINGS[str(name)]}{'' if name == 'methods' else f', {coverage:.0%}'}", *cells)
@@ -110,6 +106,6 @@ def models_band_table(data: "xarray.Dataset") -> Table:
         one = data.isel(model=int(at))
         band, error = one[f"{name}_quantile"].values, one[f"{name}_quantile_error"].values
         if np.isfinite(band).any():
-            cells = [_short(value, 3) for value in (float(one[name]), *band[told])]
-            table.add_row(str(one["model"].item()), *cells, _short(float(error.max()), 2))
+            cells = [short(value, 3) for value in (float(one[name]), *band[told])]
+            table.add_row(str(one["model"].item()), *cells, short(float(error.max()), 2))
     return table

@@ -11,8 +11,6 @@ from rich.text import Text
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["origin_lines", "row_rows", "validation_record", "validation_table"]
-
 _HOW = {
     "printed": "as printed",
     "digitised": "read off a picture",

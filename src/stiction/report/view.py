@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-__all__ = ["Picture", "View"]
-
 
 class Picture(NamedTuple):
     """told: what it shows, for a reader who does not see it; draw: makes the figure, and imports what draws it."""

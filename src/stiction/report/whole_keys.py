@@ -11,8 +11,6 @@ from rich.segment import Segment
 from rich.table import Column, Table
 from rich.text import Text
 
-__all__ = ["WholeKeys"]
-
 _MARK = "\ue000"  # of private use: no name has it
 _WIDE = 10_000
 

@@ -7,7 +7,7 @@ import xarray
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
-from stiction.report.picture_style import scale
+from stiction.report.number_table import prefix
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
 from stiction.report.share_pictures import part_in_words, shares_of, stacks
 
@@ -119,7 +119,7 @@ def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str,
     if against == "load":
         return _positive(values), axis | ({"type": "log"} if _log(values) else {})
     if unit_of(curve[against]) == "m":
-        per, unit = scale(float(np.nanmax(np.abs(values), initial=0.0)))
+        per, unit = prefix("mean_separation", float(np.nanmax(np.abs(values), initial=0.0)))
         values, axis = values * per, axis | {"name": axis["name"].replace("[m]", f"[{unit}]")}
     return values, axis | {"inverse": True}  # pressing harder goes to the right
 

@@ -10,6 +10,7 @@ from stiction.report.model_pictures import models_figure
 from stiction.report.plain_formulas import as_code
 from stiction.report.views.comparison import every_model
 from stiction.solving.overview import models
+from stiction.studies.prediction.unused import refusal_of
 from stiction.web.asked import compared
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
@@ -33,12 +34,12 @@ class CompareTab:
     def _work(self, progress: Any) -> tuple[Any, ...]:
         answer, load = self._explorer.good, self._explorer.load
         case, data, prediction = compared(answer.question, load if load > 0.0 else None, progress)
-        return answer, data, prediction, list(every_model(case, data)), image_of(models_figure(data))
+        return answer, case, data, prediction, list(every_model(case, data)), image_of(models_figure(data))
 
     def _show(self, found: tuple[Any, ...]) -> None:
-        answer, data, prediction, every, picture = found
+        answer, case, data, prediction, every, picture = found
         narrow = self._explorer.view.narrow
-        said = f"Recommended: {data.attrs.get('recommended', 'none')}"
+        said = f"No prediction: {refusal_of(case) or 'of normalised numbers there is none'}"
         if prediction is not None:
             said = f"{headline(prediction)}. {prediction.attrs['regime']}"
         self._body.clear()

@@ -76,7 +76,7 @@ class Form:
             wrong = error is not None and _is_of(error, path)
             one.error = str(error) if wrong else None
             beside |= wrong
-        self._other.set_text(str(error))
+        self._other.set_text("" if error is None or beside else str(error))
         self._other.set_visibility(error is not None and not beside)
 
     def _model(self) -> None:

@@ -22,7 +22,7 @@ from stiction.web.working import run
 _STYLE = """
 .w-full { width: 100% } .w-28 { width: 7rem } .w-32 { width: 8rem } .w-48 { width: 12rem } .w-56 { width: 14rem }
 .w-64 { width: 16rem } .w-72 { width: 18rem } .w-80 { width: 20rem } .grow { flex-grow: 1 }
-.overflow-auto { overflow: auto }
+.overflow-auto { overflow: auto } .table .q-table__container, .table .scroll { overflow: visible }
 .gap-0 { gap: 0 } .gap-1 { gap: 0.25rem } .gap-2 { gap: 0.5rem } .gap-3 { gap: 0.75rem }
 .gap-4 { gap: 1rem } .gap-6 { gap: 1.5rem }
 .p-0 { padding: 0 } .px-2 { padding-left: 0.5rem; padding-right: 0.5rem }

@@ -64,7 +64,8 @@ def show_table(printed: Table, narrow: bool, opened: Callable[[str], object] | N
         for at, head in enumerate(table.heads)
     ]
     rows = [{str(at): cell for at, cell in enumerate(row)} for row in table.rows]
-    shown = ui.table(columns=columns, rows=rows).classes("w-full").props("dense flat wrap-cells")
+    with ui.element("div").classes("w-full overflow-auto table").props("tabindex=0"):  # a keyboard moves it where it is narrow
+        shown = ui.table(columns=columns, rows=rows).classes("w-full").props("dense flat wrap-cells")
     shown.props("grid" if narrow else "" if any(table.heads) else "hide-header")
     shown.add_slot("item", _CARD.replace("HEAD", _BUTTON if opened else "").replace("FIRST", "1" if opened else "0"))
     if opened:

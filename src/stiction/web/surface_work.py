@@ -9,7 +9,8 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
-from stiction.report.surface_pictures import asperity_figure, map_figure, resolution_figure
+from stiction.report.method_pictures import resolution_figure
+from stiction.report.surface_pictures import asperity_figure, map_figure
 from stiction.studies.scans.analysis import Analysis, analyse
 from stiction.studies.scans.resolution import resolution_study
 from stiction.surfaces.fill import fill_missing

@@ -66,7 +66,7 @@ def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
         return curve_figure(data, case.title)
 
     def methods() -> Any:
-        from stiction.report.surface_pictures import method_spread_figure
+        from stiction.report.method_pictures import method_spread_figure
 
         return method_spread_figure(data, case.title)
 

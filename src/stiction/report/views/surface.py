@@ -89,7 +89,7 @@ def _pictures(analysis: "Analysis", resolution: "xarray.Dataset | None") -> dict
     if resolution is not None:
 
         def fan() -> Any:
-            from stiction.report.surface_pictures import resolution_figure
+            from stiction.report.method_pictures import resolution_figure
 
             return resolution_figure(resolution)
 
