@@ -13,7 +13,21 @@ from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.number_table import prefix
 from stiction.report.picture_style import look_of, plain, unit_for
-from stiction.report.pictures import GREY, RED, SKY, WIDE, doubts_below, draw_band, finish, heading, label, say
+from stiction.report.pictures import (
+    GREY,
+    METHOD_BAND,
+    MU_LABEL,
+    NOT_PRESSED,
+    RED,
+    SKY,
+    WIDE,
+    doubts_below,
+    draw_band,
+    finish,
+    heading,
+    label,
+    say,
+)
 from stiction.solving.method_spread import METHOD
 
 if TYPE_CHECKING:
@@ -175,12 +189,12 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
         figure.set_figheight(5.2 + 0.16 * len(notes))
         figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
     axes = figure.subplots()
-    axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
+    axes.set(xlabel=label(data["load"]), ylabel=MU_LABEL)
     if drawn.any():
         floor = _friction_axis(axes, np.concatenate((each.ravel(), taken)))
         _friction_lines(axes, load[drawn], np.maximum([low, high], floor), taken, each, methods)
     else:
-        say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
+        say(axes, NOT_PRESSED)
     finish(axes)
     if axes.lines:
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=9, frameon=False)
@@ -202,7 +216,7 @@ def _friction_axis(axes: Axes, values: np.ndarray) -> float:
 def _friction_lines(
     axes: Axes, load: np.ndarray, band: np.ndarray, taken: np.ndarray, each: np.ndarray, methods: list[str]
 ) -> None:
-    spread: dict[str, Any] = {"color": SKY, "alpha": 0.25, "label": "spread over methods of\nfinding asperities"}
+    spread: dict[str, Any] = {"color": SKY, "alpha": 0.25, "label": METHOD_BAND}
     if len(load) == 1:
         axes.set_xlim(load[0] / 3.0, load[0] * 3.0)
     draw_band(axes, load, *band, **spread)

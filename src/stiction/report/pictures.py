@@ -2,7 +2,7 @@
 
 import re
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -52,6 +52,9 @@ _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so tha
 _MANY_DECADES = 1e3
 _FEW_POINTS = 20  # of a curve, up to which each is marked
 _MOST_DOUBTS = 5  # that are told below a picture
+NOT_PRESSED = "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined"
+METHOD_BAND = "spread over methods of\nfinding asperities"
+MU_LABEL = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
 WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
 
@@ -155,17 +158,30 @@ def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     load, mu = data["load"].values, data["friction_coefficient"].values
     drawn = (load > 0.0) & (mu > 0.0)
     axes.plot(load[drawn], mu[drawn], color="black", **_marked(int(drawn.sum())))
-    seen = [mu[drawn], *_method_spread(axes, data, load), *_input_band(axes, data, load)]
-    axes.set(xlabel=label(data["load"]), ylabel=f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$")
+    seen = [mu[drawn]]
+    for low, high, look in _friction_bands(data):
+        there = (load > 0.0) & (high > 0.0) & np.isfinite(low)
+        if there.any():
+            # Where friction may be 0 the band reaches down to the edge of a logarithmic axis.
+            low = np.maximum(low[there], np.concatenate([low[there & (low > 0.0)], high[there]]).min() / 2.0)
+            draw_band(axes, load[there], low, high[there], **look)
+            axes.legend(fontsize=8, framealpha=0.9)
+            seen += [low, high[there]]
+    axes.set(xlabel=label(data["load"]), ylabel=MU_LABEL)
     if drawn.any():
         axes.set_xscale("log")
-        if max(each.max() for each in seen) > WIDE * min(each.min() for each in seen):
-            axes.set_yscale("log")
-        else:
-            axes.set_ylim(0.0, 1.08 * max(each.max() for each in seen))  # room above a friction that does not vary
+        scale_friction(axes, np.concatenate(seen))
     else:
-        say(axes, "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined")
+        say(axes, NOT_PRESSED)
     finish(axes)
+
+
+def scale_friction(axes: Axes, values: np.ndarray) -> None:
+    """Make the axis of friction, or of what goes with it, logarithmic where it varies much; else it begins at 0."""
+    if values.max() > WIDE * values.min():
+        axes.set_yscale("log")
+    else:
+        axes.set_ylim(0.0, 1.08 * values.max())  # room above a friction that does not vary
 
 
 def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **look: Any) -> None:
@@ -176,38 +192,22 @@ def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **lo
         axes.fill_between(x, low, high, linewidth=0.0, **look)
 
 
-def _method_spread(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> list[np.ndarray]:
-    """The spread of friction over the methods of finding asperities in a measured surface; returns what is drawn, nothing where
-    there is no such spread."""
-    if "friction_coefficient_low" not in data:
-        return []
-    low, high = (data[f"friction_coefficient_{end}"].values for end in ("low", "high"))
-    there = (load > 0.0) & (high > 0.0)
-    low, high = low[there], high[there]
-    if not high.size:
-        return []
-    # Where a method gives no friction at all the band reaches down to the edge of a logarithmic axis.
-    floor = np.concatenate([low[low > 0.0], high]).min() / 2.0
-    draw_band(axes, load[there], np.maximum(low, floor), high, color=SKY, alpha=0.25,
-              label="spread over methods of\nfinding asperities")  # fmt: skip
-    axes.lines[0].set_label(f"taken: {data.attrs.get('roughness_method', 'first method')}")
-    axes.legend(fontsize=8, framealpha=0.9)
-    return [np.maximum(low, floor), high]
-
-
-def _input_band(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> list[np.ndarray]:
-    """The band of friction over what is uncertain of the inputs; returns what is drawn, nothing where there is no such band."""
-    if "friction_coefficient_quantile" not in data:
-        return []
-    band, shares = data["friction_coefficient_quantile"].values, data["quantile"].values
-    low, high = (np.broadcast_to(band[at], load.shape) for at in (0, -1))
-    there = (load > 0.0) & (low > 0.0) & np.isfinite(high)
-    if not there.any():
-        return []
-    text = f"{shares[0]:.0%} to {shares[-1]:.0%} of what is\nuncertain of the inputs"
-    draw_band(axes, load[there], low[there], high[there], color=BLUE, alpha=0.2, label=text)
-    axes.legend(fontsize=8, framealpha=0.9)
-    return [low[there], high[there]]
+def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.ndarray, dict[str, Any]]]:
+    """Yield low and high end, and look, of the bands of friction that are known: over the methods of finding asperities in a
+    measured surface, and over what is uncertain of the inputs."""
+    mu = "friction_coefficient"
+    if f"{mu}_low" in data:
+        look = {
+            "color": SKY,
+            "alpha": 0.25,
+            "label": f"{METHOD_BAND}; taken:\n{data.attrs.get('roughness_method', 'first method')}",
+        }
+        yield data[f"{mu}_low"].values, data[f"{mu}_high"].values, look
+    if f"{mu}_quantile" in data:
+        shares = data["quantile"].values
+        low, high = (np.broadcast_to(data[f"{mu}_quantile"].values[at], data["load"].shape) for at in (0, -1))
+        text = f"{shares[0]:.0%} to {shares[-1]:.0%} of what is\nuncertain of the inputs"
+        yield low, high, {"color": BLUE, "alpha": 0.2, "label": text}
 
 
 def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
@@ -297,8 +297,7 @@ def panel_figure(curves: "PanelCurves") -> Figure:
         one = curves.coated.sel({along: value})
         _friction_line(axes, one, label=f"${QUANTITIES[along].latex}$ = {value:g}", **look)
     axes.set_title(_with_letters(curves.caption), fontsize=9.5)
-    mu = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
-    axes.set(xscale="log", yscale="log", xlabel=label(curves.bare["load"]), ylabel=mu)
+    axes.set(xscale="log", yscale="log", xlabel=label(curves.bare["load"]), ylabel=MU_LABEL)
     finish(axes)
     axes.legend()
     return figure

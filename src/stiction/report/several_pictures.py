@@ -9,7 +9,7 @@ from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
 from stiction.report.number_table import prefix, some
-from stiction.report.pictures import RED, WIDE, doubts_below, finish, heading, label, say
+from stiction.report.pictures import NOT_PRESSED, RED, WIDE, doubts_below, finish, heading, label, say, scale_friction
 from stiction.report.several_tables import (
     coordinates_along,
     of_point,
@@ -88,13 +88,9 @@ def _lines(axes: Axes, x: np.ndarray, lines: list[tuple[str, np.ndarray]], count
         axes.plot(x[drawn], y[drawn], color=colour, marker="o" if x.size <= 30 else "", markersize=3.5, label=text)
         seen.append(y[drawn])
     if not seen:
-        say(axes, "not defined here:\nthere is no compressive load")
+        say(axes, NOT_PRESSED)
         return
-    values = np.concatenate(seen)
-    if values.max() > WIDE * values.min():
-        axes.set_yscale("log")
-    else:
-        axes.set_ylim(0.0, 1.08 * values.max())
+    scale_friction(axes, np.concatenate(seen))
     if _is_log(x):
         axes.set_xscale("log")
     finish(axes)

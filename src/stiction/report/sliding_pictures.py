@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.picture_style import COLOURS, along
-from stiction.report.pictures import doubts_below, heading, say
+from stiction.report.pictures import NOT_PRESSED, doubts_below, heading, say
 
 if TYPE_CHECKING:
     import xarray
@@ -43,7 +43,7 @@ def _forces(axes: Axes, rows: list["xarray.Dataset"]) -> None:
     pressed = [row for row in rows if float(row["load"]) > 0.0]
     axes.set_ylabel("tangential force over load $F/P$")
     if not pressed:
-        say(axes, "not defined here:\nthere is no compressive load")
+        say(axes, NOT_PRESSED)
         return
     for at, row in enumerate(pressed):
         colour, load = COLOURS[at % len(COLOURS)], float(row["load"])

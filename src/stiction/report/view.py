@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -18,6 +19,18 @@ class Picture(NamedTuple):
 
     told: str
     draw: "Callable[[], Figure]"
+
+
+def picture(told: str, place: str, *arguments: Any) -> Picture:
+    """Return a picture that a function of this room makes from these arguments. place: "module.function", imported when it is
+    drawn, as matplotlib may be absent."""
+
+    def draw() -> "Figure":
+        module, _, name = place.partition(".")
+        figure: Figure = getattr(import_module(f"stiction.report.{module}"), name)(*arguments)
+        return figure
+
+    return Picture(told, draw)
 
 
 @dataclass(frozen=True)

@@ -1,12 +1,11 @@
 """The pictures of the 2015 paper and the map of its claims, as they are shown."""
 
 from collections.abc import Iterator, Mapping
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from stiction.report.claims_tables import claims_meaning, claims_table
 from stiction.report.files import write_rows
-from stiction.report.view import Picture, View
+from stiction.report.view import View, picture
 from stiction.studies.paper.claims import claim_rows, summary
 from stiction.studies.paper.figures import curve_rows
 
@@ -25,21 +24,13 @@ def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[
         yield claims_table(rows, f"theta {theta:g}\nlambda {lam:g}")
         yield "theta and lambda of the figures are not printed in the paper: those used were chosen."
 
-    def panel(curves: "PanelCurves") -> Any:
-        from stiction.report.pictures import panel_figure
-
-        return panel_figure(curves)
-
-    def map_of_claims() -> Any:
-        from stiction.report.pictures import claims_figure
-
-        return claims_figure(claims, here)
-
     files = {
         "curves.csv": lambda path: write_rows(path, *curve_rows(panels)),
         "claims.csv": lambda path: write_rows(path, *claim_rows(claims)),
     }
-    pictures = {f"{one.panel.name}.png": Picture(f"figure {one.panel.name[3:]}", partial(panel, one)) for one in panels}
-    pictures["claims.png"] = Picture("where each claim holds", map_of_claims)
+    pictures = {
+        f"{one.panel.name}.png": picture(f"figure {one.panel.name[3:]}", "pictures.panel_figure", one) for one in panels
+    }
+    pictures["claims.png"] = picture("where each claim holds", "pictures.claims_figure", claims, here)
     found = {"theta": theta, "lambda": lam, "reading": reading, "claims": rows}
     return View("figures", None, parts, lambda: found, files, pictures)

@@ -8,7 +8,7 @@ from rich.text import Text
 from stiction.report.files import comments_of, record, write_csv, write_netcdf
 from stiction.report.film_tables import MEANINGS, film_table
 from stiction.report.tables import outside_validity, run_summary
-from stiction.report.view import Picture, View
+from stiction.report.view import View, picture
 from stiction.studies.stresses.film_section import film_section
 from stiction.studies.stresses.film_stress import middle_point
 
@@ -35,11 +35,6 @@ def film_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with
         point = middle_point(data)
         section = film_section(case.subject, point)
 
-        def drawn() -> Any:
-            from stiction.report.film_pictures import film_figure
-
-            return film_figure(point, section, case.title)
-
         files["section.nc"] = lambda path: write_netcdf(section, path)
-        pictures["film.png"] = Picture("stresses under the asperity", drawn)
+        pictures["film.png"] = picture("stresses under the asperity", "film_pictures.film_figure", point, section, case.title)
     return View("film", data, parts, lambda: record(data, case.subject.groups()), files, pictures)

@@ -2,15 +2,16 @@
 
 import json
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
 from stiction.report.answer import answer_lines, answer_record
-from stiction.report.files import write_rows
+from stiction.report.files import write_csv
 from stiction.report.tables import curve_table, facts
-from stiction.report.view import Picture, View
+from stiction.report.view import View, picture
 
 if TYPE_CHECKING:
     import xarray
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from stiction.case.read import Case
 
 _RESULTS = ("friction_coefficient", "friction_force", "contact_area")
+_COLUMNS = [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")]
 _HEADS = {
     "load": "load",
     "friction_coefficient_low": "mu low",
@@ -40,15 +42,12 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
             yield from _details(case, data)
 
     def found() -> dict[str, Any]:
-        return {"answer": answer_record(data), "curve": _curve(data)}
+        curve = {name: data[name].values.ravel().tolist() for name in ("load", *_COLUMNS)}
+        return {"answer": answer_record(data), "curve": curve}
 
-    def picture() -> Any:
-        from stiction.report.prediction_pictures import prediction_figure
-
-        return prediction_figure(data, case.title)
-
-    files = {"curve.csv": lambda path: write_rows(path, *_rows(data))}
-    return View("curve", _plain(data), parts, found, files, {"curve.png": Picture("mu with its interval", picture)})
+    files = {"curve.csv": partial(write_csv, data[_COLUMNS])}
+    drawn = picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)
+    return View("curve", _plain(data), parts, found, files, {"curve.png": drawn})
 
 
 def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
@@ -65,23 +64,6 @@ def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     if contact.interface is not None:
         rows += [("interface", "\n".join([contact.interface.name, *contact.interface.notes()]))]
     yield facts(rows)
-
-
-def _columns() -> list[str]:
-    return [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")]
-
-
-def _curve(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return the results over the loads, as lists."""
-    return {name: data[name].values.ravel().tolist() for name in ("load", *_columns())}
-
-
-def _rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
-    """Return heads and rows of the table of a file."""
-    names = ["load", *_columns()]
-    heads = [name if (unit := data[name].attrs["units"]) == "1" else f"{name} [{unit}]" for name in names]
-    columns = [data[name].values.ravel() for name in names]
-    return heads, (list(map(float, row)) for row in zip(*columns, strict=True))
 
 
 def _plain(data: "xarray.Dataset") -> "xarray.Dataset":

@@ -10,7 +10,7 @@ from stiction.report.files import comments_of, record, write_csv
 from stiction.report.several_tables import several_table
 from stiction.report.tables import curve_table, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.uncertainty_tables import band_lines
-from stiction.report.view import Picture, View
+from stiction.report.view import Picture, View, picture
 from stiction.solving.method_spread import as_columns
 from stiction.studies.uncertainty.bands import as_columns as with_quantiles
 
@@ -26,11 +26,8 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
 
     def found() -> dict[str, Any]:
         answer = {} if case.is_several else {"answer": model_record(data)}
-        return (
-            answer
-            | record(data, case.subject.groups())
-            | ({} if case.measured is None else {"measured": case.measured.record()})
-        )
+        measured = {} if case.measured is None else {"measured": case.measured.record()}
+        return answer | record(data, case.subject.groups()) | measured
 
     return View("curve", data, lambda: _parts(case, data, all_rows), found, files, _pictures(case, data))
 
@@ -56,28 +53,12 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
 
 
 def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
-    def curve() -> Any:
-        if case.is_several:
-            from stiction.report.several_pictures import several_figure
-
-            return several_figure(data, case.title)
-        from stiction.report.pictures import curve_figure
-
-        return curve_figure(data, case.title)
-
-    def methods() -> Any:
-        from stiction.report.method_pictures import method_spread_figure
-
-        return method_spread_figure(data, case.title)
-
-    def uncertain() -> Any:
-        from stiction.report.uncertainty_pictures import uncertainty_figure
-
-        return uncertainty_figure(data, case.title)
-
-    pictures = {"curve.png": Picture("friction, contact area and load", curve)}
+    drawn = "several_pictures.several_figure" if case.is_several else "pictures.curve_figure"
+    pictures = {"curve.png": picture("friction, contact area and load", drawn, data, case.title)}
     if "friction_coefficient_by_method" in data and not case.is_several:
-        pictures["band.png"] = Picture("friction by every way of finding asperities", methods)
+        told = "friction by every way of finding asperities"
+        pictures["band.png"] = picture(told, "method_pictures.method_spread_figure", data, case.title)
     if "friction_coefficient_quantile" in data and not case.is_several:
-        pictures["uncertainty.png"] = Picture("friction with its band", uncertain)
+        drawn = "uncertainty_pictures.uncertainty_figure"
+        pictures["uncertainty.png"] = picture("friction with its band", drawn, data, case.title)
     return pictures

@@ -14,7 +14,7 @@ from stiction.report.surface_tables import (
     surface_summary,
     use_this,
 )
-from stiction.report.view import Picture, View
+from stiction.report.view import Picture, View, picture
 from stiction.studies.scans.analysis import spectrum_rows, summary
 from stiction.studies.scans.map_contact import summary_of_contact
 
@@ -66,34 +66,16 @@ def surface_view(
 
 
 def _pictures(analysis: "Analysis", resolution: "xarray.Dataset | None") -> dict[str, Picture]:
-    def heights() -> Any:
-        from stiction.report.surface_pictures import map_figure
-
-        return map_figure(analysis.surface)
-
-    def spectrum() -> Any:
-        from stiction.report.surface_pictures import spectrum_figure
-
-        return spectrum_figure(analysis.spectrum)
-
-    def asperities() -> Any:
-        from stiction.report.surface_pictures import asperity_figure
-
-        return asperity_figure(list(analysis.asperities.values()), analysis.surface)
-
+    surface, asperities = analysis.surface, list(analysis.asperities.values())
     pictures = {
-        "map.png": Picture("heights", heights),
-        "spectrum.png": Picture("power spectrum", spectrum),
-        "asperities.png": Picture("asperities by every way of finding them", asperities),
+        "map.png": picture("heights", "surface_pictures.map_figure", surface),
+        "spectrum.png": picture("power spectrum", "surface_pictures.spectrum_figure", analysis.spectrum),
+        "asperities.png": picture(
+            "asperities by every way of finding them", "surface_pictures.asperity_figure", asperities, surface
+        ),
     }
     if resolution is not None:
-
-        def fan() -> Any:
-            from stiction.report.method_pictures import resolution_figure
-
-            return resolution_figure(resolution)
-
-        pictures["fan.png"] = Picture("what the resolution decides", fan)
+        pictures["fan.png"] = picture("what the resolution decides", "method_pictures.resolution_figure", resolution)
     return pictures
 
 
