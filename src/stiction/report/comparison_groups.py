@@ -15,7 +15,7 @@ from stiction.report.answer import number
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["GROUP_HEADS", "Group", "group_rows", "group_table", "groups_of", "groups_table", "left_out_in_words"]
+__all__ = ["GROUP_HEADS", "Group", "group_rows", "groups_of", "groups_table", "left_out_in_words"]
 
 _MU, _AREA = "friction_coefficient_at_load", "contact_area_at_load"
 _ALIKE = 1.1  # ratio of mu within which models say the same
@@ -85,19 +85,14 @@ def group_rows(data: "xarray.Dataset") -> list[tuple[str, str, str, str]]:
     return rows
 
 
-def group_table(data: "xarray.Dataset") -> Table:
-    """Return the groups that are shown as a table."""
+def groups_table(data: "xarray.Dataset") -> Iterator[Table | Text]:
+    """Yield the rows of a comparison and a line on what is left out."""
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
     for head in GROUP_HEADS:
         table.add_column(head, justify="right" if head == "real contact" else "left", no_wrap=head != GROUP_HEADS[0])
     for row in group_rows(data):
         table.add_row(*row)
-    return table
-
-
-def groups_table(data: "xarray.Dataset") -> Iterator[Table | Text]:
-    """Yield the rows of a comparison and a line on what is left out."""
-    yield group_table(data)
+    yield table
     yield Text("; ".join(filter(None, (left_out_in_words(data), "--all lists every model"))), style="dim")
 
 

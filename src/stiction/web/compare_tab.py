@@ -4,17 +4,13 @@ from typing import Any
 
 from nicegui import ui
 
-from stiction.report.answer import headline
-from stiction.report.comparison_groups import group_table, left_out_in_words
-from stiction.report.model_pictures import models_figure
 from stiction.report.plain_formulas import as_code
-from stiction.report.views.comparison import every_model
+from stiction.report.views.comparison import comparison_view
 from stiction.solving.overview import models
-from stiction.studies.prediction.unused import refusal_of
 from stiction.web.asked import compared
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.pictures import image_of, show_image, show_parts, show_table
+from stiction.web.pictures import Shown
 from stiction.web.studying import Study
 
 
@@ -23,7 +19,7 @@ class CompareTab:
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
-        self._study = Study(explorer, "Compare all models at this load", self._work, self._show)
+        self._study = Study(explorer, "Compare all models at this load", self._work, self._show, "compared")
         self._body = ui.column().classes("w-full gap-2")
 
     async def opened(self) -> None:
@@ -34,29 +30,24 @@ class CompareTab:
     def _work(self, progress: Any) -> tuple[Any, ...]:
         answer, load = self._explorer.good, self._explorer.load
         case, data, prediction = compared(answer.question, load if load > 0.0 else None, progress)
-        return answer, case, data, prediction, list(every_model(case, data)), image_of(models_figure(data))
+        few = Shown(list(comparison_view(case, data, prediction).parts()), [])
+        return answer, data, few, Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
 
     def _show(self, found: tuple[Any, ...]) -> None:
-        answer, case, data, prediction, every, picture = found
+        answer, data, few, every = found
         narrow = self._explorer.view.narrow
-        said = f"No prediction: {refusal_of(case) or 'of normalised numbers there is none'}"
-        if prediction is not None:
-            said = f"{headline(prediction)}. {prediction.attrs['regime']}"
         self._body.clear()
         with self._body:
-            ui.label(said).classes("text-lg").props('role="status" aria-live="polite"')
-            show_table(group_table(data), narrow)
-            ui.label(left_out_in_words(data)).classes("text-sm")
+            few.show(narrow, _open)
             with ui.expansion("Every model").classes("w-full"):
-                show_image(picture, "friction at the working load by every model; the recommended one shaded, its name bold")
-                show_parts(every, narrow, _open)
+                every.show(narrow, _open)
         if "spread_low" in data:
             self._explorer.differ(answer, [float(data[f"spread_{end}"].sel(spread="models")) for end in ("low", "high")])
 
 
 def _open(name: str) -> None:
     """The page of a model: equations, source, grade, check numbers."""
-    key = name.partition(" + ")[0].partition(" (")[0]
+    key = name.partition(" +")[0].partition(" (")[0]
     row = models([key])[0]
     with attributes(ui.dialog(), aria_label=key) as dialog, ui.card().classes("w-full").style("max-width: 860px"):
         ui.label(row["title"]).classes("text-xl")

@@ -2,7 +2,7 @@
 
 import base64
 import io
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from nicegui import ui
@@ -37,26 +37,21 @@ class Shown(NamedTuple):
         pictures = [(image_of(one.draw(), narrow), one.told) for one in view.pictures.values()]
         return cls(list(view.parts()), pictures, view.warnings)
 
-    def show(self, narrow: bool) -> None:
-        """Add it to the page."""
+    def show(self, narrow: bool, opened: Callable[[str], object] | None = None) -> None:
+        """Add it to the page; opened: told the name of a model that is chosen in a table."""
         for words in self.warnings:
             ui.label(words).classes("text-lg text-negative").props('role="alert"')
-        show_parts(self.parts, narrow)
+        with ui.column().classes("w-full gap-1"):
+            for part in self.parts:
+                if isinstance(part, WholeKeys | Table):
+                    _show_table(part.table if isinstance(part, WholeKeys) else part, narrow, opened)
+                elif str(part):
+                    ui.label(str(part)).classes("text-sm").style("white-space: pre-line")
         for source, told in self.pictures:
             show_image(source, told)
 
 
-def show_parts(parts: Iterable[Any], narrow: bool, opened: Callable[[str], object] | None = None) -> None:
-    """Add tables and sentences, as a terminal has them, to the page; opened: told the first cell of a row that is chosen."""
-    for part in parts:
-        table = part.table if isinstance(part, WholeKeys) else part
-        if isinstance(table, Table):
-            show_table(table, narrow, opened if isinstance(part, WholeKeys) else None)
-        elif str(part):
-            ui.label(str(part)).classes("text-sm").style("white-space: pre-line")
-
-
-def show_table(printed: Table, narrow: bool, opened: Callable[[str], object] | None = None) -> None:
+def _show_table(printed: Table, narrow: bool, opened: Callable[[str], object] | None) -> None:
     """Add a table of the terminal to the page; on a narrow one its cells stand below one another."""
     table = of_printed(printed, "")
     columns = [
@@ -67,8 +62,9 @@ def show_table(printed: Table, narrow: bool, opened: Callable[[str], object] | N
     with ui.element("div").classes("w-full overflow-auto table").props("tabindex=0"):  # a keyboard moves it where it is narrow
         shown = ui.table(columns=columns, rows=rows).classes("w-full").props("dense flat wrap-cells")
     shown.props("grid" if narrow else "" if any(table.heads) else "hide-header")
-    shown.add_slot("item", _CARD.replace("HEAD", _BUTTON if opened else "").replace("FIRST", "1" if opened else "0"))
-    if opened:
+    chosen = opened is not None and table.heads[0].startswith("model")
+    shown.add_slot("item", _CARD.replace("HEAD", _BUTTON if chosen else "").replace("FIRST", "1" if chosen else "0"))
+    if chosen and opened is not None:
         shown.add_slot("body-cell-0", f'<q-td :props="props">{_BUTTON}</q-td>')
         shown.on("opened", lambda event: opened(event.args))
 

@@ -38,7 +38,7 @@ def comparison_view(
             yield facts([row for row in answer_lines(prediction) if row[0] in _OF_ANSWER or row[0].startswith("mu")])
         elif (refusal := refusal_of(case)) is not None:
             yield facts([("no prediction", str(refusal))])
-        yield from every_model(case, data) if every or "working_load" not in data.attrs else groups_table(data)
+        yield from _every_model(case, data) if every or "working_load" not in data.attrs else groups_table(data)
 
     def record() -> dict[str, Any]:
         answer = recommended_record(data) if prediction is None else answer_record(prediction)
@@ -66,7 +66,7 @@ def comparison_view(
     return View("compare", None, parts, record, files, pictures)
 
 
-def every_model(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
+def _every_model(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     """Yield a row for each model, and all that is said of them."""
     measured = case.measured
     yield from (WholeKeys(comparison_table(data)), *comparison_summary(data))
