@@ -10,7 +10,19 @@ from stiction.quantities.errors import InputError
 from stiction.records.sources import bibliography
 from stiction.surfaces.finishes import NUMBERS, Finish, finish, finish_names, finishes
 
-FINISHES = {"polished", "lapped", "ground", "turned", "milled", "blasted", "wafer", "sputtered film", "worn", "as deposited"}
+FINISHES = {
+    "polished",
+    "lapped",
+    "ground",
+    "turned",
+    "milled",
+    "blasted",
+    "wafer",
+    "sputtered film",
+    "worn",
+    "as deposited",
+    "printed",
+}
 
 
 def test_every_finish_has_its_numbers_with_source_and_grade():

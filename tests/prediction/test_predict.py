@@ -66,9 +66,9 @@ def test_a_junction_grows_until_its_interface_gives_way(share):
 
     expected = brentq(left, 1.0, 1e3)
     column = np.array([[1.0]])
-    found = grown(np.array([0.3]), column, share * bulk * column, hardness * column, bulk * column)
+    found = grown(np.array([0.2]), column, share * bulk * column, hardness * column, bulk * column)
     assert found.item() == pytest.approx(expected, rel=1e-9)
-    assert grown(np.array([0.05]), column, share * bulk * column, column, bulk * column).item() == 1.0
+    assert grown(np.array([0.01]), column, share * bulk * column, column, bulk * column).item() == 1.0
 
 
 def test_tabors_junctions_are_met_where_the_interface_is_strong():

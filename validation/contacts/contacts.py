@@ -7,11 +7,9 @@ import csv
 import tomllib
 from collections import Counter
 from functools import cache
-from math import pi
 from pathlib import Path
 
 import stiction as st
-from stiction.surfaces.finishes import finish
 
 HERE = Path(__file__).parent
 
@@ -33,7 +31,7 @@ def material_of(name: str) -> st.Material:
 
 
 def contact_of(row: dict[str, str], **more) -> st.Contact:
-    """Return the contact of a row, its roughness at the medians of the finish classes; more: other fields of `Contact`.
+    """Return the contact of a row, its roughness known by the finish classes; more: other fields of `Contact`.
 
     The interface is not part of it: see the column of that name.
     """
@@ -42,29 +40,12 @@ def contact_of(row: dict[str, str], **more) -> st.Contact:
     return st.Contact(
         first=material_of(row["first"]),
         second=material_of(row["second"]),
-        roughness=_roughness(row["finish_first"], row["finish_second"]),
+        roughness={"first": {"finish": row["finish_first"]}, "second": {"finish": row["finish_second"]}},
         nominal_area=float(row["nominal_area_m2"]),
         work_of_adhesion=float(row["work_of_adhesion_J_m2"] or 0.0),
         coating=coating,
         **more,
     )
-
-
-def _roughness(*names: str) -> st.Roughness:
-    """Return the summits of the Gaussian surface whose spectral moments are the sums of those of the finishes (McCool 1986)."""
-    medians = [[float(finish(name).quantile(number, 0.5)) for number in _OF_A_SURFACE] for name in names]
-    m0 = sum(height**2 for height, _, _ in medians)
-    m2 = sum(slope**2 / 2 for _, slope, _ in medians)
-    m4 = sum(pi * (3 / 8 / radius) ** 2 for _, _, radius in medians)
-    bandwidth = m0 * m4 / m2**2
-    return st.Roughness(
-        asperity_height_deviation=((1 - 0.8968 / bandwidth) * m0) ** 0.5,
-        asperity_radius=3 / 8 * (pi / m4) ** 0.5,
-        asperity_density=m4 / m2 / (6 * pi * 3**0.5),
-    )
-
-
-_OF_A_SURFACE = ("rms_height", "rms_slope", "asperity_radius")
 
 
 def _read(name: str) -> list[dict[str, str]]:

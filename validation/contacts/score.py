@@ -1,47 +1,108 @@
-"""Score predictions against the contacts of contacts.csv.
+"""Score predictions against the contacts of contacts.csv, leaving one class of contacts out.
 
-python validation/contacts/score.py     # a line for each contact, and how often the intervals hold the printed friction
+python validation/contacts/score.py     # a line for each contact, how often the intervals hold, and results.csv
 
 A printed range counts by its geometric mean; a kinetic coefficient may be a third below the static one. The interface of each
-contact is stated, its roughness is that of the finish classes.
+contact is stated, its roughness is known by the finish classes. The strengths of states come from sources; where a number leans
+on the printed friction of a class, it is replaced for that class by what is left without it (left_out.toml). Nothing else is
+fitted to these contacts.
 """
+
+import csv
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import contacts
 import numpy as np
 
 import stiction as st
+from stiction.contact.interfaces import Interface, interface
 
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
 KINETIC = 1.33  # the static coefficient at most, over the kinetic one
+COLUMNS = (
+    "class", "contact", "interface", "source", "grade", "printed_low", "printed_high",
+    "median", "low_50", "high_50", "low_90", "high_90", "draws_below",
+)  # fmt: skip
 
 
-def score(row: dict[str, str]) -> tuple[float, float, np.ndarray, float]:
-    """Return the printed range, the predicted quantiles at LEVELS, and the share of draws below the printed mean."""
-    contact = contacts.contact_of(row, interface=row["interface"])
-    answer = st.predict(contact, load=float(row["load_N"]))
-    mu = answer.friction_coefficient_samples.values
+@dataclass(frozen=True)
+class Score:
+    """A contact with the printed range, the predicted quantiles at LEVELS, and the share of draws below the printed mean."""
+
+    row: dict[str, str]
+    low: float
+    high: float
+    predicted: np.ndarray
+    below: float
+
+    def holds(self, level: float) -> bool:
+        """Return whether the interval of this level holds the printed mean."""
+        return abs(self.below - 0.5) <= 0.5 * level
+
+    @property
+    def overlaps(self) -> bool:
+        """Return whether the printed range overlaps the 90 % interval."""
+        return bool(self.low <= self.predicted[-1] and self.high >= self.predicted[0])
+
+    @property
+    def width(self) -> float:
+        """Return the upper end of the 90 % interval over the lower one."""
+        return float(self.predicted[-1] / self.predicted[0])
+
+    def as_row(self) -> list[str]:
+        """Return the contact as a row of results.csv."""
+        middle = (self.predicted[at] for at in (2, 1, 3, 0, 4))
+        numbers = (f"{value:.3g}" for value in (self.low, self.high, *middle, self.below))
+        return [*(self.row[name] for name in ("class", "id", "interface", "sources", "grade")), *numbers]
+
+
+def score(row: dict[str, str], left_out: bool = True) -> Score:
+    """Return the score of a contact; left_out: whether its class is unknown to the table of states."""
+    contact = contacts.contact_of(row, interface=state_of(row, left_out))
+    mu = st.predict(contact, load=float(row["load_N"])).friction_coefficient_samples.values
     low, high = float(row["mu_low"]), float(row["mu_high"])
     high *= KINETIC if row["which"] == "kinetic" else 1.0
-    return low, high, np.nanquantile(mu, LEVELS), float(np.mean(mu < (low * high) ** 0.5))
+    return Score(row, low, high, np.nanquantile(mu, LEVELS), float(np.mean(mu < (low * high) ** 0.5)))
+
+
+def state_of(row: dict[str, str], left_out: bool) -> Interface:
+    """Return the state of the interface of a contact, as it is known without the class of the contact."""
+    state = interface(row["interface"])
+    changes = dict(_left_out().get(row["class"], {}).get(row["interface"], {}))
+    changes.pop("why", None)
+    if not left_out or not changes:
+        return state
+    ranges = {**state.range, **changes.pop("range", {})}
+    return Interface(**{**state.model_dump(exclude={"range"}, exclude_none=True), **changes, "range": ranges})
+
+
+def scores(left_out: bool = True) -> Iterator[Score]:
+    """Yield the score of each contact in scope."""
+    return (score(row, left_out) for row in contacts.rows() if row["in_scope"] == "yes")
+
+
+def _left_out() -> dict[str, dict]:
+    return tomllib.loads((contacts.HERE / "left_out.toml").read_text(encoding="utf-8"))
 
 
 def main() -> None:
-    shares, widths, overlaps = [], [], []
-    for row in contacts.rows():
-        if row["in_scope"] != "yes":
-            continue
-        low, high, predicted, share = score(row)
-        shares.append(share)
-        widths.append(predicted[-1] / predicted[0])
-        overlaps.append(low <= predicted[-1] and high >= predicted[0])
-        ends = " ".join(f"{value:8.3g}" for value in predicted)
-        print(f"{row['interface']:18} {row['id']:26} printed {low:6.3g} to {high:6.3g}  predicted {ends}")
-    found = np.array(shares)
-    for name, low, high in (("50 %", 0.25, 0.75), ("90 %", 0.05, 0.95)):
-        print(f"{name} interval holds {np.mean((found >= low) & (found <= high)):.0%} of {len(found)} contacts")
-    print(f"printed range overlaps the 90 % interval: {np.mean(overlaps):.0%}")
-    middle, narrow = np.median(widths), np.mean(np.less(widths, 10))
-    print(f"width of the 90 % interval: a factor {middle:.2g} in the median, below 10 in {narrow:.0%}")
+    found = []
+    for one in scores():
+        found.append(one)
+        ends = " ".join(f"{value:8.3g}" for value in one.predicted)
+        print(f"{one.row['interface']:18} {one.row['id']:26} printed {one.low:6.3g} to {one.high:6.3g}  predicted {ends}")
+    with (contacts.HERE / "results.csv").open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerows([COLUMNS, *(one.as_row() for one in found)])
+    for level in (0.5, 0.9):
+        print(f"{level:.0%} interval holds {np.mean([one.holds(level) for one in found]):.0%} of {len(found)} contacts")
+    print(f"printed range overlaps the 90 % interval: {np.mean([one.overlaps for one in found]):.0%}")
+    widths = [one.width for one in found]
+    print(
+        f"width of the 90 % interval: a factor {np.median(widths):.2g} in the median, below 10 in {np.mean(np.less(widths, 10)):.0%}"
+    )
 
 
 if __name__ == "__main__":

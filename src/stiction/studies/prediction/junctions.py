@@ -3,9 +3,9 @@
 Growth: a plastic junction under the shear stress tau obeys p^2 + alpha tau^2 = H^2 (Tabor 1959), so that its pressure falls and
 its area grows by 1/sqrt(1 - c^2), with c = tau_0/tau_b the strength of the interface over that of the body; a junction that is
 elastic until p reaches H sqrt(1 - c^2) does not grow. Three assumptions are alternatives, with prior weights that are a
-judgement (grade C): no growth; the bulk shears at Y/sqrt(3) (von Mises); the bulk of a junction hardens, to H/3 where the
-interface is as strong as the body (alpha = 9, Tabor's experiments). What ends growth where c goes to 1 is in none of them: c is
-bounded at 0.999.
+judgement (grade C): no growth, which a spot that flows contradicts; the bulk shears at Y/sqrt(3) (von Mises); the bulk of a
+junction hardens, to H/3 where the interface is as strong as the body (alpha = 9, Tabor's experiments, which count most). What
+ends growth where c goes to 1 is in none of them: c is bounded at 0.999.
 
 Squeeze: a soft film between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius a, that of a plastic layer that
 sticks to both (Hill 1950), and at most the hardness of the body. How far this goes is drawn evenly between nothing and all.
@@ -16,7 +16,7 @@ import numpy as np
 __all__ = ["GROWTH", "grown", "squeezed"]
 
 # Prior weights: no growth, von Mises, Tabor's hardened junctions.
-GROWTH = (0.10, 0.35, 0.55)
+GROWTH = (0.03, 0.27, 0.70)
 _MOST = 0.999  # of the strength of the interface over that of the body
 _TABOR = 9.0  # alpha
 
