@@ -100,9 +100,8 @@ def main() -> None:
         print(f"{level:.0%} interval holds {np.mean([one.holds(level) for one in found]):.0%} of {len(found)} contacts")
     print(f"printed range overlaps the 90 % interval: {np.mean([one.overlaps for one in found]):.0%}")
     widths = [one.width for one in found]
-    print(
-        f"width of the 90 % interval: a factor {np.median(widths):.2g} in the median, below 10 in {np.mean(np.less(widths, 10)):.0%}"
-    )
+    middle, narrow = np.median(widths), np.mean(np.less(widths, 10))
+    print(f"width of the 90 % interval: a factor {middle:.2g} in the median, below 10 in {narrow:.0%}")
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
 """What pulls beside the load: by what factor adhesion and menisci raise the area.
 
-The factor g is that of sums over asperities: the area with the pull over that without it, of one law. It goes to 1 without a
-step where nothing pulls. Two laws of adhesion answer, equally likely: JKR asperities that yield (the 2015 model) and the
+The factor g is that of sums over asperities: the area with the pull over that without it, of one law. It goes to 1 without
+a step where nothing pulls. Two laws of adhesion answer, equally likely: JKR asperities that yield (the 2015 model) and the
 elastic ones of Maugis.
 
-Their asperities do not feel each other, and spots that adhesion widens merge. Maps solved with adhesion (validation/adhesion.py)
-have more area, g^m with
+Their asperities do not feel each other, and spots that adhesion widens merge. Maps solved with adhesion have more area
+(validation/adhesion.py), g^m with
 
     m = 1 + 1/(1 + (U/(10 w))^2),
 
@@ -93,7 +93,9 @@ def _by_adhesion(asked: Asked) -> list[np.ndarray]:
 
 
 def _merging(asked: Asked) -> np.ndarray:
-    """Return the power (n, 1) of the factor of a sum that solved maps have."""
-    groups, _ = Groups.of(asked.drawn.indices())
+    """Return the power (n or 1, m or 1) of the factor of a sum that solved maps have."""
+    from xarray import DataArray
+
+    groups, dims = Groups.of(asked.drawn.indices())
     ratio = np.nan_to_num(elastic_over_adhesion(groups), nan=np.inf) / _STICKY
-    return 1.0 + 1.0 / (1.0 + asked.column(ratio) ** 2)
+    return asked.column(DataArray((1.0 + 1.0 / (1.0 + ratio**2)).reshape(tuple(dims.values())), dims=list(dims)))
