@@ -1,6 +1,6 @@
 """Score predictions against the contacts of contacts.csv, leaving one class of contacts out.
 
-python validation/contacts/score.py     # a line for each contact, how often the intervals hold, and results.csv
+python validation/contacts/score.py     # a line for each contact, how often the intervals hold; writes results.csv and FILE
 
 A printed range counts by its geometric mean; a kinetic coefficient may be a third below the static one. The interface of each
 contact is stated, its roughness is known by the finish classes. The strengths of states come from sources; where a number leans
@@ -9,6 +9,7 @@ fitted to these contacts.
 """
 
 import csv
+import json
 import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -18,6 +19,7 @@ import numpy as np
 
 import stiction as st
 from stiction.contact.interfaces import Interface, interface
+from stiction.studies.prediction.beside import FILE
 
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
 KINETIC = 1.33  # the static coefficient at most, over the kinetic one
@@ -87,6 +89,13 @@ def _left_out() -> dict[str, dict]:
     return tomllib.loads((contacts.HERE / "left_out.toml").read_text(encoding="utf-8"))
 
 
+def _by_state(found: list[Score]) -> dict[str, dict[str, int]]:
+    """Return how many contacts each state of the interface has, and of how many the intervals overlap the printed range."""
+    states = sorted({one.row["interface"] for one in found})
+    of = {name: [one.overlaps for one in found if one.row["interface"] == name] for name in states}
+    return {name: {"contacts": len(held), "held": sum(held)} for name, held in of.items()}
+
+
 def main() -> None:
     found = []
     for one in scores():
@@ -96,6 +105,7 @@ def main() -> None:
     with (contacts.HERE / "results.csv").open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerows([COLUMNS, *(one.as_row() for one in found)])
+    FILE.write_text(json.dumps(_by_state(found), indent=1) + "\n", encoding="utf-8")
     for level in (0.5, 0.9):
         print(f"{level:.0%} interval holds {np.mean([one.holds(level) for one in found]):.0%} of {len(found)} contacts")
     print(f"printed range overlaps the 90 % interval: {np.mean([one.overlaps for one in found]):.0%}")

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 __all__ = ["answer_lines", "answer_record", "at_working_load", "headline", "model_record", "number"]
 
 _MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
-_LEAST = 0.01  # share of the variance that is named
+_LEAST = 0.05  # share of the variance that is named
 _NAMES = {
     "interface": "interface strength",
     "area model": "model of the contact area",
@@ -50,6 +50,8 @@ def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
         "next": data.attrs["next_step"],
         "models": dict(data.attrs["models"]),
         "excluded": data.attrs["excluded"],
+        "bare_metal": list(data.attrs["bare_metal"]) or None,
+        "checked_against": data.attrs["checked_against"],
     }
 
 
@@ -102,6 +104,8 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("state", attrs["regime"]),
         ("uncertainty from", _shares(attrs["shares"])),
         ("model", f"{', '.join(attrs['models'])}" + (", combined" if len(attrs["models"]) > 1 else "")),
+        ("bare metal", _bare(attrs["bare_metal"])),
+        ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),
         ("not used", "; ".join(attrs["inputs_not_used"])),
         ("next", attrs["next_step"]),
@@ -128,6 +132,10 @@ def _of_measured(attrs: dict[str, Any]) -> str:
     values = "1 value" if attrs["measured"] == 1 else f"{attrs['measured']} values"
     line = f'interfacial_shear_strength = {{ low = "{low}", high = "{high}" }}'
     return f"{values}: interface strength {middle} ({low} to {high}); in the case: {line}"
+
+
+def _bare(interval: list[float]) -> str:
+    return f"mu = {number(interval[0])} to {number(interval[1])} where the metals touch, not included" if interval else ""
 
 
 def _shares(shares: dict[str, float]) -> str:

@@ -13,6 +13,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.prediction.asked import Asked
+from stiction.studies.prediction.beside import bare_metal, checked_against
 from stiction.studies.prediction.finish import with_finish
 from stiction.studies.prediction.levels import Levels, draw_levels
 from stiction.studies.prediction.measured import Measured, chosen_draws, read_measured
@@ -215,4 +216,6 @@ def _attributes(mixture: Mixture, samples: Samples, at: int, level: float, share
         "next_step": next_step(shares, mixture),
         "models": {law.name: law.weight for law in mixture.laws},
         "excluded": float(np.mean(~np.isfinite(samples.force))),
+        "bare_metal": bare_metal(mixture, level),
+        "checked_against": checked_against(mixture, at),
     }
