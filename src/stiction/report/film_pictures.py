@@ -9,29 +9,24 @@ from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from stiction.quantities.units import show
 from stiction.report.number_table import prefix, shown
-from stiction.report.pictures import BLUE, GREY, ORANGE, RED, doubts_below, finish, heading
+from stiction.report.pictures import BLUE, GREY, ORANGE, RED, entitle, finish
 
 if TYPE_CHECKING:
     import xarray
 
 _LEVELS = 12
-_LINE = 0.17  # inches, of a line below the panels
 
 
 def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = "") -> Figure:
     """The von Mises stress over the yield stress of what is there, in section, with the largest marked; and the stresses along
     the interface. data: one point of `film_stresses`; section: of `film_section`."""
-    notes = doubts_below(data, 150)
-    figure = Figure(figsize=(11.0, 4.6 + _LINE * len(notes)), layout="constrained")
+    figure = Figure(figsize=(11.0, 4.6), layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(1.45, 1.0))
     _section_panel(figure, left, section)
     _interface_panel(right, section)
     yields = "; inside the red line it yields" if float(section["stress_over_yield"].max()) > 1.0 else ""
     # Above both panels: a panel of equal axes is moved after its own title has found its place.
-    lines = [heading(data, title), _sizes(data, section), f"left: elastic stresses{yields}"]
-    figure.suptitle("\n".join(lines), fontsize=10)
-    if notes:
-        figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
+    entitle(figure, data, title, _sizes(data, section), f"left: elastic stresses{yields}")
     return figure
 
 

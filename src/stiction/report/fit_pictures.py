@@ -1,23 +1,21 @@
 """Pictures of a fit: what was measured with what the model says, residuals, predictions with bands, and profiles."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.picture_style import along
-from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, draw_band, finish, label
+from stiction.report.number_table import some
+from stiction.report.picture_style import COLOURS, along, look_of
+from stiction.report.pictures import BLUE, GREY, SKY, draw_band, finish, label
+from stiction.report.several_tables import coordinates_along, of_value, points_dimension
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["fit_figure", "profile_figure"]
-
-_COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
-_MARKERS = ("o", "s", "^", "D", "v", "P")
 _LINES = 5
 _TOP = 12.0  # of the rise of chi square that is shown
 
@@ -41,105 +39,66 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     return figure
 
 
-def _rows(data: "xarray.Dataset", name: str, sample: str) -> np.ndarray:
-    return np.flatnonzero((data["quantity"].values == name) & (data["sample"].values == sample))
+def _series(data: "xarray.Dataset", name: str) -> "Iterator[tuple[str, dict[str, Any], np.ndarray, xarray.Dataset]]":
+    """Yield each sample of a quantity: its name, its look, and its values by load, or in their order where no load is known."""
+    x = data["measured_load"].values
+    x = x if np.isfinite(x).all() else np.arange(float(x.size))
+    for at, sample in enumerate(dict.fromkeys(data["sample"].values.tolist())):
+        rows = np.flatnonzero((data["quantity"].values == name) & (data["sample"].values == sample))
+        rows = rows[np.argsort(x[rows], kind="stable")]
+        if rows.size:
+            yield sample, look_of("", at), x[rows], data.isel(row=rows)
 
 
-def _samples(data: "xarray.Dataset") -> list[str]:
-    return list(dict.fromkeys(data["sample"].values.tolist()))
-
-
-def _x(data: "xarray.Dataset", rows: np.ndarray) -> np.ndarray:
-    """Loads; of what was measured without any the numbers of the rows."""
-    load = data["measured_load"].values[rows]
-    return load if np.isfinite(load).all() else rows.astype(float)
-
-
-def _axis(name: str) -> str:
-    row = QUANTITIES[name]
-    unit = f" [{row.unit.replace('m^2', 'm²')}]" if row.unit else ""
-    return f"{row.meaning.partition(',')[0]} ${row.latex}${unit}"
-
-
-def _with_load_axis(axes: Axes, data: "xarray.Dataset") -> None:
+def _along_load(axes: Axes, data: "xarray.Dataset") -> None:
     load = data["measured_load"].values
-    if not np.isfinite(load).all():
+    if np.isfinite(load).all():
+        along(axes, "x", "load", load)
+    else:
         axes.set_xlabel("number of the value")
-        return
-    axes.set_xlabel(_axis("load"))
-    if load.min() > 0.0 and load.max() > 9.0 * load.min():
-        axes.set_xscale("log")
 
 
 def _measured_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
-    for at, sample in enumerate(_samples(data)):
-        rows = _rows(data, name, sample)
-        if not rows.size:
-            continue
-        colour, marker = _COLOURS[at % len(_COLOURS)], _MARKERS[at % len(_MARKERS)]
-        x = _x(data, rows)
-        order = np.argsort(x, kind="stable")
-        axes.errorbar(
-            x, data["measured"].values[rows], data["error"].values[rows], fmt=marker, color=colour, markersize=4, linewidth=1,
-            capsize=2, label=sample or "measured",
-        )  # fmt: skip
-        axes.plot(x[order], data["fitted"].values[rows][order], color=colour, linewidth=1.6)
-    _with_load_axis(axes, data)
-    axes.set_ylabel(_axis(name))
+    for sample, look, x, rows in _series(data, name):
+        said: dict[str, Any] = {"linestyle": "", "linewidth": 1, "capsize": 2, "label": sample or "measured"}
+        axes.errorbar(x, rows["measured"], rows["error"], **look, **said)
+        axes.plot(x, rows["fitted"], color=look["color"], linewidth=1.6)
+    _along_load(axes, data)
+    along(axes, "y", name, data["measured"].values[data["quantity"].values == name], log=False)
     axes.set_title("points: measured, standard error; lines: fitted", fontsize=9)
     axes.legend(fontsize=8, framealpha=0.9)
-    finish(axes)
 
 
 def _residual_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     axes.axhspan(-1.96, 1.96, color=GREY, alpha=0.15, linewidth=0)
     axes.axhline(0.0, color="black", linewidth=1)
-    for at, sample in enumerate(_samples(data)):
-        rows = _rows(data, name, sample)
-        axes.plot(
-            _x(data, rows), data["residual"].values[rows], linestyle="", color=_COLOURS[at % len(_COLOURS)],
-            marker=_MARKERS[at % len(_MARKERS)], markersize=4,
-        )  # fmt: skip
-    _with_load_axis(axes, data)
-    most = np.nanmax(np.abs(data["residual"].values))
-    axes.set_ylim(-1.1 * max(most, 2.5), 1.1 * max(most, 2.5))
-    axes.set_ylabel("(measured - fitted) / standard error")
+    for _, look, x, rows in _series(data, name):
+        axes.plot(x, rows["residual"], linestyle="", **look)
+    _along_load(axes, data)
+    most = 1.1 * max(float(np.nanmax(np.abs(data["residual"].values))), 2.5)
+    axes.set(ylim=(-most, most), ylabel="(measured - fitted) / standard error")
     axes.set_title("grey: 95 % of residuals, if the model holds", fontsize=9)
     finish(axes)
 
 
 def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     best, low, high = (data[f"predicted_{name}{end}"] for end in ("", "_low", "_high"))
-    point = next(dim for dim in ("load", "mean_separation", "separation") if dim in best.dims)
+    point = str(points_dimension(data))
     others = [dim for dim in best.dims if dim != point]
-    rows = [dict(zip(others, at, strict=True)) for at in np.ndindex(*(data.sizes[dim] for dim in others))]
-    chosen = [rows[at] for at in np.unique(np.linspace(0, len(rows) - 1, min(len(rows), _LINES)).round().astype(int))]
+    places = list(np.ndindex(*(data.sizes[dim] for dim in others)))
     x = data[point].values if point in data.coords else np.arange(data.sizes[point])
-    for at, place in enumerate(chosen):
-        colour = _COLOURS[at % len(_COLOURS)]
+    for line, chosen in enumerate(some(len(places), _LINES)):
+        place = dict(zip(others, places[chosen], strict=True))
+        said = [f"{one} = {of_value(data, one, at)}" for dim, at in place.items() for one in coordinates_along(data, str(dim))]
+        colour, text = COLOURS[line % len(COLOURS)], ", ".join(said) or "as in the case"
         draw_band(axes, x, low.isel(place).values, high.isel(place).values, color=colour, alpha=0.25)
-        axes.plot(
-            x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "",
-            label=_place(data, place) or "as in the case",
-        )  # fmt: skip
+        axes.plot(x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "", label=text)
     if x.size > 1 and x.min() > 0.0 and x.max() > 9.0 * x.min():
         axes.set_xscale("log")
     axes.set_xlabel(label(data[point]) if point in data.coords else point)
-    axes.set_ylabel(_axis(name))
+    along(axes, "y", name, best.values, log=False)
     axes.set_title("predicted; band: 95 %, of the fitted numbers alone", fontsize=9)
     axes.legend(fontsize=8, framealpha=0.9)
-    finish(axes)
-
-
-def _place(data: "xarray.Dataset", place: dict) -> str:
-    said = []
-    for dim, at in place.items():
-        for name, one in data.coords.items():
-            if one.dims == (dim,):
-                quantity = str(name).rpartition(".")[2]
-                value = float(one.values[at])
-                said.append(f"{quantity.replace('_', ' ')} {show(value, quantity, 3) if quantity in QUANTITIES else value}")
-    return ", ".join(said)
 
 
 def profile_figure(data: "xarray.Dataset") -> Figure:

@@ -5,16 +5,16 @@ import math
 _MOST = 3  # digits, of a friction coefficient that is computed: what is read off an instrument has no more
 
 
-def rounded(value: float, ends: list[float], unknown: int = 2) -> str:
+def rounded(value: float, ends: list[float]) -> str:
     """The value, to the place of the leading digit of half the width of all that it may be, or one further where that digit is
     1; at least one digit and at most three. ends: low and high ends of what it may be, in any order; where there are none, or
-    they are no width, `unknown` digits. "not defined" where the value is no number."""
+    they are no width, two digits. "not defined" where the value is no number."""
     if not math.isfinite(value):
         return "not defined"
     if value == 0.0:
         return "0"
     half = 0.5 * (max([value, *ends]) - min([value, *ends]))
-    digits = unknown
+    digits = 2
     if half > 1e-12 * abs(value):
         place = _place(half) - (1 if f"{half:e}".startswith("1") else 0)
         digits = min(max(1 + _place(value) - place, 1), _MOST)

@@ -18,13 +18,11 @@ from stiction.report.pictures import (
     METHOD_BAND,
     MU_LABEL,
     NOT_PRESSED,
-    RED,
     SKY,
     WIDE,
-    doubts_below,
     draw_band,
+    entitle,
     finish,
-    heading,
     label,
     say,
 )
@@ -184,10 +182,7 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     methods = [str(method) for method in table[METHOD].values]
     each = table.values.reshape(len(methods), -1)[:, drawn]
     figure = Figure(figsize=(9.6, 5.2), layout="constrained")
-    figure.suptitle(heading(data, title), fontsize=11)
-    if notes := doubts_below(data, 140):
-        figure.set_figheight(5.2 + 0.16 * len(notes))
-        figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
+    entitle(figure, data, title)
     axes = figure.subplots()
     axes.set(xlabel=label(data["load"]), ylabel=MU_LABEL)
     if drawn.any():

@@ -111,9 +111,9 @@ def panels(data: "xarray.Dataset") -> list[tuple[str, str]]:
     return [names for names in _PANELS if all(name in data for name in names)]
 
 
-def panel_of_curve(data: "xarray.Dataset", what: str, against: str, size: tuple[float, float] = (5.2, 3.9)) -> Figure:
+def panel_of_curve(data: "xarray.Dataset", what: str, against: str) -> Figure:
     """One of the panels of a curve as a picture of its own."""
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(5.2, 3.9), layout="constrained")
     _draw_panel(figure.subplots(), data, what, against)
     return figure
 
@@ -131,6 +131,14 @@ def heading(data: "xarray.Dataset", title: str) -> str:
     if used.get("film", "none") != "none":
         words.append(f"film: {used['film']}")
     return "\n".join(filter(None, [title, f"{', '.join(words)} (grade {used['grade']})"]))
+
+
+def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
+    """Write above a figure what it shows, line by line, and below it what is doubtful, for which it grows."""
+    figure.suptitle("\n".join([heading(data, title), *more]), fontsize=11)
+    if notes := doubts_below(data, int(14.0 * figure.get_figwidth())):
+        figure.set_figheight(figure.get_figheight() + 0.16 * len(notes))
+        figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
 
 
 def doubts_below(data: "xarray.Dataset", width: int) -> list[str]:

@@ -1,6 +1,7 @@
 """Pictures of a case whose numbers are several: curves over one quantity, heat maps over two, small multiples over more."""
 
-from typing import TYPE_CHECKING, Any
+from itertools import product
+from typing import TYPE_CHECKING
 
 import matplotlib
 import numpy as np
@@ -9,7 +10,7 @@ from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
 from stiction.report.number_table import prefix, some
-from stiction.report.pictures import NOT_PRESSED, RED, WIDE, doubts_below, finish, heading, label, say, scale_friction
+from stiction.report.pictures import NOT_PRESSED, WIDE, entitle, finish, label, say, scale_friction
 from stiction.report.several_tables import (
     coordinates_along,
     of_point,
@@ -29,15 +30,8 @@ _DECADE = 9.0  # an axis whose values span more than this is logarithmic if they
 def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """The friction coefficient (of a model without friction the contact area) against what varies, at some of the points."""
     dims = varied(data)
-    if len(dims) == 1:
-        figure = _curves(data, dims[0])
-    elif len(dims) == 2:
-        figure = _maps_by_point(data, dims)
-    else:
-        figure = _small_multiples(data, dims)
-    figure.suptitle(heading(data, title), fontsize=11)
-    if notes := doubts_below(data, int(14.5 * figure.get_figwidth())):
-        figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
+    figure = _curves(data, dims[0]) if len(dims) == 1 else _maps(data, dims)
+    entitle(figure, data, title)
     return figure
 
 
@@ -97,68 +91,49 @@ def _lines(axes: Axes, x: np.ndarray, lines: list[tuple[str, np.ndarray]], count
     axes.legend(fontsize=8, framealpha=0.9)
 
 
-def _maps_by_point(data: "xarray.Dataset", dims: list[str]) -> Figure:
-    """A heat map over two quantities at each of some points."""
-    numbers = some(_points(data), _MAPS)
-    columns = min(len(numbers), 3)
-    rows = -(-len(numbers) // columns)
-    figure = Figure(figsize=(4.2 * columns + 1.6, 3.7 * rows + 0.9), layout="constrained")
-    grid = figure.subplots(rows, columns, squeeze=False)
-    for axes in grid.flat[len(numbers) :]:
+def _maps(data: "xarray.Dataset", dims: list[str]) -> Figure:
+    """Heat maps over the two dimensions with most values. Of two one at each of some points; of more at the middle point, a row
+    and a column of them for some values of the next two; of what varies beside these, the middle."""
+    places: list[tuple[dict[str, int], int]] = [({}, int(at)) for at in some(_points(data), _MAPS)]
+    columns = min(len(places), 3)
+    if len(dims) > 2:
+        dims = sorted(dims, key=lambda dim: -data.sizes[dim])
+        fixed = {dim: (data.sizes[dim] - 1) // 2 for dim in dims[4:]}
+        outer = {dim: some(data.sizes[dim], _MULTIPLES) for dim in reversed(dims[2:4])}
+        middle = (_points(data) - 1) // 2
+        places = [(fixed | dict(zip(outer, map(int, at), strict=True)), middle) for at in product(*outer.values())]
+        columns = len(outer[dims[2]])
+    rows = -(-len(places) // columns)
+    figure = Figure(figsize=(4.0 * columns + 1.6, 3.6 * rows + 0.9), layout="constrained")
+    panels: list[Axes] = list(figure.subplots(rows, columns, squeeze=False).flat)
+    for axes in panels[len(places) :]:
         axes.set_axis_off()
-    maps = [(of_point(data, at), _at_point(data, at)) for at in numbers]
-    _draw_maps(figure, list(grid.flat[: len(numbers)]), maps, data, dims)
-    return figure
-
-
-def _small_multiples(data: "xarray.Dataset", dims: list[str]) -> Figure:
-    """Heat maps over the two dimensions with most values, at the middle point: a row and a column of them for some values of
-    the next two; of what varies beside these, the middle."""
-    order = sorted(dims, key=lambda dim: -data.sizes[dim])
-    inner, outer, rest = order[:2], order[2:4], order[4:]
-    middle = (_points(data) - 1) // 2
-    fixed = {dim: (data.sizes[dim] - 1) // 2 for dim in rest}
-    across = some(data.sizes[outer[0]], _MULTIPLES)
-    down = some(data.sizes[outer[1]], _MULTIPLES) if len(outer) > 1 else np.array([-1])
-    figure = Figure(figsize=(3.9 * len(across) + 1.6, 3.5 * len(down) + 0.9), layout="constrained")
-    grid = figure.subplots(len(down), len(across), squeeze=False)
-    whole = _at_point(data, middle)
-    maps = []
-    for row in down:
-        for column in across:
-            at = fixed | {outer[0]: int(column)} | ({outer[1]: int(row)} if len(outer) > 1 else {})
-            said = [
-                f"{name} = {of_value(data, name, place)}" for dim, place in at.items() for name in coordinates_along(data, dim)
-            ]
-            maps.append(("\n".join([of_point(data, middle), *said]), whole.isel(at)))
-    _draw_maps(figure, list(grid.flat), maps, data, inner)
-    return figure
-
-
-def _draw_maps(
-    figure: Figure, panels: list[Axes], maps: list[tuple[str, Any]], data: "xarray.Dataset", dims: list[str]
-) -> None:
-    across, up = dims[1], dims[0]
-    tables = [one.transpose(up, across).values for _, one in maps]
+    panels = panels[: len(places)]
+    up, across = dims[:2]
+    tables = [_at_point(data, point).isel(at).transpose(up, across).values for at, point in places]
     seen = np.concatenate([table[np.isfinite(table) & (table > 0.0)] for table in tables])
     if not seen.size:
         for axes in panels:
             say(axes, "not defined here")
-        return
+        return figure
     wide = seen.max() > WIDE * seen.min()
     norm = LogNorm(seen.min(), seen.max()) if wide else Normalize(0.0, seen.max())
     x, y = _x_values(data, across), _x_values(data, up)
-    for axes, (text, _), table in zip(panels, maps, tables, strict=True):
+    for axes, (at, point), table in zip(panels, places, tables, strict=True):
+        said = [f"{name} = {of_value(data, name, place)}" for dim, place in at.items() for name in coordinates_along(data, dim)]
         drawn = np.ma.masked_where(~(np.isfinite(table) & (table > 0.0)), table)
         mesh = axes.pcolormesh(_edges(x), _edges(y), drawn, norm=norm, cmap="viridis")
         for values, scale in ((x, axes.set_xscale), (y, axes.set_yscale)):
             if _is_log(values):
                 scale("log")
-        axes.set(title=text, xlabel=_axis_label(data, across), ylabel=_axis_label(data, up))
+        axes.set(
+            title="\n".join([of_point(data, point), *said]), xlabel=_axis_label(data, across), ylabel=_axis_label(data, up)
+        )
         axes.title.set_fontsize(9)
         axes.set_facecolor("#dddddd")
     name = shown_quantity(data)
     figure.colorbar(mesh, ax=panels, label=f"{label(data[name])}; grey: not defined")
+    return figure
 
 
 def _rises(values: np.ndarray) -> bool:

@@ -47,10 +47,10 @@ def part_in_words(name: str, total: str) -> str:
     return name.removeprefix(stem).replace("_", "-")
 
 
-def share_figure(curve: "xarray.Dataset", what: str, size: tuple[float, float] = (5.2, 3.9)) -> Figure:
+def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
     """One of the stacks of a curve, over the loads that press; colours with hatches, for those who cannot tell them apart."""
     total, parts = stacks(curve)[what]
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(5.2, 3.9), layout="constrained")
     axes = figure.subplots()
     load, shares = curve["load"].values, shares_of(curve, parts)
     order = np.argsort(load)

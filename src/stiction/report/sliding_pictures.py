@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.picture_style import COLOURS, along
-from stiction.report.pictures import NOT_PRESSED, doubts_below, heading, say
+from stiction.report.pictures import NOT_PRESSED, entitle, say
 
 if TYPE_CHECKING:
     import xarray
@@ -26,9 +26,7 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     _forces(panels[0], rows)
     if lost:
         _losses(panels[1], rows)
-    figure.suptitle(heading(data, title), fontsize=11)
-    if notes := doubts_below(data, 150 if lost else 90):
-        figure.supxlabel("\n".join(notes), fontsize=8, color="#D55E00")
+    entitle(figure, data, title)
     return figure
 
 
