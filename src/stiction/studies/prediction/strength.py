@@ -35,8 +35,8 @@ class Strength:
 
     @property
     def over_body(self) -> float:
-        """Return the stated strength over the shear strength of the weaker body; 0 where none is stated."""
-        return 0.0 if self.stated is None else float(np.median(self.stated / self.bodies.shear_strength))
+        """Return the stated strength, aged, over the shear strength of the weaker body; 0 where none is stated."""
+        return 0.0 if self.stated is None else float(np.median(self.stated * self.aged / self.bodies.shear_strength))
 
     def at(self, state: np.ndarray, strength: np.ndarray, coefficient: np.ndarray, rows: np.ndarray):
         """Return tau_0 [Pa], capped at the shear strength of the weaker body, and the pressure coefficient, arrays (n, m or 1).
