@@ -44,6 +44,8 @@ def test_the_strength_of_a_state_is_drawn_from_its_quantiles():
     for end, level in (("_low", 0.1), ("", 0.5), ("_high", 0.9)):
         expected = 0.05 * math.exp(width * norm.ppf(level))
         assert found[f"friction_coefficient{end}"].item() == pytest.approx(expected, rel=0.04)
+    stated = [5e6 * math.exp(width * norm.ppf(level)) for level in (0.5, 0.1, 0.9)]
+    assert found.attrs["strength"] == pytest.approx(stated, rel=0.04)
     assert found.shares["interface"] > 0.95
 
 
