@@ -37,6 +37,7 @@ _FAR, _FAR_ON_MAP = 0.42, 0.03  # the latter of the solution of a map, which onl
 # Share of the nominal area from which on a law that says nothing of a draw means that it is pressed flat; below, that spots
 # would bear more than they can: then the area is the least that carries the load.
 _HALF = 0.5
+_SHARPEST = 1.0  # sigma over R: asperities of a draw that are higher than their tips are wide cannot be
 _POWER = 3.5  # of the mean of elastic and plastic area
 _SOLVED = 0.005  # standard deviation of ln of what the solved areas themselves are known to
 
@@ -141,6 +142,7 @@ def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:
     if asked.levels.size:
         drawn = asked.areas(choice) if nominal.map is None else area * asked.by_numbers().variation(choice)
     drawn = np.where(np.isnan(drawn), np.where(flat, np.inf, 0.0), drawn)
+    drawn = np.where(_too_sharp(asked), np.nan, drawn)
     state = state_of(points.problem, tables)
     touching = np.ravel(state.get("touching_asperities", np.full(points.wanted.shape, np.inf)))[places]
     with np.errstate(divide="ignore"):
@@ -149,6 +151,13 @@ def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:
         levels, far, sample = (one[places] for one in _known(errors))
         name = replace(choice, tangential=None).name
         return AreaLaw(name, weight, np.log(drawn), levels, far, sample, touching, yields_at, far_error)
+
+
+def _too_sharp(asked: Asked) -> np.ndarray:
+    """Return which draws (n or 1, m or 1) have a surface that cannot be; none where the nominal one is such."""
+    rough = asked.drawn.roughness
+    found = asked.column(rough.asperity_height_deviation / rough.asperity_radius) > _SHARPEST
+    return found & ~found.all(axis=0)
 
 
 def _known(errors: MeasuredErrors) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
