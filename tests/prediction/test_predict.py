@@ -52,7 +52,9 @@ def test_the_strength_of_a_state_is_drawn_from_its_quantiles():
 def test_the_interface_is_no_stronger_than_the_weaker_body():
     bulk = 1e8 / (2.8 * math.sqrt(3.0))
     found = st.predict(pair(interfacial_shear_strength=5e8), load="1 N")
-    assert found.friction_coefficient.item() == pytest.approx(bulk / 1e8, rel=0.02)
+    tresca = 1e8 / 5.6 / 1e8  # Y/2, with H = 2.8 Y
+    assert found.friction_coefficient.item() == pytest.approx(0.5 * (tresca + bulk / 1e8), rel=0.02)
+    assert tresca < found.friction_coefficient_low < found.friction_coefficient_high < bulk / 1e8 * 1.02
     assert f"{5e8 / bulk:.3g} times as strong" in found.warnings[0]
     assert not st.predict(pair(interfacial_shear_strength=0.9 * bulk), load="1 N").warnings
 

@@ -10,6 +10,10 @@ from stiction.studies.prediction.asked import Asked
 __all__ = ["Strength"]
 
 
+# Shear strength by Tresca, Y/2, over that by Mises, Y/sqrt(3).
+_TRESCA = 0.5 * 3.0**0.5
+
+
 class Strength:
     """The distribution of the strength of an interface.
 
@@ -27,6 +31,7 @@ class Strength:
             self.stated = asked.column(contact.interfacial_shear_strength)
         if contact.pressure_coefficient is not None:
             self.coefficient = asked.column(contact.pressure_coefficient)
+        self.metallic = asked.metallic
         self.takes_states = contact.pressure_coefficient is None
         groups, dims = Groups.of(contact.indices())
         self.aged = asked.column(1.0)
@@ -61,7 +66,17 @@ class Strength:
                 if self.takes_states:
                     alpha[mine] = one.pressure_coefficient_at(coefficient[mine, None])
         tau = tau * self.aged[rows % len(self.aged)]
-        return np.minimum(tau, shear), alpha
+        return _capped(tau, shear, strength[:, None], self.metallic), alpha
+
+
+def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.ndarray) -> np.ndarray:
+    """Return tau_0, at most the shear strength of the weaker body: between that of Tresca and of Mises where it is beyond it.
+
+    What is twice the body's and more is anywhere between both at this level. Of metals growth of junctions is wider by far.
+    """
+    with np.errstate(divide="ignore"):
+        beyond = np.clip(np.log2(tau / shear), 0.0, 1.0)
+    return np.minimum(tau, np.where(metallic, shear, shear * (1.0 - (1.0 - _TRESCA) * beyond * (1.0 - level))))
 
 
 def _states(asked: Asked) -> list[tuple[Interface, float]]:
