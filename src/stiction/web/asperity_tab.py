@@ -3,7 +3,6 @@
 import math
 from typing import Any
 
-import numpy as np
 from nicegui import ui
 
 from stiction.quantities.units import show
@@ -80,9 +79,7 @@ def _section_chart(found: OneAsperity, dark: bool) -> dict[str, Any]:
     y = {"name": "depth z/a", "inverse": True, "min": 0.0, "max": float(found.z[-1])}
     options = chart("von Mises stress over yield stress under one asperity", x, y, series, dark)
     options["tooltip"]["trigger"] = "item"
-    points = [[float(found.x[i]), float(found.z[j]), float(found.stress[j, i])] for j, i in np.ndindex(found.stress.shape)]
-    half = [float(values[1] - values[0]) / 2.0 for values in (found.x, found.z)]
     most = max(float(found.stress.max()), 1e-12)
-    add_cells(options, "stress", points, [(f"it - {one!r}", f"it + {one!r}") for one in half], most, ["stress/yield", ""])
+    add_cells(options, "stress", found.x, found.z, found.stress.T, (most, "stress/yield", ""))
     options["visualMap"]["inRange"] = {"color": SHADES[::-1]}
     return options

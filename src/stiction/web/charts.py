@@ -78,11 +78,14 @@ def mark(name: str, point: Any, symbol: str = "diamond", size: int = 12, colour:
 
 
 def add_cells(
-    options: dict[str, Any], name: str, points: list[list[float]], ends: list[tuple[str, str]], most: float, words: list[str]
+    options: dict[str, Any], name: str, x: np.ndarray, y: np.ndarray, values: np.ndarray, scale: tuple[float, str, str]
 ) -> None:
-    """Add coloured cells, with their scale from 0 to most, below all else at points (x, y, value). ends: of a cell along x and
-    along y, as what a browser makes of the number `it`; words: at both ends of the scale."""
-    corners = [f"(it => {one})(api.value({at}))" for at, pair in enumerate(ends) for one in pair]
+    """Add coloured cells below all else, values (x, y) at evenly spaced places, by ratio on logarithmic axes; and their scale
+    from 0 to its first number, with the words at both ends."""
+    log = options["xAxis"]["type"] == "log"
+    halves = [float((at[1] / at[0]) ** 0.5 if log else (at[1] - at[0]) / 2.0) for at in (x, y)]
+    # The ends of a cell, as a browser makes them.
+    corners = [f"api.value({at}) {sign} {half!r}" for at, half in enumerate(halves) for sign in ("/*" if log else "-+")]
     draw = (
         f"(params, api) => {{ const [left, top] = api.coord([{corners[0]}, {corners[2]}]);"
         f" const [right, bottom] = api.coord([{corners[1]}, {corners[3]}]);"
@@ -91,8 +94,10 @@ def add_cells(
         " width: Math.abs(right - left) + 1, height: Math.abs(bottom - top) + 1}}; }"
     )
     # Not progressive: a picture in parts says something else.
+    points = [[float(x[i]), float(y[j]), float(values[i, j])] for i, j in np.argwhere(np.isfinite(values))]
     cells = {"name": name, "type": "custom", ":renderItem": draw, "progressive": 0, "data": points, "clip": True, "z": 1,
              "encode": {"x": 0, "y": 1}}  # fmt: skip
+    most, *words = scale
     options["legend"]["data"] = [one["name"] for one in options["series"]]
     options["series"] = [cells, *options["series"]]
     options["grid"]["right"] = 96
@@ -102,14 +107,13 @@ def add_cells(
 
 
 def _log(values: Any) -> bool:
-    given = np.asarray(values, dtype=float)
-    given = given[np.isfinite(given) & (given > 0.0)]
+    given = _positive(values)
+    given = given[np.isfinite(given)]
     return bool(given.size) and bool(given.max() > _WIDE * given.min())
 
 
 def _positive(values: Any) -> np.ndarray:
-    given = np.asarray(values, dtype=float)
-    return np.where(given > 0.0, given, np.nan)
+    return np.where(np.greater(values, 0.0), values, np.nan)
 
 
 def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str, Any]]:

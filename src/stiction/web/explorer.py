@@ -8,8 +8,7 @@ from typing import Any
 from weakref import WeakSet
 
 from stiction.web.asked import Answer, Question, solved
-from stiction.web.fields import dropped, placed
-from stiction.web.titles import retitled
+from stiction.web.fields import dropped, got, placed
 from stiction.web.words import headline
 from stiction.web.working import Latest
 
@@ -69,7 +68,7 @@ class Explorer:
         """Solve these tables under a title that fits them, and show the result. Another title makes it another case."""
         if tables.get("title") != self.question.tables.get("title"):
             self._opened = tables
-        self.question = self.question.with_tables(retitled(tables, self._opened))
+        self.question = self.question.with_tables(_retitled(tables, self._opened))
         self.on_wait()
         await self._latest.ask(self.question)
 
@@ -123,3 +122,28 @@ class Explorer:
         if self._uploads is not None:
             self._uploads.cleanup()
             self._uploads = None
+
+
+def _retitled(tables: Mapping[str, Any], opened: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the tables with the title of the opened case where bodies and groups are as in it, else one that names them."""
+    same = all(tables.get(name) == opened.get(name) for name in ("contact", "indices"))
+    title = opened.get("title") if same else _described(tables)
+    rest = {name: value for name, value in tables.items() if name != "title"}
+    return {"title": title, **rest} if title else rest
+
+
+def _described(tables: Mapping[str, Any]) -> str:
+    """Name the bodies, and the film with its thickness, of a contact; or dimensionless groups."""
+    if "contact" not in tables:
+        return "Dimensionless groups"
+    bodies = " on ".join(_material(tables, body) for body in ("first", "second"))
+    if not isinstance(got(tables, ("contact", "coating")), Mapping):
+        return bodies.capitalize()
+    thickness = got(tables, ("contact", "coating", "thickness"))  # a text; a list or a distribution is too long for a title
+    film = f"{_material(tables, 'coating', 'material').capitalize()} film"
+    return ", ".join([film, *([thickness] if isinstance(thickness, str) else []), bodies])
+
+
+def _material(tables: Mapping[str, Any], *place: str) -> str:
+    name = got(tables, ("contact", *place, "preset")) or "material of its own"
+    return str(name).replace("_", " ")

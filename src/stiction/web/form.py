@@ -26,7 +26,6 @@ from stiction.web.fields import (
     placed,
 )  # fmt: skip
 from stiction.web.first import OPTIONAL_PARTS, SURFACE_KNOWN_BY
-from stiction.web.points import points_fields
 
 _OWN = "numbers of its own"
 _STRENGTH = "a stated strength"
@@ -35,6 +34,9 @@ _NONE = "the model's own"
 _LABELS = {"kind": "kind of surface"}
 # Laws that may be left out of a contact that would have them.
 _MAY_BE_NONE = ("tangential", "meniscus", "ageing", "contamination")
+_SEPARATIONS = {"start": 4, "stop": -1, "count": 51}
+_LOADS = {"start": "1 mN", "stop": "100 N", "count": 51, "spacing": "log"}
+_PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # per asperity, of dimensionless groups
 _ENDINGS = {"first": "first body", "second": "second body"}
 
 
@@ -60,7 +62,7 @@ class Form:
         self._column.clear()
         with self._column:
             self._model()
-            points_fields(self._explorer, self._inputs, self.build)
+            self._points()
             for part in parts_of(self._explorer.question.tables):
                 self._part(part)
         self.show()
@@ -124,6 +126,33 @@ class Form:
         menu = ui.select(known, value=value, label=label, on_change=chosen, with_input=searched).classes("w-full")
         self._inputs[path] = attributes(menu.props("dense outlined options-dense"), aria_label=label)
         return menu
+
+    def _points(self) -> None:
+        """Choose between separations and loads, with their ends and their number."""
+        tables = self._explorer.question.tables
+        solve = tables.get("solve", {})
+        by = "load" if "load" in solve else "separation"
+        given = solve.get(by)
+
+        async def other(event: Any) -> None:
+            kept = {name: value for name, value in solve.items() if name not in ("load", "separation")}
+            loads = _PLAIN_LOADS if "indices" in tables else _LOADS
+            points = loads if event.value == "load" else _SEPARATIONS
+            await self._explorer.ask({**tables, "solve": {**kept, event.value: dict(points)}})
+            self.build()
+
+        with ui.expansion("Points of the curve").classes("w-full").props("dense"):
+            ui.toggle({"load": "loads", "separation": "separations"}, value=by, on_change=other).props("dense no-caps")
+            if not isinstance(given, Mapping):
+                ui.label(f"{by}: {as_written(given)}").classes("text-sm")
+                return
+            for key, kind in (("start", float), ("stop", float), ("count", int)):
+                path = ("solve", by, key)
+                text = ui.input(key, value=str(given.get(key, ""))).props("dense outlined debounce=300").classes("w-full")
+                text.on_value_change(lambda event, path=path, kind=kind: self._explorer.put(path, _read(event.value, kind)))
+                self._inputs[path] = text
+            spacing = ui.toggle(["linear", "log"], value=str(given.get("spacing", "linear"))).props("dense no-caps")
+            spacing.on_value_change(lambda event: self._explorer.put(("solve", by, "spacing"), event.value))
 
     def _part(self, part: Part) -> None:
         tables = self._explorer.question.tables
@@ -245,6 +274,14 @@ class Form:
             await put
 
         slider.on("update:model-value", moved, throttle=0.05, leading_events=True)
+
+
+def _read(text: str, kind: Callable[[str], float]) -> float | str:
+    """A number where the text is one; else the text, which the case will judge."""
+    try:
+        return kind(text)
+    except ValueError:
+        return text
 
 
 def _is_of(error: InputError, path: tuple[str, ...]) -> bool:

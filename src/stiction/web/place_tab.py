@@ -84,10 +84,7 @@ class PlaceTab:
         found = next((at for at, one in enumerate(CLAIMS) if one.key == self._claim.value), None)
         if found is not None and "map" in _kept:
             share = _kept["map"].share[found, READINGS.index(self._reading.value)]
-            points = [[float(THETA[i]), float(LAM[j]), float(share[i, j])] for i, j in np.argwhere(np.isfinite(share))]
-            half = [float((values[1] / values[0]) ** 0.5) for values in (THETA, LAM)]
-            ends = [(f"it / {one!r}", f"it * {one!r}") for one in half]
-            add_cells(options, CLAIMS[found].says, points, ends, 1.0, ["holds", "fails"])
+            add_cells(options, CLAIMS[found].says, THETA, LAM, share, (1.0, "holds", "fails"))
         self._plane.show(options)
 
     async def _open(self) -> None:

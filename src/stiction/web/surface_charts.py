@@ -25,19 +25,18 @@ def spectrum_chart(
     whole: BinnedSpectrum, kept: BinnedSpectrum, band: Band, ends: tuple[float, float], dark: bool
 ) -> dict[str, Any]:
     """The spectrum as it was and of what is kept, between the ends [rad/m]; shaded where waves are taken out."""
-    most = float(np.max(whole.density))
-    top = math.ceil(math.log10(most))
+    top = math.ceil(math.log10(whole.density.max()))
     limits = [10.0 ** (top - _DECADES), 10.0**top]
     left_out = []
-    if band.longest is not None:
-        left_out.append((ends[0], 2.0 * math.pi / band.longest, f"longer than {show(band.longest, 'scan_size', 3)}"))
-    if band.shortest is not None:
-        left_out.append((2.0 * math.pi / band.shortest, ends[1], f"shorter than {show(band.shortest, 'scan_size', 3)}"))
+    for length, end, which in ((band.longest, ends[0], "longer"), (band.shortest, ends[1], "shorter")):
+        if length is not None:
+            low, high = sorted((end, 2.0 * math.pi / length))
+            left_out.append([{"xAxis": low, "name": f"{which} than {show(length, 'scan_size', 3)}"}, {"xAxis": high}])
     area = {
         "silent": True,
         "itemStyle": {"color": "rgba(128, 128, 128, 0.25)"},
         "label": {"color": INK[dark], "position": "insideTop"},
-        "data": [[{"xAxis": low, "name": said}, {"xAxis": high}] for low, high, said in left_out],
+        "data": left_out,
     }
     series = []
     for name, one, at in (("as measured", whole, 1), ("of the waves that are kept", kept, 0)):
@@ -54,16 +53,14 @@ def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
     """The heights in three dimensions, of some of the points; the vertical is stretched."""
     rows, columns = (max(count // _SHOWN, 1) for count in surface.heights.shape)
     heights = surface.heights[::rows, ::columns] * 1e9
-    y, x = (np.arange(count) * step * pitch * 1e6 for count, step, pitch in
-            zip(heights.shape, (rows, columns), surface.pitch, strict=True))  # fmt: skip
-    points = [[float(a), float(b), None if np.isnan(z) else float(z)] for b, row in zip(y, heights, strict=True)
-              for a, z in zip(x, row, strict=True)]  # fmt: skip
+    along_y, along_x = surface.pitch[0] * rows * 1e6, surface.pitch[1] * columns * 1e6
+    points = [[j * along_x, i * along_y, None if np.isnan(z) else float(z)] for (i, j), z in np.ndenumerate(heights)]
     seen = [float(np.nanmin(heights)), float(np.nanmax(heights))]
     ink = INK[dark]
     look = {"axisLine": {"lineStyle": {"color": ink}}, "axisLabel": {"color": ink}, "nameTextStyle": {"color": ink}}
     axes = {
         f"{name}Axis3D": {"type": "value", "name": said, "nameGap": 30, "splitNumber": 3, **look}
-        for name, said in (("x", "x [um]"), ("y", "y [um]"), ("z", "z [nm]"))
+        for name, said in zip("xyz", ("x [um]", "y [um]", "z [nm]"), strict=True)
     }
     return axes | {
         "grid3D": {"boxHeight": 30, "viewControl": {"distance": 230}},
