@@ -3,24 +3,20 @@
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from rich.box import SIMPLE_HEAD
 from rich.table import Table
 from rich.text import Text
 
+from stiction.report.number_table import ruled_table
 from stiction.report.tables import facts
 
 
 def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
     """The claims map in words: for each claim and reading the share of the plane where it holds, and where. here: the indices
     at which the last column tells the share of films for which it holds."""
-    table = Table(header_style="bold", box=SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
-    for head in ("claim", "reading"):
-        table.add_column(head, no_wrap=True)
-    table.add_column("holds for all films")
-    table.add_column("for some", justify="right")
-    table.add_column("for none")
-    table.add_column("not com-\nparable", justify="right")
-    table.add_column(here, justify="right")
+    table = ruled_table("claim", "reading", "holds for all films", "for some", "for none", "not com-\nparable", here)
+    table.columns[1].no_wrap = True
+    for at in (3, 5, 6):
+        table.columns[at].justify = "right"
     for row in rows:
         cells = (
             f"({row['claim']})",

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 from stiction.quantities.units import show
 from stiction.report.number_table import some
-from stiction.report.picture_style import COLOURS, along, look_of
-from stiction.report.pictures import BLUE, GREY, SKY, draw_band, finish, label
+from stiction.report.picture_style import COLOURS, along, along_points, look_of
+from stiction.report.pictures import BLUE, GREY, SKY, draw_band, finish
 from stiction.report.several_tables import coordinates_along, of_value, points_dimension
 
 if TYPE_CHECKING:
@@ -86,16 +86,14 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     point = str(points_dimension(data))
     others = [dim for dim in best.dims if dim != point]
     places = list(np.ndindex(*(data.sizes[dim] for dim in others)))
-    x = data[point].values if point in data.coords else np.arange(data.sizes[point])
+    x = data[point].values
     for line, chosen in enumerate(some(len(places), _LINES)):
         place = dict(zip(others, places[chosen], strict=True))
         said = [f"{one} = {of_value(data, one, at)}" for dim, at in place.items() for one in coordinates_along(data, str(dim))]
         colour, text = COLOURS[line % len(COLOURS)], ", ".join(said) or "as in the case"
         draw_band(axes, x, low.isel(place).values, high.isel(place).values, color=colour, alpha=0.25)
         axes.plot(x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "", label=text)
-    if x.size > 1 and x.min() > 0.0 and x.max() > 9.0 * x.min():
-        axes.set_xscale("log")
-    axes.set_xlabel(label(data[point]) if point in data.coords else point)
+    along_points(axes, data[point])
     along(axes, "y", name, best.values, log=False)
     axes.set_title("predicted; band: 95 %, of the fitted numbers alone", fontsize=9)
     axes.legend(fontsize=8, framealpha=0.9)

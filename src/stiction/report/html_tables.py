@@ -43,13 +43,9 @@ def of_printed(printed: Printed, caption: str) -> Table:
     heads = [letters(_plain(column.header).replace("\n", " ")) for column in printed.columns]
     cells = [[_plain(cell) for cell in column.cells] for column in printed.columns]
     rows = [list(row) for row in zip(*cells, strict=True)]
-    looks = [_look(str(row.style or "")) for row in printed.rows]
+    looks = ["best" if "bold" in str(row.style) else "faint" if "dim" in str(row.style) else "" for row in printed.rows]
     return Table(caption, heads, rows, [column.justify == "right" for column in printed.columns], looks)
 
 
 def _plain(content: Any) -> str:
     return content.plain if isinstance(content, Text) else Text.from_markup(str(content)).plain
-
-
-def _look(style: str) -> str:
-    return "best" if "bold" in style else "faint" if "dim" in style else ""

@@ -3,16 +3,15 @@
 from collections.abc import Mapping
 from typing import Any
 
-from rich.box import SIMPLE_HEAD
 from rich.console import Group, RenderableType
 from rich.padding import Padding
-from rich.table import Table
 from rich.text import Text
 
 from stiction.contact.interfaces import interfaces
 from stiction.quantities.data_files import GRADES
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.report.number_table import ruled_table
 
 # What a strength without a unit is multiplied by.
 _TIMES = {"interfacial_shear_strength": "", "shear_strength": " H", "strength_over_shear_modulus": " G"}
@@ -37,9 +36,9 @@ def grade_of(number: Mapping[str, Any] | None) -> str:
 
 def interfaces_table() -> Group:
     """Return a line for each state, 80 columns wide at most, and what the letters mean."""
-    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
-    for head in ("state", "tau_0", "90 % range", "", "alpha", "90 % range", ""):
-        table.add_column(head, no_wrap=True)
+    table = ruled_table("state", "tau_0", "90 % range", "", "alpha", "90 % range", "")
+    for column in table.columns:
+        column.no_wrap = True
     for row in interfaces():
         numbers = row["strength"], row["pressure_coefficient"]
         cells = [text for number in numbers for text in (median_in_words(number), range_of(number), grade_of(number))]

@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 from typing import Any
 
-from rich.box import SIMPLE_HEAD
 from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.table import Table
@@ -13,6 +12,7 @@ from stiction.contact.materials import Material, material, material_names, symbo
 from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.report.number_table import ruled_table
 
 LISTED = ("youngs_modulus", "poissons_ratio", "hardness", "surface_energy")
 
@@ -48,10 +48,7 @@ def with_range(preset: Material, name: str) -> str:
 
 def materials_table(names: Iterable[str]) -> Table:
     """A line for each of these presets: its numbers, each with its range."""
-    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False)
-    table.add_column("material\n", no_wrap=True)
-    for name in LISTED:
-        table.add_column(f"{QUANTITIES[name].symbol}\nrange", overflow="fold")
+    table = ruled_table("material\n", *(f"{QUANTITIES[name].symbol}\nrange" for name in LISTED))
     for name in names:
         preset = material(name)
         table.add_row(_lines(name, ", ".join(symbols_of(name))), *(_two_lines(preset, quantity) for quantity in LISTED))

@@ -19,12 +19,12 @@ from stiction.report.pictures import (
     MU_LABEL,
     NOT_PRESSED,
     SKY,
-    WIDE,
     draw_band,
     entitle,
     finish,
     label,
     say,
+    scale_friction,
 )
 from stiction.solving.method_spread import METHOD
 
@@ -186,7 +186,15 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     axes = figure.subplots()
     axes.set(xlabel=label(data["load"]), ylabel=MU_LABEL)
     if drawn.any():
-        floor = _friction_axis(axes, np.concatenate((each.ravel(), taken)))
+        axes.set_xscale("log")
+        values = np.concatenate((each.ravel(), taken))
+        positive = values[values > 0.0] if (values > 0.0).any() else np.ones(1)
+        scale_friction(axes, positive)
+        logarithmic = axes.get_yscale() == "log"
+        floor = positive.min() / 2.0 if logarithmic else 0.0
+        if logarithmic:
+            axes.set_yscale("log", nonpositive="mask")
+            axes.set_ylim(floor, positive.max() * 2.0)
         _friction_lines(axes, load[drawn], np.maximum([low, high], floor), taken, each, methods)
     else:
         say(axes, NOT_PRESSED)
@@ -196,34 +204,18 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     return figure
 
 
-def _friction_axis(axes: Axes, values: np.ndarray) -> float:
-    """Scales of the axes for these values; returns the friction at which a logarithmic axis ends, 0 of a linear one."""
-    axes.set_xscale("log")
-    positive = values[values > 0.0]
-    if positive.size and positive.max() > WIDE * positive.min():
-        axes.set_yscale("log", nonpositive="mask")
-        axes.set_ylim(positive.min() / 2.0, positive.max() * 2.0)
-        return float(positive.min()) / 2.0
-    axes.set_ylim(0.0, 1.08 * positive.max() if positive.size else 1.0)
-    return 0.0
-
-
 def _friction_lines(
     axes: Axes, load: np.ndarray, band: np.ndarray, taken: np.ndarray, each: np.ndarray, methods: list[str]
 ) -> None:
-    spread: dict[str, Any] = {"color": SKY, "alpha": 0.25, "label": METHOD_BAND}
     if len(load) == 1:
         axes.set_xlim(load[0] / 3.0, load[0] * 3.0)
-    draw_band(axes, load, *band, **spread)
+    draw_band(axes, load, *band, color=SKY, alpha=0.25, label=METHOD_BAND)
     alone = "o" if len(load) == 1 else ""
     axes.plot(load, taken, color="black", linewidth=2.4, marker=alone, label=f"taken: {plain(methods[0])}", zorder=3)
     for at, (method, one) in enumerate(zip(methods[1:], each[1:], strict=True)):
-        text = plain(method) + _gaps(one, axes.get_yscale() == "log")
+        text = plain(method)
+        if np.isnan(one).any():
+            text += "\n(carries no load here)" if np.isnan(one).all() else "\n(does not carry every load)"
+        elif axes.get_yscale() == "log" and (one <= 0.0).any():
+            text += "\n(0 where it is not drawn)"
         axes.plot(load, one, linewidth=1.1, label=text, **(look_of(method, at) | {"markersize": 3.5}))
-
-
-def _gaps(friction: np.ndarray, logarithmic: bool) -> str:
-    """What is to be said of a line that is not drawn at every load."""
-    if np.isnan(friction).any():
-        return "\n(carries no load here)" if np.isnan(friction).all() else "\n(does not carry every load)"
-    return "\n(0 where it is not drawn)" if logarithmic and (friction <= 0.0).any() else ""

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable
 
 import numpy as np
+from rich.box import SIMPLE_HEAD
 from rich.table import Table
 from rich.text import Text
 
@@ -17,6 +18,14 @@ def number_table(heads: Iterable[str], name: str | None = None, *, wrap: bool = 
         table.add_column(Text(name), no_wrap=not wrap)
     for head in heads:
         table.add_column(Text(head), justify="right", no_wrap=not wrap)
+    return table
+
+
+def ruled_table(*heads: str) -> Table:
+    """Return an empty table with a line below its heads; the first column of names is never broken."""
+    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
+    for at, head in enumerate(heads):
+        table.add_column(head, no_wrap=at == 0, overflow="fold")
     return table
 
 

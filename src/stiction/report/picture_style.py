@@ -1,6 +1,6 @@
 """Words, units and looks that pictures have in common."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -8,8 +8,11 @@ from matplotlib.ticker import FuncFormatter
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.number_table import prefix
-from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, InUnit, finish
+from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, InUnit, finish, label
 from stiction.surfaces.finding import methods
+
+if TYPE_CHECKING:
+    import xarray
 
 COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
 _MARKERS = ("o", "s", "^", "D", "v", "P")
@@ -29,6 +32,17 @@ def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool =
         if axis.get_scale() == "log":
             axis.set_minor_formatter(InUnit(factor))
     axis.set_label_text(f"{before}{row.short or row.meaning} ${row.latex}$" + (f" [{unit}]" if unit else ""))
+
+
+def along_points(axes: Axes, points: "xarray.DataArray") -> None:
+    """Label and scale the x axis for the points of a result: loads or separations, in SI or normalised."""
+    values = points.values
+    if points.attrs.get("units", "1") != "1":
+        along(axes, "x", str(points.name), values)
+        return
+    if values.min() > 0.0 and values.max() > 9.0 * values.min():
+        axes.set_xscale("log")
+    axes.set_xlabel(label(points))
 
 
 def look_of(method: str, at: int) -> dict[str, Any]:

@@ -39,10 +39,11 @@ def groups_of_inputs(findings: Findings) -> list[Table]:
     """The inputs of a case, part by part, in the order in which a reader asks for them."""
     subject, places = findings.case.subject, places_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
-    known = {".".join(one.path[1:]): _drawn(one) for one in findings.case.uncertain}
+    known = {".".join(one.path[1:]): with_powers(f"{one.distribution.words}: counted") for one in findings.case.uncertain}
     grouped: dict[str, list[list[str]]] = {part: [] for part in _PARTS}
     for dotted, text in subject.listed():
-        part, name = _split(dotted)
+        part = next((one for one in _PARTS if one and dotted.startswith(f"{one}.")), "")
+        name = dotted.removeprefix(f"{part}.")
         if name == "name":
             continue
         material = _material(subject, part)
@@ -63,15 +64,6 @@ def groups_of_groups(findings: Findings) -> list[Table]:
         [QUANTITIES[name].meaning, QUANTITIES[name].symbol, group_in_words(one)] for name, one in subject.all_groups().items()
     ]
     return [Table("Dimensionless groups that follow", ["group", "symbol", "value"], rows, [False, False, True], stacked=True)]
-
-
-def _drawn(one: Any) -> str:
-    return with_powers(f"{one.distribution.words}: counted")
-
-
-def _split(dotted: str) -> tuple[str, str]:
-    part = next((one for one in _PARTS if one and dotted.startswith(f"{one}.")), "")
-    return part, dotted.removeprefix(f"{part}.")
 
 
 def _meaning(name: str) -> tuple[str, str]:

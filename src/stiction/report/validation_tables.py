@@ -4,9 +4,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from rich.box import SIMPLE_HEAD
 from rich.table import Table
 from rich.text import Text
+
+from stiction.report.number_table import ruled_table, short
 
 if TYPE_CHECKING:
     import xarray
@@ -36,24 +37,18 @@ def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
 
 def validation_table(data: "xarray.Dataset") -> Table:
     """Model by model: grade, how many values it answers, how far it is off, and what it is outside of."""
-    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
-    for head, justify in (("model", "left"), ("grade", "left"), ("values", "right"), ("mean ratio", "right")):
-        table.add_column(head, justify=justify, no_wrap=head == "model")  # type: ignore[arg-type]
-    table.add_column("factor off", justify="right")
+    numbers = {"bias": "mean ratio", "factor": "factor off"}
     if np.isfinite(data["error"].values).any():
-        table.add_column("in errors", justify="right")
-    table.add_column("outside of")
+        numbers["in_errors"] = "in errors"
+    table = ruled_table("model", "grade", "values", *numbers.values(), "outside of")
+    for column in table.columns[2:-1]:
+        column.justify = "right"
     for name in data["model"].values:
         one = data.sel(model=name)
-        cells = [str(name), str(one["grade"].values), str(int(one["answered"])), _short(one["bias"]), _short(one["factor"])]
-        cells += [_short(one["in_errors"])] if len(table.columns) == 7 else []
-        table.add_row(*cells, Text(str(one["outside"].values), style="dim"))
+        cells = [short(float(one[key]), 3) for key in numbers]
+        outside = Text(str(one["outside"].values), style="dim")
+        table.add_row(str(name), str(one["grade"].values), str(int(one["answered"])), *cells, outside)
     return table
-
-
-def _short(value: Any) -> str:
-    number = float(value)
-    return f"{number:.3g}" if np.isfinite(number) else ""
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:

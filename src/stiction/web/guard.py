@@ -38,7 +38,7 @@ class Guard:
         """The status and the sentence with which a request is refused; no sentence for one that is let through."""
         heads = {key.lower(): value.decode("latin-1") for key, value in scope.get("headers", [])}
         host = heads.get(b"host", "")
-        if self._names is not None and _name(host) not in self._names:
+        if self._names is not None and urlsplit(f"//{host}").hostname not in self._names:  # without its port
             return 421, "Refused: this server answers under its own name only."
         if (origin := heads.get(b"origin")) and urlsplit(origin).netloc != host:
             return 403, "Refused: the request comes from another page."
@@ -46,24 +46,15 @@ class Guard:
             return 414, f"Refused: an address has {_LONGEST_ADDRESS} characters at most."
         if scope["type"] == "http" and scope["path"] == "/" and self._visitors() >= MOST_VISITORS:
             return 503, f"Refused: {MOST_VISITORS} pages are open. Try again in a minute."
-        return self._too_large(scope, heads)
-
-    def _too_large(self, scope: Scope, heads: dict[bytes, str]) -> tuple[int, str]:
-        if scope["type"] != "http" or scope["method"] not in ("POST", "PUT", "PATCH"):
-            return 200, ""
-        length = heads.get(b"content-length", "")
-        if not length.isdigit():
-            return 411, "Refused: an upload has to say its length."
-        if int(length) > LARGEST_UPLOAD:
-            return 413, f"Refused: an upload has {LARGEST_UPLOAD} bytes at most; stiction surface reads larger scans."
+        if scope["type"] == "http" and scope["method"] in ("POST", "PUT", "PATCH"):
+            length = heads.get(b"content-length", "")
+            if not length.isdigit():
+                return 411, "Refused: an upload has to say its length."
+            if int(length) > LARGEST_UPLOAD:
+                return 413, f"Refused: an upload has {LARGEST_UPLOAD} bytes at most; stiction surface reads larger scans."
         return 200, ""
 
 
 def names_for(host: str) -> frozenset[str] | None:
     """The names under which a server that is bound to this host is called: of this machine only, or any."""
     return _LOOPBACK if host in _LOOPBACK else None
-
-
-def _name(host: str) -> str:
-    """The name in a Host header, without its port."""
-    return urlsplit(f"//{host}").hostname or ""
