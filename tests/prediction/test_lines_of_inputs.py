@@ -23,7 +23,7 @@ def answer(contact, load):
     """The median of st.predict and its warnings, without the shares of the variance, which take longest."""
     mixture = Mixture.of(Asked(case_in({"contact": contact, "solve": {"load": ["1 N"]}}), np.array([load]), LEVELS.inputs))
     samples = mixture.samples(LEVELS, np.arange(COUNT))
-    return float(np.nanmedian(samples.force)) / load, warnings_of(mixture, samples, 0)
+    return float(np.nanmedian(samples.force)) / load, warnings_of(mixture, samples, 0, {})
 
 
 def drawn(rng):

@@ -217,3 +217,16 @@ def test_a_hard_film_bears_no_more_than_the_body_below_it():
     assert float(over_film) == pytest.approx(100.0 * pressure / 15e9, abs=1.0)
     named = contact.replace(first={**body, "name": "my steel"})
     assert st.predict(named, load="2 N").regime.startswith("The body below the film yields, my steel: contacts bear ")
+
+
+def test_an_area_far_from_solved_surfaces_is_a_warning_only_where_it_decides():
+    """The state of the interface is uncertain by far more than a factor of 2; a stated strength is not."""
+    wall = {"first": "silicon", "second": "silicon", "roughness": {"rms_height": "3 nm", "finish": "polished"}}
+    far = "No solved surface is near this contact: its area is known within a factor of 2."
+    by_state, by_strength = (
+        st.predict(st.Contact(**wall, **interface, nominal_area="100 um^2"), load="10 uN")
+        for interface in ({"interface": "monolayer"}, {"interfacial_shear_strength": "2 MPa"})
+    )
+    assert by_state.shares["area model"] < 0.05 < by_strength.shares["area model"]
+    assert far not in by_state.warnings
+    assert far in by_strength.warnings

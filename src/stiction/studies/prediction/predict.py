@@ -211,7 +211,7 @@ def _attributes(mixture: Mixture, samples: Samples, at: int, level: float, share
         "regime": regime_of(mixture, samples, at),
         "shares": dict(shares),
         "strength": strength.tolist(),
-        "warnings": warnings_of(mixture, samples, at),
+        "warnings": warnings_of(mixture, samples, at, shares),
         "inputs_not_used": not_used(mixture.asked, mixture.strength, mixture.touching),
         "next_step": next_step(shares, mixture),
         "models": {law.name: law.weight for law in mixture.laws},

@@ -14,6 +14,7 @@ _PLASTIC = 0.9  # mean pressure over hardness
 _GROWN = 1.5  # area after shear over that before
 _FEW = 10.0
 _STEEP = 0.93  # strength of the interface over the body's, c: ln mu goes with 1/(1 - c^2) times ln c, 0.15 for 2 % here
+_DECIDES = 0.05  # share of the variance from which on a part is worth a warning
 _MANY = 0.05  # share of draws that cannot be, from which on it is said
 
 
@@ -46,7 +47,7 @@ def _of_pressure(mixture: Mixture, pressure: float, at: int) -> str:
     contact, hardness = mixture.asked.contact, float(np.median(mixture.asked.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, at])) for law in mixture.laws)
     if contact.coating is None or not carried < hardness or pressure * hardness < _PLASTIC * carried:
-        return f"Contacts bear {pressure:.0%} of the hardness on average: mu follows the real contact area."
+        return f"Contacts bear {100.0 * pressure:.2g}% of the hardness on average: mu follows the real contact area."
     coated = [getattr(contact, name) for name in ("first", "second") if contact.coating.bodies in (name, "both")]
     below = min(coated, key=lambda body: float(np.mean(body.hardness)))
     softer = "film" if contact.softer_counterbody is None else "counterbody"
@@ -57,12 +58,12 @@ def _of_pressure(mixture: Mixture, pressure: float, at: int) -> str:
     )
 
 
-def warnings_of(mixture: Mixture, samples: Samples, at: int) -> list[str]:
-    """Return what limits the prediction, the most serious first."""
+def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str, float]) -> list[str]:
+    """Return what limits the prediction, the most serious first; shares: of the variance, by part, empty if unknown."""
     impossible = float(np.mean(~np.isfinite(samples.force[:, at])))
     found = []
     if impossible > _MANY:
-        found.append(f"{impossible:.0%} of the draws cannot be and are excluded.")
+        found.append(f"{impossible:.0%} of the draws are physically impossible and are left out.")
     if len(mixture.strength.states) > 1:
         names = ", ".join(one.name for one, _ in mixture.strength.states)
         found.append(f"The interface is not stated: mu is a mixture over {names}.")
@@ -76,7 +77,8 @@ def warnings_of(mixture: Mixture, samples: Samples, at: int) -> list[str]:
     found += [] if mixture.asked.contact.measured is None else list(mixture.asked.contact.measured.doubts)
     area, pressure = (float(np.nanmedian(one[:, at])) for one in (samples.area, samples.pressure))
     is_open = area < _FLAT * float(np.median(mixture.asked.drawn.nominal_area)) and pressure < _PLASTIC
-    if is_open and max(float(law.far[at]) * law.weight * law.far_error for law in mixture.laws) > 0.2:
+    decides = shares.get("area model", 1.0) > _DECIDES
+    if decides and is_open and max(float(law.far[at]) * law.weight * law.far_error for law in mixture.laws) > 0.2:
         found.append("No solved surface is near this contact: its area is known within a factor of 2.")
     return found
 
