@@ -9,7 +9,7 @@ sigma, R, N and mu against the shortest wavelength that is left in the scan, a l
 import numpy as np
 
 import stiction as st
-from stiction.report.surface_pictures import resolution_figure
+from stiction.report.method_pictures import resolution_figure
 
 spectrum = st.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=0.2e-6, deviation=10e-9)
 made = st.gaussian_surface((512, 512), (30e-6, 30e-6), spectrum, seed=7)
