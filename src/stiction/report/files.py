@@ -115,6 +115,11 @@ def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) 
     write_rows(path, heads, zip(*(column.values.ravel().tolist() for column in columns), strict=True), comments)
 
 
+def rows_of(data: "xarray.Dataset", names: Iterable[str]) -> list[list[Any]]:
+    """Return the values of variables of one dimension as rows of a table."""
+    return [list(row) for row in zip(*(data[name].values.tolist() for name in names), strict=True)]
+
+
 def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]], comments: Iterable[str] = ()) -> None:
     """A CSV file with one line of heads, after lines of comments."""
     with path.open("w", encoding="utf-8", newline="") as file:

@@ -8,16 +8,11 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.quantities.units import show
+from stiction.report.files import rows_of
 from stiction.report.number_table import number_table
 
 if TYPE_CHECKING:
     import xarray
-
-__all__ = ["evidence_table", "fit_notes", "parameter_rows", "parameter_table", "prediction_names", "row_rows"]
-
-
-def _quantity(name: str) -> str:
-    return name.partition(" (")[0].rpartition(".")[2]
 
 
 def parameter_table(data: "xarray.Dataset") -> Table:
@@ -25,7 +20,7 @@ def parameter_table(data: "xarray.Dataset") -> Table:
     table = number_table(("best", "95 % from", "to", "searched"), "free")
     table.columns[0].no_wrap = False
     for at, name in enumerate(data["parameter"].values.tolist()):
-        one, quantity = data.isel(parameter=at), _quantity(name)
+        one, quantity = data.isel(parameter=at), name.partition(" (")[0].rpartition(".")[2]
         value, low, high, least, most = (
             show(float(one[key]), quantity, 4) for key in ("value", "low", "high", "least", "most")
         )
@@ -41,11 +36,9 @@ def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
     yield Text(f"{good}{used['values']} values, {used['free']} free; errors: {used['errors']}")
     for line in filter(None, used["verdict"].split("\n")):
         yield Text(line, style="yellow")
-    correlation = data["correlation"].values
-    names = data["parameter"].values.tolist()
-    for i in range(len(names)):
-        for j in range(i):
-            yield Text(f"correlation of {names[j]} and {names[i]}: {correlation[i, j]:.3f}", style="dim")
+    names = data["parameter"].values
+    for i, j in zip(*np.tril_indices(len(names), -1), strict=True):
+        yield Text(f"correlation of {names[j]} and {names[i]}: {data['correlation'].values[i, j]:.3f}", style="dim")
     if used["stopped"]:
         yield Text("stopped before the end: predictions or other models are missing", style="bold")
 
@@ -67,17 +60,15 @@ def evidence_table(data: "xarray.Dataset") -> Table:
 def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
     """Heads and rows of the table of free numbers, for a file."""
     keys = ["unit", "value", "low", "high", "open_low", "open_high", "standard_error"]
-    names = data["parameter"].values.tolist()
-    rows = [
-        [name, *(data[key].values[at].item() for key in keys), *data["correlation"].values[at]] for at, name in enumerate(names)
-    ]
-    return ["parameter", *keys, *(f"correlation with {name}" for name in names)], rows
+    heads = ["parameter", *keys]
+    rows = zip(rows_of(data, heads), data["correlation"].values.tolist(), strict=True)
+    return [*heads, *(f"correlation with {name}" for name in data["parameter"].values)], [[*row, *more] for row, more in rows]
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
     """Heads and rows of the measured values with what the model says, in SI units."""
     keys = ["sample", "quantity", "measured_load", "measured", "error", "fitted", "residual"]
-    return keys, [[data[key].values[at].item() for key in keys] for at in range(data.sizes["row"])]
+    return keys, rows_of(data, keys)
 
 
 def prediction_names(data: "xarray.Dataset") -> list[str]:

@@ -7,6 +7,7 @@ import numpy as np
 from rich.table import Table
 from rich.text import Text
 
+from stiction.report.files import rows_of
 from stiction.report.number_table import ruled_table, short
 
 if TYPE_CHECKING:
@@ -54,22 +55,14 @@ def validation_table(data: "xarray.Dataset") -> Table:
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
     """Heads and rows of a file: every measured value, and beside it what each model says, in SI units."""
     columns = ["quantity", "sample", "load", "measured", "error"]
-    models = [str(name) for name in data["model"].values]
-    rows = [
-        [*(data[name].values[at].item() for name in columns), *(float(value) for value in data["predicted"].values[:, at])]
-        for at in range(data.sizes["row"])
-    ]
-    return [*columns, *models], rows
+    rows = zip(rows_of(data, columns), data["predicted"].values.T.tolist(), strict=True)
+    return [*columns, *map(str, data["model"].values)], [[*row, *predicted] for row, predicted in rows]
 
 
 def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
     """All of it as data for JSON."""
     over_models = ("grade", "answered", "bias", "factor", "in_errors", "outside_validity")
-    models = [
-        {"model": str(name)}
-        | {key: data[key].values[at].item() for key in over_models}
-        | {"predicted": data["predicted"].values[at].tolist()}
-        for at, name in enumerate(data["model"].values)
-    ]
+    keys = ["model", *over_models, "predicted"]
+    models = [dict(zip(keys, row, strict=True)) for row in rows_of(data, keys)]
     rows = {name: data[name].values.tolist() for name in ("quantity", "sample", "load", "measured", "error")}
     return {**data.attrs, "rows": rows, "models": models}
