@@ -20,6 +20,8 @@ import sys
 from functools import cache, partial
 from pathlib import Path
 
+import numpy as np
+
 import stiction as st
 from stiction.contact.materials import material_names, symbols_of
 from stiction.laws.asperity.shared import letting_go as unloading
@@ -27,7 +29,8 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_DOUBT
 from stiction.records.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, records, text_of
 from stiction.report.material_tables import LISTED, with_range
-from stiction.solving.accuracy.film_tables import summary, summary_on_maps
+from stiction.solving.accuracy import film_tables
+from stiction.solving.accuracy.film_tables import summary
 from stiction.solving.conditions import RULES
 from stiction.studies.comparison.recommendation import (
     COST_OF_A_DOUBLING,
@@ -285,6 +288,18 @@ def film_errors_on_a_sphere() -> str:
 
 def _percent(value: float) -> str:
     return "over +1000" if value > 10.0 else f"{100.0 * value:+.0f}".replace("+0", "0").replace("-0", "0")
+
+
+def summary_on_maps(law: str) -> list[tuple[str, float, float]]:
+    """For each of a law's options, the geometric mean of its area over that of all solved maps at given load, and the root mean
+    square of the logarithm. Nothing where it was not measured."""
+    found = []
+    for (key, options), rows in film_tables._maps().items():
+        if key == law:
+            mean, rms, count = np.array(rows)[:, 4:].T
+            whole, scatter = np.exp(np.average(np.log(mean), weights=count)), np.sqrt(np.average(rms**2, weights=count))
+            found.append((options, float(whole), float(scatter)))
+    return found
 
 
 def film_errors_on_maps() -> str:

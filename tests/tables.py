@@ -65,6 +65,11 @@ def groups(theta=1.0, lam=1.0, nu=0.3, hardness_to_yield=2.8, **others) -> Group
     return Groups(**dict(zip(whole, map(np.ascontiguousarray, arrays), strict=True)))
 
 
+def without_adhesion(given: Groups) -> Groups:
+    """The same groups where nothing adheres: the hardness group stands for theta and lambda."""
+    return given.with_changes(theta=None, lam=None, hardness_group=given.eta, n_g=1.0, tabor_parameter=None)
+
+
 def assert_near(found, expected, within: float, size=None, what: str = ""):
     """|found - expected| <= within * size, size being |expected| unless given; below 1e-290 doubles lose digits: absolutely."""
     size = np.abs(expected) if size is None else size

@@ -289,7 +289,8 @@ def test_what_is_closed_over_decides():
 
 
 DIGESTS = """
-from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import plastic, plastic_coordinate
+from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import plastic
+from stiction.laws.piece import displaced
 from stiction.engine.compiled import digest, formula, kernel, loop
 from stiction.quantities.notices import Notice, notice
 from stiction.laws.tangential.shared.slip_or_yield import _fill_kinks
@@ -298,7 +299,7 @@ from stiction.engine.heights import gaussian
 from stiction.laws.joining import _joined, _states
 from stiction.engine.sum_kernels import scattering
 heights = gaussian()
-along, coordinate = _joined(plastic, plastic_coordinate, resistance, False, 2, 5)
+along, coordinate = _joined(plastic, displaced, resistance, False, 2, 5)
 scatter = scattering(along, coordinate, heights.density, heights.window, 12)
 print(digest(_fill_kinks), digest(scatter), digest(_states(along, 12)))
 """

@@ -26,7 +26,7 @@ from stiction.solvers.layered.stresses import Stresses
 from stiction.solvers.layered.waves import CoatedBody
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
-from tables import REFERENCE, groups
+from tables import REFERENCE, groups, without_adhesion
 
 PLAIN = "greenwood_williamson_1966"
 FILM = {"n_E": 1.0, "n_H": 1.0, "tau": 1.0, "film_aspect": 1.0}
@@ -92,7 +92,7 @@ def test_first_yield_of_one_asperity(n_E, n_H, aspect):
     """The traction under which the von Mises stress of film or body, solved at this very radius, is its yield stress; nothing
     from where the load alone makes it so."""
     eta, k, nu = 0.4, 2.8, 0.3
-    given = groups(**FILM | {"n_E": n_E, "n_H": n_H, "film_aspect": aspect}, nu=nu, hardness_to_yield=k).without_adhesion()
+    given = without_adhesion(groups(**FILM | {"n_E": n_E, "n_H": n_H, "film_aspect": aspect}, nu=nu, hardness_to_yield=k))
     given = given.with_changes(hardness_group=np.array([eta]))
     regime = joined("hertz", "layered_first_yield", given)
     end = regime.branch[0, 0]
@@ -113,7 +113,7 @@ def test_first_yield_of_one_asperity(n_E, n_H, aspect):
 def test_hamilton_beside_it():
     """On a film like its body the curve of one asperity, kinks and all, is Hamilton's: by his stresses, place by place."""
     eta, k, nu = 1.3, 2.5, 0.3
-    given = groups(**FILM, nu=nu, hardness_to_yield=k).without_adhesion().with_changes(hardness_group=np.array([eta]))
+    given = without_adhesion(groups(**FILM, nu=nu, hardness_to_yield=k)).with_changes(hardness_group=np.array([eta]))
     regime = joined("hertz", "layered_first_yield", given)
     end = regime.branch[0, 0]
     x, z = np.meshgrid(np.linspace(-1.0, 1.0, 401), np.linspace(0.0, 0.8, 161))

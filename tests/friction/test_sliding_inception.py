@@ -320,7 +320,7 @@ def test_broken_powers_start_at_first_touch(law):
     """Said where a piece starts at first touch, and nowhere else."""
     given = groups(theta=[30.0, 1e4], lam=[2.0, 1e5])
     assert np.all(law.tangential_resistance(hertz_piece(2), given).branch == 0.0)
-    later = NormalPiece(hertz.normal, hertz.coordinate, (), np.array([[1.0, np.inf]] * 2), "elastic-plastic")
+    later = NormalPiece(hertz.normal, hertz.root_of, (), np.array([[1.0, np.inf]] * 2), "elastic-plastic")
     assert np.all(law.tangential_resistance(later, given).branch == -np.inf)
 
 

@@ -8,7 +8,7 @@ import pytest
 import xarray
 
 import stiction as st
-from stiction.surfaces.held import as_height_map, is_held
+from stiction.surfaces.held import as_height_map
 
 HEIGHTS = np.random.default_rng(3).normal(size=(12, 16)) * 1e-9  # rows along y
 SIZE = (3e-6, 8e-6)
@@ -100,12 +100,6 @@ def test_what_is_no_map_is_one_line(given, said):
     with pytest.raises(st.InputError) as error:
         as_height_map(given)
     assert str(error.value).startswith(said)
-
-
-def test_what_looks_like_a_map():
-    assert is_held(surface()) and is_held(surface().to_xarray()) and is_held((HEIGHTS, 1e-6))
-    for other in (None, 3, "a", {"file": "scan.npy"}, st.Roughness, (1, 2), ("a", "b"), HEIGHTS):
-        assert not is_held(other)
 
 
 def test_without_the_library_it_is_named(monkeypatch):

@@ -262,10 +262,6 @@ class Indices(Subject):
         """The groups of the same contact without its film."""
         return self.with_changes(n_g=1.0, **dict.fromkeys(_FILM))
 
-    def without_adhesion(self) -> Self:
-        """The same groups of bodies that do not adhere."""
-        return self.with_changes(theta=None, lam=None, hardness_group=self.eta, n_g=1.0, tabor_parameter=None)
-
     def with_changes(self, **changes: Any) -> Self:
         """The same groups but for these."""
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)

@@ -50,6 +50,23 @@ class TangentialResistance:
     branch: np.ndarray | None = None
 
 
+@formula
+def displaced(w, *row):
+    """Return the coordinate of a piece that is written in its displacement."""
+    return w
+
+
+@formula
+def root_of(w, *row):
+    """Return the coordinate of a piece that is written in the square root of its displacement."""
+    return math.sqrt(max(w, 0.0))
+
+
+def edges_at(*places: np.ndarray | float) -> np.ndarray:
+    """Return the edges (n, m) of a piece at m places, each an array (n,) or a number."""
+    return np.stack(np.broadcast_arrays(*places), axis=1)
+
+
 def from_curve(
     load: Callable,
     area: Callable,
@@ -78,7 +95,7 @@ def from_curve(
         One of STATES.
     """
     normal, coordinate = _curve(load, area)
-    edges = np.sqrt(np.stack(np.broadcast_arrays(np.zeros_like(start), end - start), axis=1))
+    edges = np.sqrt(edges_at(0.0, end - start))
     return NormalPiece(normal, coordinate, (start, *parameters), edges, state, lowest=float(np.min(start, initial=0.0)))
 
 

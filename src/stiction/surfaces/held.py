@@ -19,11 +19,6 @@ _TAKEN = (
 _ROUNDING = 1e-6  # of the pitch, by which coordinates may be off
 
 
-def is_held(value: Any) -> bool:
-    """Whether this looks like a map that `as_height_map` takes."""
-    return isinstance(value, HeightMap) or _is_topography(value) or _is_labelled(value) or _is_pair(value)
-
-
 def as_height_map(value: Any, field: str = "scan") -> HeightMap:
     """The map that another package holds, heights in metres.
 

@@ -32,7 +32,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, edges_at, root_of
 from stiction.records.registry import AsperityLaw, Limit, Validity
 from stiction.records.sources import Source
 
@@ -76,11 +76,6 @@ def elastic(u, stiffness):
     return w, 2.0 * u, stiffness * w * u, w
 
 
-@formula
-def elastic_coordinate(w, stiffness):
-    return math.sqrt(max(w, 0.0))
-
-
 _LEAST = 1e-300  # of ln(delta/delta_c): its inverse is still a number
 
 
@@ -94,21 +89,16 @@ def yielding(u, w_c, stiffness, load_power, area_power):
     return w, 2.0 * u, stiffness * w * u * load, w * area
 
 
-@formula
-def yielding_coordinate(w, w_c, stiffness, load_power, area_power):
-    return math.sqrt(max(w, 0.0))
-
-
 def pieces(groups: Groups) -> list[NormalPiece]:
     nu = groups.nu
     w_c, L_c = critical_values(groups.eta, nu, groups.hardness_to_yield)
     stiffness = L_c / w_c**1.5
     beta, alpha = 0.174 + 0.08 * nu, 0.25 + 0.125 * nu
-    start = np.sqrt(np.stack([np.zeros_like(w_c), w_c], axis=1))
-    edges = np.stack([w_c, *(at * w_c for at in _SPLITS), np.full_like(w_c, np.inf)], axis=1)
+    start = np.sqrt(edges_at(0.0, w_c))
+    edges = edges_at(w_c, *(at * w_c for at in _SPLITS), np.inf)
     return [
-        NormalPiece(elastic, elastic_coordinate, (stiffness,), start, "elastic"),
-        NormalPiece(yielding, yielding_coordinate, (w_c, stiffness, beta, alpha), np.sqrt(edges), "elastic-plastic"),
+        NormalPiece(elastic, root_of, (stiffness,), start, "elastic"),
+        NormalPiece(yielding, root_of, (w_c, stiffness, beta, alpha), np.sqrt(edges), "elastic-plastic"),
     ]
 
 

@@ -20,8 +20,9 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.shared_claims import NEAR_YIELD, elastic_limit
+from stiction.records.registry import AsperityLaw, Jump
 from stiction.records.sources import Source
 
 
@@ -43,16 +44,11 @@ def plastic(w, w_c, eta, K_H):
     return w, 1.0, K_H * eta * area, area
 
 
-@formula
-def plastic_coordinate(w, w_c, eta, K_H):
-    return w
-
-
 def pieces(groups: Groups) -> list[NormalPiece]:
     eta, K_H = groups.eta, hardness_coefficient(groups.nu)
     w_c = critical_interference(eta, K_H)
-    flow = np.stack([w_c, np.full_like(w_c, np.inf)], axis=1)
-    return [hertz.elastic(w_c), NormalPiece(plastic, plastic_coordinate, (w_c, eta, K_H), flow, "plastic")]
+    flow = edges_at(w_c, np.inf)
+    return [hertz.elastic(w_c), NormalPiece(plastic, displaced, (w_c, eta, K_H), flow, "plastic")]
 
 
 RECORD = AsperityLaw(
@@ -65,15 +61,8 @@ RECORD = AsperityLaw(
     jumps=(Jump(1, 1.5, 1.0, "at the critical interference"),),
     verified="independent integrals at 30 digits",
     needs=("hardness_group", "nu"),
-    validity=(
-        Validity(
-            "asperity_area_over_yield",
-            0.0,
-            10.0,
-            "yielded asperities keep about the pressure of first yield, and their hardness is above it",
-        ),
-    ),
-    limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    validity=(NEAR_YIELD,),
+    limits=(elastic_limit("hertz"),),
     load_falls=False,
     notes="The mean pressure jumps from (2/3) K_H H to K_H H at the critical interference.",
 )

@@ -18,12 +18,10 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.asperity import hertz
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, root_of
+from stiction.laws.shared_claims import ELASTIC
 from stiction.records.registry import AsperityLaw, Limit, Validity
 from stiction.records.sources import Source
-
-_coordinate = hertz.coordinate
 
 
 @formula
@@ -33,14 +31,9 @@ def normal(u, theta):
     return w, 2.0 * u, w * u - 2.0 * math.pi / theta, w
 
 
-@formula
-def coordinate(w, theta):
-    return _coordinate(w)
-
-
 def pieces(groups: Groups) -> list[NormalPiece]:
     edges = np.tile([0.0, np.inf], (len(groups), 1))
-    return [NormalPiece(normal, coordinate, (groups.theta,), edges, "elastic")]
+    return [NormalPiece(normal, root_of, (groups.theta,), edges, "elastic")]
 
 
 RECORD = AsperityLaw(
@@ -54,7 +47,7 @@ RECORD = AsperityLaw(
     needs=("theta",),
     validity=(
         Validity("tabor_parameter", 0.0, 0.1, "adhesion acts around the contact only for stiff, small asperities"),
-        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
+        ELASTIC,
     ),
     limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-9),),
 )

@@ -48,7 +48,8 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity import jackson_green_2005 as unhardened
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, root_of
+from stiction.laws.shared_claims import elastic_limit
 from stiction.records.registry import AsperityLaw, Jump, Limit
 from stiction.records.sources import Source
 
@@ -115,11 +116,6 @@ def yielding(u, *row):
     return w, 2.0 * u, soft + (w * u - soft) * share, a * a
 
 
-@formula
-def coordinate(w, *row):
-    return math.sqrt(max(w, 0.0))
-
-
 @kernel
 def _wide_as_high(w_c, B, sharpness, front, rate, steps, halvings, out):
     """Displacement beyond 1.9 omega_c at which a = R for the first time; 1.9 omega_c if a >= R already.
@@ -163,7 +159,7 @@ def pieces(groups: Groups, other_body: str = "alike") -> list[NormalPiece]:
     _wide_as_high(w_c, B, sharpness, front, rate, _STEPS, _HALVINGS, wide)
     parameters = w_c, C, B, sharpness, front, rate, elastic_share(groups.hardening), wide
     edges = np.sqrt(_edges(w_c, sharpness, front, rate, wide))
-    return [hertz.elastic(_elastic_to * w_c), NormalPiece(yielding, coordinate, parameters, edges, "elastic-plastic")]
+    return [hertz.elastic(_elastic_to * w_c), NormalPiece(yielding, root_of, parameters, edges, "elastic-plastic")]
 
 
 RECORD = AsperityLaw(
@@ -198,7 +194,7 @@ RECORD = AsperityLaw(
         Limit("jackson_green_2005", {"hardening": 0.0}, ("contact_area",), 1e-9),
         Limit("jackson_green_2005", {"hardening": 0.0, "sharpness": 1e-8}, ("load", "contact_area"), 1e-9),
         Limit("hertz", {"hardening": 1.0 - 1e-12}, ("contact_area",), 1e-9),
-        Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),
+        elastic_limit("hertz"),
     ),
     load_falls=False,
     notes="The yield stress is H/k, k = H/Y. The law is written in E* of the pair, and E and E_t of the asperity: `other_body` "

@@ -36,8 +36,9 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import AsperityLaw, Validity
+from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.shared_claims import ELASTIC
+from stiction.records.registry import AsperityLaw
 from stiction.records.sources import Source
 
 
@@ -54,14 +55,9 @@ def normal(u):
     return w, 2.0 * u, w * u, w
 
 
-@formula
-def coordinate(w):
-    return math.sqrt(max(w, 0.0))
-
-
 def elastic(last: np.ndarray) -> NormalPiece:
     """Hertz's piece from first touch to the displacements `last` (n,), where some law takes over."""
-    return NormalPiece(normal, coordinate, (), np.stack([np.zeros_like(last), np.sqrt(last)], axis=1), "elastic")
+    return NormalPiece(normal, root_of, (), edges_at(0.0, np.sqrt(last)), "elastic")
 
 
 def pieces(groups: Groups) -> list[NormalPiece]:
@@ -94,5 +90,5 @@ RECORD = AsperityLaw(
     pieces=pieces,
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     verified="closed forms; sums F_n(h) at 30 digits",
-    validity=(Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),),
+    validity=(ELASTIC,),
 )

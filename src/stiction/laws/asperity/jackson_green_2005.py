@@ -45,8 +45,9 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.shared_claims import elastic_limit
+from stiction.records.registry import AsperityLaw, Jump, Validity
 from stiction.records.sources import Source
 
 _MOST_STRAIN = 0.1  # S_y/E*; B is 1.4 there, and 240 at 0.33
@@ -100,19 +101,14 @@ def yielding(u, w_c, C, B, sharpness):
     return w, 2.0 * u, w_c * math.sqrt(w_c) * load_ratio(ratio, C, H), area
 
 
-@formula
-def coordinate(w, w_c, C, B, sharpness):
-    return math.sqrt(max(w, 0.0))
-
-
 def pieces(groups: Groups) -> list[NormalPiece]:
     C, k = yield_coefficient(groups.nu), groups.hardness_to_yield
     w_c = critical_interference(groups.eta, C, k)
     B = area_power(groups.yield_strain)
-    edges = np.stack([at * w_c for at in (ELASTIC_TO, *_SPLITS)] + [np.full_like(w_c, np.inf)], axis=1)
+    edges = edges_at(*(at * w_c for at in (ELASTIC_TO, *_SPLITS)), np.inf)
     return [
         hertz.elastic(ELASTIC_TO * w_c),
-        NormalPiece(yielding, coordinate, (w_c, C, B, groups.sharpness), np.sqrt(edges), "elastic-plastic"),
+        NormalPiece(yielding, root_of, (w_c, C, B, groups.sharpness), np.sqrt(edges), "elastic-plastic"),
     ]
 
 
@@ -138,7 +134,7 @@ RECORD = AsperityLaw(
     verified="an independent code of its extension to hardening, at none: area and, with the hardness taken there, load to "
     "1e-11; within 6 % (load) and 10 % (area) of Kogut and Etsion and of Brizmer et al. for 1.5 to 110 omega_c",
     needs=("hardness_group", "nu", "hardness_to_yield", "sharpness"),
-    limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    limits=(elastic_limit("hertz"),),
     validity=(FITTED_TO_METALS,),
     load_falls=False,
     notes="The yield stress is H/k. There is no fully plastic piece with the hardness H: "

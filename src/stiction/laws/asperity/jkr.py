@@ -33,8 +33,9 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import AsperityLaw, Limit, Validity
+from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.shared_claims import ELASTIC, SHORT_RANGE
+from stiction.records.registry import AsperityLaw, Limit
 from stiction.records.sources import Source
 
 
@@ -109,7 +110,7 @@ def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> NormalPiece:
     """JKR's piece from first contact to the coordinates `last` (n,), where some law takes over."""
     first = first_contact(theta, branch)
     lowest = 0.0 if branch == "loading" else float(np.min(-3.0 * first**4, initial=0.0))  # w = u (u^3 - s), s = 4 u^3
-    edges = np.stack([first, np.maximum(last, first)], axis=1)
+    edges = edges_at(first, np.maximum(last, first))
     return NormalPiece(normal, normal_coordinate, (theta,), edges, "elastic", lowest)
 
 
@@ -127,8 +128,8 @@ RECORD = AsperityLaw(
     verified="points of the source in closed form; integrals at 30 digits; Hertz without adhesion",
     needs=("theta",),
     validity=(
-        Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),
-        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
+        SHORT_RANGE,
+        ELASTIC,
     ),
     limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-4),),
     load_falls=False,

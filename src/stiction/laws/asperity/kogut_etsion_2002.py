@@ -22,16 +22,15 @@ $0.647/K_H$ (+8 % at $\nu=0.3$, from 530.2 to 571.9; +37 % at $\nu=0$, −5 % ne
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
-import math
-
 import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.shared_claims import elastic_limit
+from stiction.records.registry import AsperityLaw, Jump, Validity
 from stiction.records.sources import Source
 
 # Of each elastic-plastic piece: where it starts and ends (omega over omega_c), then factor and power of the load over P_c, and
@@ -51,20 +50,10 @@ def power_law(u, load_factor, load_power, area_factor, area_power):
 
 
 @formula
-def power_law_coordinate(w, load_factor, load_power, area_factor, area_power):
-    return math.sqrt(max(w, 0.0))
-
-
-@formula
 def flow(u, eta):
     """Fully plastic: P/P_c = (3/K_H) omega/omega_c and A = 2 pi R omega: mean pressure H."""
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w
-
-
-@formula
-def flow_coordinate(w, eta):
-    return math.sqrt(max(w, 0.0))
 
 
 def pieces(groups: Groups) -> list[NormalPiece]:
@@ -78,10 +67,10 @@ def pieces(groups: Groups) -> list[NormalPiece]:
             area_factor * w_c ** (1.0 - area_power),
             np.full_like(w_c, area_power),
         )
-        edges = np.sqrt(np.stack([low * w_c, high * w_c], axis=1))
-        found.append(NormalPiece(power_law, power_law_coordinate, parameters, edges, "elastic-plastic"))
-    edges = np.sqrt(np.stack([FULLY_PLASTIC * w_c, np.full_like(w_c, np.inf)], axis=1))
-    return [*found, NormalPiece(flow, flow_coordinate, (groups.eta,), edges, "plastic")]
+        edges = np.sqrt(edges_at(low * w_c, high * w_c))
+        found.append(NormalPiece(power_law, root_of, parameters, edges, "elastic-plastic"))
+    edges = np.sqrt(edges_at(FULLY_PLASTIC * w_c, np.inf))
+    return [*found, NormalPiece(flow, root_of, (groups.eta,), edges, "plastic")]
 
 
 RECORD = AsperityLaw(
@@ -106,7 +95,7 @@ RECORD = AsperityLaw(
         # 0.94 r^1.146 at the last interference ratio that was computed, r = 110
         Validity("asperity_area_over_yield", 0.0, 205.0, "the fit ends at 110 critical interferences", "fit"),
     ),
-    limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    limits=(elastic_limit("hertz"),),
     load_falls=False,
     notes="The published pieces do not meet: load and area jump at 1, 6 and 110 omega_c. At 110 omega_c the load rises by 37 % "
     "for nu = 0 and falls by 5 % for nu near 1/2, since the power laws below know of no nu but in omega_c.",

@@ -51,8 +51,9 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, kernel
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import AsperityLaw, Limit, Validity
+from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.shared_claims import ELASTIC
+from stiction.records.registry import AsperityLaw, Limit
 from stiction.records.sources import Source
 
 # lambda_M = 2 sigma_0 (R/(pi gamma K^2))^(1/3) over the Tabor parameter (R gamma^2/(E*^2 epsilon^3))^(1/3), for a stress
@@ -170,7 +171,7 @@ def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
     _fill_first(lam, branch == "loading", first)
     if branch == "unloading":
         _fill_displacement(first, g, lam, lowest)
-    edges = np.stack([first, np.maximum(first, _FAR), np.full(len(groups), np.inf)], axis=1)
+    edges = edges_at(first, np.maximum(first, _FAR), np.inf)
     return [NormalPiece(normal, coordinate, (g, lam), edges, "elastic", float(np.min(lowest, initial=0.0)))]
 
 
@@ -182,7 +183,7 @@ RECORD = AsperityLaw(
     pieces=pieces,
     verified="solved anew for the ring at 30 digits; JKR and DMT as limits",
     needs=("theta", "tabor_parameter"),
-    validity=(Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),),
+    validity=(ELASTIC,),
     limits=(
         Limit("jkr", {"tabor_parameter": 1e6}, ("load", "contact_area"), 1e-9),
         Limit("jkr", {"tabor_parameter": 1e6}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),

@@ -22,8 +22,9 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import jkr
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import AsperityLaw, Jump, Limit, Validity
+from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.shared_claims import SHORT_RANGE
+from stiction.records.registry import AsperityLaw, Jump, Limit
 from stiction.records.sources import Source
 
 _STEPS = 7  # Newton's, from at most half above the root to the last digit
@@ -75,15 +76,10 @@ def plastic(w, theta, eta):
     return w, 1.0, 2.0 * eta * w - 2.0 * math.pi / theta, 2.0 * w
 
 
-@formula
-def plastic_coordinate(w, theta, eta):
-    return w
-
-
 def flow(groups: Groups, first: np.ndarray) -> NormalPiece:
     """The plastic asperity from the displacements `first` (n,) on."""
-    edges = np.stack([first, np.full_like(first, np.inf)], axis=1)
-    return NormalPiece(plastic, plastic_coordinate, (groups.theta, groups.eta), edges, "plastic")
+    edges = edges_at(first, np.inf)
+    return NormalPiece(plastic, displaced, (groups.theta, groups.eta), edges, "plastic")
 
 
 def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
@@ -107,7 +103,7 @@ RECORD = AsperityLaw(
     ),
     verified="independent evaluation at 30 digits",
     needs=("theta", "lam"),
-    validity=(Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),),
+    validity=(SHORT_RANGE,),
     limits=(
         Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9),
         Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),

@@ -47,8 +47,9 @@ from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import hertz, jkr, roy_chowdhury_ghosh_1994
 from stiction.laws.joining import coordinates, within
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import AsperityLaw, Limit, Validity
+from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.shared_claims import NEAR_YIELD, SHORT_RANGE
+from stiction.records.registry import AsperityLaw, Limit
 from stiction.records.sources import Source
 
 _adhesion, _displacement, _stretch, _load = jkr.adhesion, jkr.displacement, jkr.stretch, jkr.load
@@ -209,7 +210,7 @@ def pieces(groups: Groups, limiting_pressure: str) -> list[NormalPiece]:
     u_y = np.empty(len(groups))
     _fill_onset(groups.theta, eta_y, u_y)
     elastic = jkr.elastic(groups.theta, "loading", u_y)
-    edges = np.stack([elastic.edges[:, 1], np.full(len(groups), np.inf)], axis=1)
+    edges = edges_at(elastic.edges[:, 1], np.inf)
     return [elastic, NormalPiece(normal, coordinate, (groups.theta, eta_y, u_y), edges, "elastic-plastic")]
 
 
@@ -247,13 +248,8 @@ RECORD = AsperityLaw(
     verified="the source's stiffness and the pressure over the contact, both integrated anew at 30 digits",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     validity=(
-        Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities"),
-        Validity(
-            "asperity_area_over_yield",
-            0.0,
-            10.0,
-            "yielded asperities keep about the pressure of first yield, and their hardness is above it",
-        ),
+        SHORT_RANGE,
+        NEAR_YIELD,
     ),
     limits=(Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9),),
     own_options={"limiting_pressure": tuple(_LIMITS)},

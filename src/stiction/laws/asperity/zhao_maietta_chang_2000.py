@@ -23,8 +23,9 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity.shared.transition import FIRST_YIELD, SPAN
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import AsperityLaw, Limit
+from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.shared_claims import elastic_limit
+from stiction.records.registry import AsperityLaw
 from stiction.records.sources import Source
 
 _LOG_SPAN = math.log(SPAN)
@@ -54,19 +55,14 @@ def flow(u, w_1, eta):
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w
 
 
-@formula
-def coordinate(w, w_1, eta):
-    return math.sqrt(max(w, 0.0))
-
-
 def pieces(groups: Groups) -> list[NormalPiece]:
     w_1 = first_yield(groups.eta)
     last = SPAN * w_1
     parameters = w_1, groups.eta
     return [
         hertz.elastic(w_1),
-        NormalPiece(passing, coordinate, parameters, np.sqrt(np.stack([w_1, last], axis=1)), "elastic-plastic"),
-        NormalPiece(flow, coordinate, parameters, np.sqrt(np.stack([last, np.full_like(last, np.inf)], axis=1)), "plastic"),
+        NormalPiece(passing, root_of, parameters, np.sqrt(edges_at(w_1, last)), "elastic-plastic"),
+        NormalPiece(flow, root_of, parameters, np.sqrt(edges_at(last, np.inf)), "plastic"),
     ]
 
 
@@ -86,6 +82,6 @@ RECORD = AsperityLaw(
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     verified="closed forms at both ends, where load, area and the slope of the area are continuous; independent evaluation",
     needs=("hardness_group",),
-    limits=(Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    limits=(elastic_limit("hertz"),),
     notes="The authors give 54 as the least that omega_2/omega_1 can be; it is taken as the ratio, as is usual.",
 )

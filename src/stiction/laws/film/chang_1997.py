@@ -30,7 +30,8 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Weights
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.shared_claims import SOFT_FILM
 from stiction.records.registry import Departure, FilmLaw, Validity
 from stiction.records.sources import Source
 
@@ -39,11 +40,6 @@ from stiction.records.sources import Source
 def film_alone(w, hardness, pull):
     """P = H_f A less the adhesion, A = 2 pi R omega; hardness: eta n_H."""
     return w, 1.0, 2.0 * hardness * w - pull, 2.0 * w
-
-
-@formula
-def film_alone_coordinate(w, hardness, pull):
-    return w
 
 
 @cache
@@ -72,8 +68,8 @@ def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), laws)
     hardness = groups.eta * groups.n_H
     on_film = law if law.interfacial else replace(law, tangential=None)
-    edges = np.stack([np.zeros(laws), tau], axis=1)
-    alone = NormalPiece(film_alone, film_alone_coordinate, (hardness, pull), edges, "plastic")
+    edges = edges_at(0.0, tau)
+    alone = NormalPiece(film_alone, displaced, (hardness, pull), edges, "plastic")
     regimes = [on_film.join(alone, groups, body="film")]
     for piece in law.pieces(groups):
         along, back = _rim(piece.normal, piece.coordinate, len(piece.parameters))
@@ -127,7 +123,7 @@ RECORD = FilmLaw(
     departures=DEPARTURES,
     verified="independent quadrature; load and area at the depth of the film; trends of the abstract",
     needs=("hardness_group", "n_H", "tau"),
-    validity=(Validity("n_H", 0.0, 1.0, "the film is soft"), *FLOWING),
+    validity=(SOFT_FILM, *FLOWING),
     notes="With the asperity law chang_etsion_bogy_1987 this is the model named; others may be taken. As in the abstract, "
     "the area is less changed by the film at high plasticity index, and a thin film stiffens a lightly loaded "
     "contact; the load is less sensitive too unless the film is very soft (n_H = 0.6 but not 0.1). The area is that "

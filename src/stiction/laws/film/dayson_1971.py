@@ -31,8 +31,6 @@ $$
 *Units*: $w=\omega/\sigma$, $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
-import math
-
 import numpy as np
 
 from stiction.contact.indices import Groups
@@ -40,9 +38,10 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.film.shared.plastic import at_pressure
 from stiction.laws.joining import Law, Weights
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.shared_claims import PLASTIC_FILM, SOFT_FILM
 from stiction.laws.tangential.bowden_tabor_1943 import RECORD as CONSTANT_STRENGTH
-from stiction.records.registry import FilmLaw, Validity
+from stiction.records.registry import FilmLaw
 from stiction.records.sources import Source
 
 RIM_PRESSURE = ("film_hardness", "substrate_hardness")
@@ -54,24 +53,19 @@ def rim(w, pressure, tau):
     return w, 1.0, 2.0 * pressure * tau, 2.0 * tau
 
 
-@formula
-def rim_coordinate(w, pressure, tau):
-    return w
-
-
 def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
     """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface: it shears the film."""
     laws = len(groups)
-    tau, none, far = np.broadcast_to(groups.tau, laws), np.zeros(laws), np.full(laws, np.inf)
+    tau, none = np.broadcast_to(groups.tau, laws), np.zeros(laws)
     pressed = groups.eta * (groups.n_H if rim_pressure == "film_hardness" else np.ones(laws))
-    edges = np.stack([tau, far], axis=1)
-    around = NormalPiece(rim, rim_coordinate, (pressed, tau), edges, "plastic", float(np.min(tau, initial=np.inf)))
+    edges = edges_at(tau, np.inf)
+    around = NormalPiece(rim, displaced, (pressed, tau), edges, "plastic", float(np.min(tau, initial=np.inf)))
     bare = Law(law.asperity, None if law.tangential is None else CONSTANT_STRENGTH)
     metal = groups.with_changes(shear_strength=groups.substrate().body_shear_strength)
     return [
         law.join(at_pressure(pressed, none, tau), groups, body="film"),
         law.join(around, groups, body="film"),
-        bare.join(at_pressure(groups.eta, none, far), metal, Weights(shift=tau), body="substrate", touching=False),
+        bare.join(at_pressure(groups.eta, none, np.inf), metal, Weights(shift=tau), body="substrate", touching=False),
     ]
 
 
@@ -93,8 +87,8 @@ RECORD = FilmLaw(
     verified="closed forms for Gaussian heights; film and substrate alone in the limits; trends of the abstract",
     needs=("hardness_group", "hardness_to_yield", "n_H", "tau"),
     validity=(
-        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
-        Validity("n_H", 0.0, 1.0, "the film is soft"),
+        PLASTIC_FILM,
+        SOFT_FILM,
     ),
     notes="The shear strength that the contact states is the film's; the substrate shears at Y/sqrt(3), with H/Y of the "
     "contact. Friction rises as the film gets thinner if its shear strength over the pressure on it is below 1/(sqrt(3) k), "

@@ -35,7 +35,8 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.shared_claims import THIN_LAYER
 from stiction.records.registry import Departure, FilmLaw, Validity
 from stiction.records.sources import Source
 
@@ -52,11 +53,6 @@ BOUNDS = {
 def normal(w, stiffness, power, widening):
     """P = stiffness w^power, A = widening w."""
     return w, 1.0, stiffness * w * w * (w if power == 3.0 else 1.0), widening * w
-
-
-@formula
-def coordinate(w, stiffness, power, widening):
-    return w
 
 
 def stiffness(groups: Groups, bound: str) -> np.ndarray:
@@ -78,12 +74,10 @@ def regimes(groups: Groups, law, bound: str) -> list[Regime]:
     _, power, widening = BOUNDS[bound]
     parameters = (np.broadcast_to(stiffness(groups, bound), laws), np.full(laws, power), np.full(laws, widening))
     as_wide = np.broadcast_to(groups.film_aspect**2 / widening, laws)  # a = t
-    within = np.stack([np.zeros(laws), as_wide], axis=1)
-    beyond = np.stack([as_wide, np.full(laws, np.inf)], axis=1)
+    within = edges_at(0.0, as_wide)
+    beyond = edges_at(as_wide, np.inf)
     return [
-        law.join(
-            NormalPiece(normal, coordinate, parameters, edges, "elastic"), groups, body="film", in_half_space=in_half_space
-        )
+        law.join(NormalPiece(normal, displaced, parameters, edges, "elastic"), groups, body="film", in_half_space=in_half_space)
         for edges, in_half_space in ((within, True), (beyond, False))
     ]
 
@@ -115,7 +109,7 @@ RECORD = FilmLaw(
     verified="the layer's own balance of volume, differentiated independently; the powers of thickness, load and radius",
     needs=("n_E", "film_aspect", "films", "layer_nu", "coated_share"),
     validity=(
-        Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),
+        THIN_LAYER,
         Validity("n_E", 0.0, 0.1, "a rigid substrate and indenter: the film is much less stiff"),
         Validity(
             "film_stiffness", 0.0, 0.1, "a rigid substrate: under a layer as thin as this it gives more than a tenth as much"

@@ -34,7 +34,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.laws.film.shared.two_bodies import TwoBodies, in_series
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, displaced, root_of
 from stiction.records.registry import FilmLaw, Limit, composites_of
 from stiction.records.sources import Source
 
@@ -43,16 +43,6 @@ _THINNEST = 1e-100  # film over sigma, of one that is not there
 CELLS, HALVINGS = 256, 60
 ELASTIC = 15  # parameters before the displacement at which it flows
 BODIES = 8  # of these, the place of the two bodies
-
-
-@formula
-def elastic_coordinate(w, *row):
-    return max(w, 0.0) ** 0.5
-
-
-@formula
-def plastic_coordinate(w, *row):
-    return w
 
 
 @cache
@@ -163,7 +153,7 @@ def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str)
         ("plastic", "film", u_c * u_c, tau),
         ("plastic", "substrate", np.maximum(u_c * u_c, tau), all_w),
     )
-    formulas = {"elastic": (elastic, elastic_coordinate, widths), "plastic": (plastic, plastic_coordinate, depths)}
+    formulas = {"elastic": (elastic, root_of, widths), "plastic": (plastic, displaced, depths)}
     return [
         (NormalPiece(*formulas[state][:2], parameters, _between(low, high, formulas[state][2]), state), body)
         for state, body, low, high in parts

@@ -48,8 +48,9 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Law, within
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import Departure, FilmLaw, Validity
+from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.shared_claims import PLASTIC_FILM, SOFT_FILM, THIN_LAYER
+from stiction.records.registry import Departure, FilmLaw
 from stiction.records.sources import Source
 
 _THINNEST = 1e-200  # film over sigma, of one that is not there
@@ -147,17 +148,16 @@ def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
 
 def pieces(groups: Groups) -> list[tuple[NormalPiece, str]]:
     """The film squeezed, then bounded by the substrate, then pressed through; with the body that decides."""
-    laws = len(groups)
     row = parameters(groups)
     tau, _, bound, _, _ = row
-    u_c, none, quarter, far = onset(tau, bound), np.zeros(laws), np.full(laws, 0.5 * math.pi), np.full(laws, np.inf)
+    u_c = onset(tau, bound)
     with np.errstate(divide="ignore"):
         widths = [np.sqrt(tau) * size for size in (1.0, 3.0, 10.0, 30.0, 100.0)]
         widths += [size / bound for size in (0.7, 2.5, 8.0, 25.0)]
-    edges = np.sort(np.stack([none, *widths, far], axis=1), axis=1)
+    edges = np.sort(edges_at(0.0, *widths, np.inf), axis=1)
     return [
-        (NormalPiece(squeezed, angle, row, np.stack([none, u_c], axis=1), "plastic"), "film"),
-        (NormalPiece(bounded, angle, row, np.stack([u_c, quarter], axis=1), "plastic"), "substrate"),
+        (NormalPiece(squeezed, angle, row, edges_at(0.0, u_c), "plastic"), "film"),
+        (NormalPiece(bounded, angle, row, edges_at(u_c, 0.5 * math.pi), "plastic"), "substrate"),
         (NormalPiece(pressed_through, depth_beyond, row, edges, "plastic"), "substrate"),
     ]
 
@@ -192,9 +192,9 @@ RECORD = FilmLaw(
     verified="independent quadrature of the pressure; film and substrate alone in the limits; trends of the abstracts",
     needs=("hardness_group", "hardness_to_yield", "n_H", "tau", "film_aspect"),
     validity=(
-        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
-        Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness"),
-        Validity("n_H", 0.0, 1.0, "the film is soft"),
+        PLASTIC_FILM,
+        THIN_LAYER,
+        SOFT_FILM,
     ),
     notes="load_substrate is the load on asperities under which the substrate's hardness bounds the pressure: where that is "
     "most of it, the substrate is not rigid, as the source has it, but plastic. Ploughing is left out. Without film_aspect "

@@ -45,7 +45,7 @@ from stiction.engine.regime import Regime, columns
 from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
 from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
 from stiction.laws.joining import Law, normal_states
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, edges_at
 from stiction.records.registry import FilmLaw, Limit, Validity, composites_of
 from stiction.records.sources import Source
 from stiction.solvers.layered.asperity import (
@@ -87,7 +87,7 @@ def elastic(groups: Groups, law: Law) -> NormalPiece:
         normal, coordinate, parameters = plain, plain_coordinate, rows(groups, pull)[:PLAIN]
         unloading, first = False, np.zeros(laws)
     cuts = np.maximum(_CUTS / parameters[1][:, None], first[:, None])
-    edges = np.column_stack([first, np.minimum(cuts, 1e100), np.full(laws, np.inf)])
+    edges = edges_at(first, *np.minimum(cuts, 1e100).T, np.inf)
     piece = NormalPiece(normal, coordinate, parameters, edges, "elastic", lowest)
     if unloading:
         lowest = float(np.min(normal_states(piece, first)[:, 0], initial=0.0))

@@ -21,7 +21,8 @@ import math
 from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
 from stiction.laws.film.chang_1997 import DEPARTURES, FLOWING, NO_ADHESION, plastic_film
-from stiction.records.registry import FilmLaw, Validity
+from stiction.laws.shared_claims import SOFT_FILM
+from stiction.records.registry import FilmLaw
 from stiction.records.sources import Source
 
 
@@ -46,7 +47,7 @@ RECORD = FilmLaw(
     departures=DEPARTURES,
     verified="independent quadrature; chang_1997 without adhesion; trends of the abstract, see the notes",
     needs=("theta", "hardness_group", "n_H", "n_g", "tau"),
-    validity=(Validity("n_H", 0.0, 1.0, "the film is soft"), *FLOWING),
+    validity=(SOFT_FILM, *FLOWING),
     notes="With the asperity law chang_etsion_bogy_1987 and a shear strength of the interface it shows what the abstract "
     "says: at a plasticity index above 0.5 friction rises with the film's thickness, at 0.25 and light load it rises "
     "as a very thin film gets thinner. With chang_etsion_bogy_1988, where only the substrate resists, the latter "

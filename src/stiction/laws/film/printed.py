@@ -28,7 +28,8 @@ from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import RECORD as CORRECTED
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import flow, onset
 from stiction.laws.film.shared.cut_film import film_regimes
 from stiction.laws.joining import Law, Weights, within
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.shared_claims import DEEP_FILM
 from stiction.laws.tangential.soft_coating_2015 import RECORD as TANGENTIAL
 from stiction.laws.tangential.soft_coating_2015 import grip_printed
 from stiction.records.registry import Departure, FilmLaw, Validity
@@ -54,7 +55,7 @@ def coordinate(x, theta):
 
 def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
     u_1, w_1 = onset(groups)
-    edges = np.stack([jkr.first_contact(groups.theta, "loading"), u_1], axis=1)
+    edges = edges_at(jkr.first_contact(groups.theta, "loading"), u_1)
     return [NormalPiece(normal, coordinate, (groups.theta,), edges, "elastic"), flow(groups, w_1)]
 
 
@@ -107,7 +108,7 @@ RECORD = FilmLaw(
     verified="independent evaluation at 30 digits. The paper prints no numbers",
     needs=("theta", "lam", "n_E", "n_H", "tau"),
     validity=(
-        Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),
+        DEEP_FILM,
         Validity(
             "load_share_substrate", 0.0, 0.1, "the substrate's terms of the print are not those of what lies under a film"
         ),

@@ -35,8 +35,6 @@ load that is given, $\mu$ of a rough surface is a mean of that of its asperities
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """
 
-import math
-
 import numpy as np
 
 from stiction.contact.indices import Groups
@@ -44,8 +42,9 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.film.shared.plastic import at_pressure
 from stiction.laws.joining import Law
-from stiction.laws.piece import NormalPiece
-from stiction.records.registry import Departure, FilmLaw, Validity
+from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.shared_claims import PLASTIC_FILM, SOFT_FILM
+from stiction.records.registry import Departure, FilmLaw
 from stiction.records.sources import Source
 
 _THINNEST = 1e-200  # film over sigma, of one that is not there
@@ -56,11 +55,6 @@ def shared(u, stiffness):
     """Film and substrate at u = sqrt(w): p = (stiffness/2) u on A = 2 w."""
     w = u * u
     return w, 2.0 * u, stiffness * w * u, 2.0 * w
-
-
-@formula
-def shared_coordinate(w, stiffness):
-    return math.sqrt(max(w, 0.0))
 
 
 def rise(groups: Groups) -> np.ndarray:
@@ -80,15 +74,14 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     with np.errstate(divide="ignore", over="ignore"):  # of a film of no strength, which stays a film
         first = tau / (q * q)
         last = first / (n_H * n_H)
-    none, far = np.zeros(laws), np.full(laws, np.inf)
-    first = np.where(n_H < 1.0, first, none)
-    last = np.where(n_H < 1.0, last, none)
+    first = np.where(n_H < 1.0, first, 0.0)
+    last = np.where(n_H < 1.0, last, 0.0)
     stiffness = 2.0 * groups.eta * n_H * q / np.sqrt(tau)
-    between = np.stack([np.sqrt(first), np.sqrt(last)], axis=1)
+    between = edges_at(np.sqrt(first), np.sqrt(last))
     return [
-        law.join(at_pressure(groups.eta * n_H, none, first), groups, body="film"),
-        law.join(NormalPiece(shared, shared_coordinate, (stiffness,), between, "plastic"), groups, body="substrate"),
-        law.join(at_pressure(groups.eta, last, far), groups, body="substrate"),
+        law.join(at_pressure(groups.eta * n_H, 0.0, first), groups, body="film"),
+        law.join(NormalPiece(shared, root_of, (stiffness,), between, "plastic"), groups, body="substrate"),
+        law.join(at_pressure(groups.eta, last, np.inf), groups, body="substrate"),
     ]
 
 
@@ -112,8 +105,8 @@ RECORD = FilmLaw(
     verified="the power laws of one asperity; independent quadrature; film and substrate alone in the limits",
     needs=("hardness_group", "n_H", "tau", "shear_strength"),
     validity=(
-        Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect"),
-        Validity("n_H", 0.0, 1.0, "the film is soft"),
+        PLASTIC_FILM,
+        SOFT_FILM,
     ),
     notes="mu = (C t/W)^(1/3) of each asperity, between shear strength over film hardness and shear strength over substrate "
     "hardness. C is friction_constant of the coating; left out, it follows from strength, hardness and radius, such that the "

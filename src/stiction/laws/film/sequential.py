@@ -32,6 +32,8 @@ from stiction.engine.regime import Regime
 from stiction.laws.film.shared.cut_film import film_regimes
 from stiction.laws.film.shared.weaker import weaker_regimes
 from stiction.laws.joining import Law, Weights, coordinates, normal_states, states
+from stiction.laws.piece import displaced, edges_at
+from stiction.laws.shared_claims import DEEP_FILM
 from stiction.records.registry import Departure, FilmLaw, Validity
 from stiction.records.sources import Source
 
@@ -40,11 +42,6 @@ from stiction.records.sources import Source
 def at_rest(w, load, slip_limited, yield_limited):
     """A film that no longer deforms: the same load and resistance at any displacement."""
     return w, 1.0, load, 0.0, slip_limited, yield_limited
-
-
-@formula
-def at_rest_coordinate(w, load, slip_limited, yield_limited):
-    return w
 
 
 def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
@@ -60,8 +57,8 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     in_series = film_shear == "in_series" and law.tangential is not None and not law.interfacial
     if in_series:
         slip_limited, yield_limited = 0.0 * slip_limited, 0.0 * yield_limited
-    edges = np.stack([tau, np.full(len(tau), np.inf)], axis=1)
-    rest = Regime(at_rest, at_rest_coordinate, (load, slip_limited, yield_limited), edges, "held", "film", touching=False)
+    edges = edges_at(tau, np.inf)
+    rest = Regime(at_rest, displaced, (load, slip_limited, yield_limited), edges, "held", "film", touching=False)
     below = Weights(shift=tau, area=0.0, friction=0.0 if in_series else 1.0)
     substrate = law.regimes(groups.substrate(), below, body="substrate", touching=False)
     return [*deforming, rest, *substrate, *(weaker_regimes(law, groups) if in_series else [])]
@@ -98,7 +95,7 @@ RECORD = FilmLaw(
     verified="independent evaluation at 30 digits; the film's own law for a thick film",
     needs=("n_E", "n_H", "tau"),
     validity=(
-        Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness"),
+        DEEP_FILM,
         Validity("load_share_substrate", 0.0, 0.1, "a film that is pressed through keeps its area, and its shear adds to all"),
     ),
     load_falls=False,

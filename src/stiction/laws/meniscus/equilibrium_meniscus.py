@@ -58,6 +58,7 @@ from stiction.contact.indices import Groups
 from stiction.contact.liquid import CONFIRMED, CONFIRMED_OF_WATER
 from stiction.engine.compiled import formula
 from stiction.engine.regime import MENISCUS, Regime
+from stiction.laws.piece import displaced, edges_at
 from stiction.records.registry import Meniscus, Validity
 from stiction.records.sources import Source
 
@@ -86,18 +87,13 @@ def along(w, pull, height):
     return w, 1.0, -pull * min(1.0, max(1.0 + w / height, 0.0)), 0.0, 0.0, 0.0
 
 
-@formula
-def coordinate(w, pull, height):
-    return w
-
-
 def pull(groups: Groups) -> list[Regime]:
     """Bridging from w = -w_m on, in contact from 0 on."""
     height = groups.meniscus_height
-    edges = np.stack([-height, np.zeros_like(height), np.full_like(height, np.inf)], axis=1)
+    edges = edges_at(-height, 0.0, np.inf)
     lowest = float(np.min(-height, initial=0.0))
     parameters = (2.0 * math.pi / groups.meniscus_index, height)
-    return [Regime(along, coordinate, parameters, edges, MENISCUS, touching=False, lowest=lowest)]
+    return [Regime(along, displaced, parameters, edges, MENISCUS, touching=False, lowest=lowest)]
 
 
 RECORD = Meniscus(

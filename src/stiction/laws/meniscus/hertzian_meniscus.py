@@ -48,6 +48,7 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.laws.asperity import maugis_1992
 from stiction.laws.meniscus import equilibrium_meniscus
+from stiction.laws.shared_claims import ELASTIC
 from stiction.records.registry import Limit, Meniscus, Validity
 from stiction.records.sources import Source
 
@@ -106,7 +107,7 @@ RECORD = Meniscus(
     validity=(
         *equilibrium_meniscus.VALIDITY,
         replace(equilibrium_meniscus.PULL_ON_MAPS, why="on solved maps menisci pulled up to 3.8 times as hard as by this law"),
-        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
+        ELASTIC,
         Validity("penetration_over_meniscus", 0.0, 0.1, "areas are wider than is counted, and with them the friction"),
     ),
     limits=(Limit("equilibrium_meniscus", {"meniscus_index": 1.0, "meniscus_height": 1e8}, ("load",), 0.002),),

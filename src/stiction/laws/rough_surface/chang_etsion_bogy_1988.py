@@ -11,7 +11,8 @@ $$
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
-from stiction.records.registry import Limit, RoughSurface, Validity
+from stiction.laws.shared_claims import elastic_limit
+from stiction.records.registry import RoughSurface, Validity
 from stiction.records.sources import Source
 
 RECORD = RoughSurface(
@@ -28,6 +29,6 @@ RECORD = RoughSurface(
     validity=(
         Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above", "effect"),
     ),
-    limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    limits=(elastic_limit("greenwood_williamson_1966"),),
     notes="Adhesion of the 1988 papers is left out.",
 )

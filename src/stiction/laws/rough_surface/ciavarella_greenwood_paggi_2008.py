@@ -20,7 +20,8 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.records.registry import Limit, RoughSurface, Validity
+from stiction.laws.shared_claims import ELASTIC
+from stiction.records.registry import Limit, RoughSurface
 from stiction.records.sources import Source
 from stiction.surfaces.theory.start_table import lone_separation
 from stiction.surfaces.theory.summits import truncated_mean
@@ -81,7 +82,7 @@ RECORD = RoughSurface(
     verified="the load at the shifted separation against independent integrals; no shift for small areas; the mean "
     "displacement of a square by numerical integration",
     needs=("roughness_parameter", "sharpness", "nominal_width"),
-    validity=(Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),),
+    validity=(ELASTIC,),
     limits=(Limit("greenwood_williamson_1966", {"nominal_width": 1e-12}, ("load", "contact_area"), 1e-9),),
     notes=(
         "Heights are Gaussian. The nominal area is a square on a half-space: the displacement grows with its side. Area "

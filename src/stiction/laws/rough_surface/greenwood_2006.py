@@ -12,16 +12,15 @@ areas are within 3 % of those of Bush et al. for $\rho$ from 0.017 to 0.3; $\kap
 the table there.
 """
 
-import math
 from functools import cache
 
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.records.registry import RoughSurface, Validity
+from stiction.laws.shared_claims import ELASTIC, ENOUGH_SUMMITS
+from stiction.records.registry import RoughSurface
 from stiction.records.sources import Source
 from stiction.surfaces.theory import summits
-from stiction.surfaces.theory.moments import LEAST_DENSITY
 from stiction.surfaces.theory.start_table import separation_of_summits
 from stiction.surfaces.theory.summits import Shapes
 
@@ -61,10 +60,8 @@ RECORD = RoughSurface(
     "at light load",
     needs=("roughness_parameter",),
     validity=(
-        Validity(
-            "roughness_parameter", LEAST_DENSITY, math.inf, "no isotropic Gaussian surface has fewer asperities N R sigma"
-        ),
-        Validity("plasticity_index", 0.0, 0.6, "summits are taken as elastic", "effect"),
+        ENOUGH_SUMMITS,
+        ELASTIC,
     ),
     notes=(
         "The asperities are the summits of an isotropic Gaussian surface with the same sigma, N and mean curvature 1/R. "

@@ -45,6 +45,7 @@ from functools import cache
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.laws.shared_claims import ELASTIC
 from stiction.quantities.errors import InputError
 from stiction.records.registry import RoughSurface, Validity
 from stiction.records.sources import Source
@@ -127,7 +128,7 @@ RECORD = RoughSurface(
             "a surface with fewer asperities N R sigma has no sampled profile with exponential autocorrelation; with more "
             "the model is not tabulated",
         ),
-        Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),
+        ELASTIC,
     ),
     notes=(
         "The sampled profile has the variance of the isotropic Gaussian surface with the same sigma, N and mean curvature 1/R, "

@@ -12,7 +12,8 @@ out*: the adhesion. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
-from stiction.records.registry import Limit, RoughSurface
+from stiction.laws.shared_claims import elastic_limit
+from stiction.records.registry import RoughSurface
 from stiction.records.sources import Source
 
 RECORD = RoughSurface(
@@ -26,6 +27,6 @@ RECORD = RoughSurface(
     asperity="kogut_etsion_2002",
     tangential="kogut_etsion_2003",
     verified="integrals over Gaussian heights by an independent quadrature; cross-model table",
-    limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9),),
+    limits=(elastic_limit("greenwood_williamson_1966"),),
     notes="The adhesion of elastic-plastic asperities of 2003 is left out: its coefficients could not be checked.",
 )

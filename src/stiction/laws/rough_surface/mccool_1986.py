@@ -25,7 +25,8 @@ The measure of all theories at light load is $\kappa$ in $A/A_n=\kappa\,p/(E^*h'
 Numerical contact has about 2, so the model is off by 0.5 to 2 times, and which way depends on $\alpha$.
 """
 
-from stiction.records.registry import Limit, RoughSurface, Validity
+from stiction.laws.shared_claims import ELASTIC
+from stiction.records.registry import Limit, RoughSurface
 from stiction.records.sources import Source
 
 RECORD = RoughSurface(
@@ -40,7 +41,7 @@ RECORD = RoughSurface(
     asperity="hertz",
     takes_surface_moments=True,
     verified="ratio of area to load of surfaces with known spectral moments; moments against Nayak's density, integrated",
-    validity=(Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect"),),
+    validity=(ELASTIC,),
     limits=(Limit("greenwood_williamson_1966", {}, ("load", "contact_area"), 1e-14),),
     notes=(
         "For given sigma, R and N it is Greenwood & Williamson's model; it differs in taking them from the moments of the "

@@ -25,6 +25,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.criterion.pastewka_robbins_2014 import KAPPA, stickiness
+from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.quantities.errors import InputError
 from stiction.records.registry import RoughSurface, Validity
 from stiction.records.sources import Source
@@ -59,7 +60,7 @@ RECORD = RoughSurface(
     verified="pressures in spots and on rims in SI units; no attraction; none where they cancel",
     needs=("theta", "roughness_parameter", "tabor_parameter"),
     validity=(
-        Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect"),
+        ELASTIC_CONTACT,
         Validity(
             "stickiness_ratio",
             1.0,

@@ -25,7 +25,8 @@ import numpy as np
 from scipy.special import erf
 
 from stiction.contact.indices import Groups
-from stiction.records.registry import RoughSurface, Validity
+from stiction.laws.shared_claims import ELASTIC_CONTACT
+from stiction.records.registry import RoughSurface
 from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import reduced_pressure
 
@@ -50,6 +51,6 @@ RECORD = RoughSurface(
     up_to_full_contact=True,
     verified="diffusion with an absorbing boundary, by finite differences; A/A0 = sqrt(8/pi) p/(E* h') at light load",
     needs=("roughness_parameter",),
-    validity=(Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect"),),
+    validity=(ELASTIC_CONTACT,),
     notes="h' is that of an isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2).",
 )

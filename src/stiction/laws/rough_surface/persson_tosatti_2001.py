@@ -21,6 +21,7 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.quantities.errors import InputError
 from stiction.records.registry import RoughSurface, Validity
 from stiction.records.sources import Source
@@ -63,7 +64,7 @@ RECORD = RoughSurface(
     validity=(
         Validity("elastic_over_adhesion", 0.0, 1.0, "the contact stays partial", "impossible"),
         Validity("elastic_over_adhesion", 0.0, 0.49, "faces may need a load to come into full contact: mu may be less"),
-        Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect"),
+        ELASTIC_CONTACT,
     ),
     notes="mu is the strength of the interface over the nominal pressure. Refused where flattening the roughness takes more "
     "than the work of adhesion.",

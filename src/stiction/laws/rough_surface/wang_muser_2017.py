@@ -23,7 +23,8 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.rough_surface.shared.corrected_diffusion import area_per_asperity, area_share
-from stiction.records.registry import RoughSurface, Validity
+from stiction.laws.shared_claims import ELASTIC_CONTACT
+from stiction.records.registry import RoughSurface
 from stiction.records.sources import Source
 
 
@@ -53,6 +54,6 @@ RECORD = RoughSurface(
     up_to_full_contact=True,
     verified="the differential equation by an independent integrator; its limits at light load and full contact",
     needs=("roughness_parameter",),
-    validity=(Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect"),),
+    validity=(ELASTIC_CONTACT,),
     notes="h' is that of an isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2).",
 )

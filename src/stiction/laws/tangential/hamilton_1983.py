@@ -65,7 +65,7 @@ from numpy.polynomial import chebyshev
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.piece import NormalPiece, TangentialResistance, edges_at
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
 from stiction.laws.tangential.shared.hamilton_field import Stress, dragged, least_over, pressed, von_mises
 from stiction.records.registry import TangentialLaw
@@ -167,23 +167,13 @@ def _fit(values: np.ndarray) -> np.ndarray:
 
 
 @formula
-def _sum_inside(y, series):
-    """The series of INSIDE terms at 2 y - 1, after Clenshaw."""
+def _sum(y, series, first, terms):
+    """Return the sum of so many terms of the series, from the first on, at a place y of its interval (Clenshaw)."""
     t = 4.0 * y - 2.0
     last = before = 0.0
-    for at in range(INSIDE - 1, 0, -1):
+    for at in range(first + terms - 1, first, -1):
         last, before = series[at] + t * last - before, last
-    return series[0] + 0.5 * t * last - before
-
-
-@formula
-def _sum_below(y, series):
-    """The series of BELOW terms, which follows that of INSIDE terms."""
-    t = 4.0 * y - 2.0
-    last = before = 0.0
-    for at in range(BELOW - 1, 0, -1):
-        last, before = series[INSIDE + at] + t * last - before, last
-    return series[INSIDE] + 0.5 * t * last - before
+    return series[first] + 0.5 * t * last - before
 
 
 @formula
@@ -201,10 +191,10 @@ def resistance(u, w, load, area, *row):
         return 0.0, 0.0
     if s >= below_from:
         y = (1.0 - s / end) * to_below
-        return 0.0, strength / 1.5 * (y * _sum_below(y, series)) ** 0.5
+        return 0.0, strength / 1.5 * (y * _sum(y, series, INSIDE, BELOW)) ** 0.5
     if s >= inside_until:
         return 0.0, yield_resistance(load, strength / math.pi, nu)
-    return 0.0, strength / 1.5 * _sum_inside(s * to_inside, series)
+    return 0.0, strength / 1.5 * _sum(s * to_inside, series, 0, INSIDE)
 
 
 def series_for(nu: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -260,7 +250,7 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
         return None
     eta, k = groups.eta, groups.hardness_to_yield
     steps, series = series_for(groups.nu)
-    endless = replace(piece, edges=np.stack([piece.edges[:, 0], np.full(len(eta), np.inf)], axis=1))
+    endless = replace(piece, edges=edges_at(piece.edges[:, 0], np.inf))
     # Hertz: p0/Y = 1.5 k sqrt(w)/eta. A kink beyond the piece is left where it is: near its end it is still felt.
     kinks = np.stack([coordinates(endless, (s * eta / (1.5 * k)) ** 2) for s in steps[:3]], axis=1)
     return TangentialResistance(resistance, (eta, k, groups.nu, *steps, *series), kinks, branch=kinks[:, 2:])

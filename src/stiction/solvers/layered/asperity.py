@@ -17,6 +17,7 @@ Barthel & Perriot 2007; the limit of short-ranged forces).
 
 import math
 
+from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula
 from stiction.engine.vectorised import exponential
 from stiction.solvers.layered.curves import TERMS
@@ -149,6 +150,23 @@ def touch(row):
 
 
 @formula
+def _comes_off(u, row):
+    """Whether the displacement falls with u."""
+    return edged(u, *row)[1] <= 0.0
+
+
+@formula
+def _is_short(u, given):
+    """Whether u lies before the displacement w, or where that falls with u."""
+    w, row = given
+    here = edged(u, *row)
+    return here[0] < w or here[1] <= 0.0
+
+
+_halve_off, _halve_short = halving(_comes_off), halving(_is_short)
+
+
+@formula
 def edged_coordinate(w, *row):
     """u at the displacement w on the side where that grows with u."""
     if w == math.inf:
@@ -156,19 +174,9 @@ def edged_coordinate(w, *row):
     if w >= 0.0:
         return _approached(w, row)
     low = high = touch(row)
-    while edged(low, *row)[0] > w and edged(low, *row)[1] > 0.0:
-        high = low
-        low = 0.9 * low
-    for _ in range(_MOST_STEPS):
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            break
-        here = edged(middle, *row)
-        if here[0] < w or here[1] <= 0.0:
-            low = middle
-        else:
-            high = middle
-    return high
+    while not _is_short(low, (w, row)):
+        low, high = 0.9 * low, low
+    return _halve_short(low, high, (w, row))
 
 
 @formula
@@ -176,15 +184,6 @@ def pulled_off(row):
     """u at which a contact that is drawn apart comes off at a given displacement: dw/du = 0, the first on the way back from
     where it was made."""
     low = high = touch(row)
-    while edged(low, *row)[1] > 0.0:
-        high = low
-        low = 0.97 * low
-    for _ in range(_MOST_STEPS):
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            break
-        if edged(middle, *row)[1] > 0.0:
-            high = middle
-        else:
-            low = middle
-    return high
+    while not _comes_off(low, row):
+        low, high = 0.97 * low, low
+    return _halve_off(low, high, row)

@@ -84,18 +84,6 @@ def summary(law: str) -> list[dict[str, Any]]:
     return found
 
 
-def summary_on_maps(law: str) -> list[tuple[str, float, float]]:
-    """For each of a law's options, the geometric mean of its area over that of all solved maps at given load, and the root mean
-    square of the logarithm. Nothing where it was not measured."""
-    found = []
-    for (key, options), rows in _maps().items():
-        if key == law:
-            mean, rms, count = np.array(rows)[:, 4:].T
-            whole, scatter = np.exp(np.average(np.log(mean), weights=count)), np.sqrt(np.average(rms**2, weights=count))
-            found.append((options, float(whole), float(scatter)))
-    return found
-
-
 def _of(table: Mapping, law: str, options: Mapping[str, str]):
     """What the table has of a law with these options; None if nothing."""
     for (key, chosen), rows in table.items():

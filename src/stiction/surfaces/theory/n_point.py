@@ -92,26 +92,6 @@ def points_above(level):
     return ndtr(-np.asarray(level, dtype=float))
 
 
-def row_probabilities(level: float, correlation: float, sizes: int, height: float = math.inf) -> np.ndarray:
-    """Rows of m = 1 to `sizes` points (n = 3 to sizes + 2) whose height is `height` at most, per sampled point; (sizes,).
-
-    P(y_0 < D; D < y_1 ... y_m < D + height; y_m+1 < D), by handing the density on from point to point: the distribution of the
-    heights of n-point asperities, and with R = L^2 / (8 t) that of their radii.
-    """
-    top = min(level + height, max(level, 0.0) + 9.0)
-    width = math.sqrt(1.0 - correlation * correlation)
-    node, weight = _gauss(40 + math.ceil(4.0 * (top - level) / width))
-    x = level + (top - level) * (1.0 + node) / 2.0
-    root = np.sqrt((top - level) / 2.0 * weight)
-    falls = root * _falls(x, level, correlation)
-    hand_on = root[:, None] * root * _kernel(x[:, None], x, correlation)
-    found, state = np.empty(sizes), falls
-    for m in range(sizes):
-        found[m] = falls @ state
-        state = hand_on @ state
-    return found
-
-
 def mean_height(level, correlation):
     """Mean height of the n-point asperities of all n over the level, in standard deviations of the profile; arrays alike in
     shape.

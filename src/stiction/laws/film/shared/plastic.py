@@ -3,7 +3,7 @@
 import numpy as np
 
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece
+from stiction.laws.piece import NormalPiece, displaced, edges_at
 
 
 @formula
@@ -12,11 +12,6 @@ def normal(w, pressure):
     return w, 1.0, 2.0 * pressure * w, 2.0 * w
 
 
-@formula
-def coordinate(w, pressure):
-    return w
-
-
 def at_pressure(pressure: np.ndarray, low: np.ndarray, high: np.ndarray) -> NormalPiece:
     """Between the displacements low and high (n,), all of the contact at the pressure (n,)."""
-    return NormalPiece(normal, coordinate, (pressure,), np.stack([low, high], axis=1), "plastic")
+    return NormalPiece(normal, displaced, (pressure,), edges_at(low, high), "plastic")
