@@ -12,6 +12,6 @@ def normal(w, pressure):
     return w, 1.0, 2.0 * pressure * w, 2.0 * w
 
 
-def at_pressure(pressure: np.ndarray, low: np.ndarray, high: np.ndarray) -> NormalPiece:
+def at_pressure(pressure: np.ndarray, low: np.ndarray | float, high: np.ndarray | float) -> NormalPiece:
     """Between the displacements low and high (n,), all of the contact at the pressure (n,)."""
     return NormalPiece(normal, displaced, (pressure,), edges_at(low, high), "plastic")
