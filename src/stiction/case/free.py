@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field
 
-from stiction.case.several import number_of
+from stiction.case.several import read_ends
 from stiction.quantities.errors import InputError, field_below
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
@@ -66,12 +66,8 @@ def read_free(path: tuple[str, ...], entry: Any, where: str) -> Free:
         raise InputError(where, entry, f'a table with its ends, e.g. {{ low = "{example}", high = "..." }}')
     with field_below(where):
         given = Interval(**entry)
-    low, high = (number_of(getattr(given, end), path[-1], f"{where}.{end}") for end in ("low", "high"))
-    if not low < high:
-        raise InputError(where, [given.low, given.high], "the low end first, and another high one")
+    low, high = read_ends(given, path[-1], where)
     if not np.isfinite(high / low if low > 0.0 else high - low):
         raise InputError(where, [given.low, given.high], "ends that are less than a factor 1e300 apart")
-    log = given.spacing == "log" or (given.spacing is None and low > 0.0)
-    if log and low <= 0.0:
-        raise InputError(f"{where}.low", given.low, 'above 0 where spacing = "log"')
+    log = low > 0.0 if given.spacing is None else given.spacing == "log"
     return Free(path, low, high, log, given.each_sample)

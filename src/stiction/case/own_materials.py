@@ -5,11 +5,12 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from stiction.case.places import BODIES, entry_at
+from stiction.case.several import with_values
 from stiction.contact.materials import Material, as_material, material_names, preset_name
 from stiction.quantities.errors import InputError, field_below
 
 _FORM = 'tables [materials.NAME], or the name of a file that has them, e.g. materials = "my_materials.toml"'
-_BODIES = ("first", "second")
 
 
 def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path], Mapping]) -> Mapping:
@@ -52,15 +53,8 @@ def with_own_materials(content: Mapping) -> Mapping:
     if given is None:
         return content
     own = _materials(given)
-    contact = content.get("contact")
-    if not isinstance(contact, Mapping):
-        return {**content, "materials": own}
-    bodies = {name: _found(contact[name], own, f"contact.{name}") for name in _BODIES if name in contact}
-    coating = contact.get("coating")
-    if isinstance(coating, Mapping) and "material" in coating:
-        found = _found(coating["material"], own, "contact.coating.material")
-        bodies["coating"] = {**coating, "material": found}
-    return {**content, "materials": own, "contact": {**contact, **bodies}}
+    named = {path: body for path in BODIES if (body := entry_at(content, path)) is not None}
+    return {**with_values(content, {path: _found(body, own, ".".join(path)) for path, body in named.items()}), "materials": own}
 
 
 def _materials(tables: Any) -> dict[str, Material]:

@@ -22,6 +22,17 @@ _PARTS: dict[str, type[Input]] = {
 }
 
 
+# Where the materials of a contact stand.
+BODIES = (("contact", "first"), ("contact", "second"), ("contact", "coating", "material"))
+
+
+def entry_at(content: Any, path: tuple[str, ...]) -> Any:
+    """Return what stands at a path of tables and records; None if nothing does."""
+    for key in path:
+        content = content.get(key) if isinstance(content, Mapping) else getattr(content, key, None)
+    return content
+
+
 def subject_table(content: Mapping) -> str:
     """The table that says what is in contact: "contact" or "indices"."""
     return "indices" if "indices" in content else "contact"
@@ -86,13 +97,12 @@ def _as_table(content: Any, path: tuple[str, ...]) -> Any:
 
 def roughness_in(content: Mapping) -> Any:
     """Return what the tables of a case have as the roughness of the contact; None where they have nothing."""
-    contact = content.get("contact")
-    return contact.get("roughness") if isinstance(contact, Mapping) else None
+    return entry_at(content, ("contact", "roughness"))
 
 
 def with_roughness(content: Mapping, roughness: Any) -> dict[str, Any]:
     """Return the tables of a case with another roughness of the contact."""
-    return {**content, "contact": {**content["contact"], "roughness": roughness}}
+    return with_values(content, {("contact", "roughness"): roughness})
 
 
 def as_numbers(content: Mapping) -> Mapping:

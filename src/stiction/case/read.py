@@ -25,7 +25,6 @@ from stiction.case.uncertain import (
     named,
     placed,
     uncertain_numbers,
-    usual,
     with_ranges,
 )
 from stiction.contact.contact import Body, Contact, Indices
@@ -61,7 +60,7 @@ class Case:
     load: np.ndarray | None
     choice: Choice
     uncertain: tuple[Uncertain, ...] = ()
-    uncertainty: Uncertainty = field(default_factory=usual)
+    uncertainty: Uncertainty = field(default_factory=lambda: Uncertainty(**{}))
     tables: Mapping[str, Any] = field(default_factory=dict, repr=False)
     several: Mapping[tuple[str, ...], Any] = field(default_factory=dict, repr=False)
 
@@ -302,7 +301,7 @@ def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:
         separation=points_of(solve.separation, "mean_separation", subject, "solve.separation"),
         load=points_of(solve.load, "load", subject, "solve.load"),
         choice=Choice(options=dict(solve.options), **{name: getattr(solve, name) for name in LAWS}),
-        uncertainty=file.uncertainty or usual(),
+        uncertainty=file.uncertainty or Uncertainty(**{}),
     )
 
 

@@ -36,14 +36,14 @@ def as_point(value):
     return value
 
 
-_Point = Annotated[Any, BeforeValidator(as_point, json_schema_input_type=float | str)]
+Point = Annotated[Any, BeforeValidator(as_point, json_schema_input_type=float | str)]
 
 
 class Range(Input):
     """Evenly spaced points, both ends included; evenly spaced logarithms with spacing = "log"."""
 
-    start: _Point = Field(description="the first point")
-    stop: _Point = Field(description="the last point")
+    start: Point = Field(description="the first point")
+    stop: Point = Field(description="the last point")
     count: int = Field(ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}")
     spacing: Literal["linear", "log"] = Field("linear", description="linear: even steps of the number; log: of its logarithm")
 
@@ -70,7 +70,7 @@ class _Ends(Range):
 class _Values(Input):
     """Values one by one, with the name of their dimension."""
 
-    values: list[_Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list, at least one value")
+    values: list[Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list, at least one value")
     along: Along = Field(None, validate_default=False, description=_TOGETHER)
 
 
@@ -198,8 +198,7 @@ def _read(path: tuple[str, ...], entry: Any, ambiguous: bool) -> Several:
     if isinstance(given, _Values):
         return Several(path, given.along or name, name, _numbers(given.values, path, ("",)))
     ends = _numbers([given.start, given.stop], path, (".start", ".stop"))
-    if given.spacing == "log":
-        _check_positive(where, given, *ends)
+    _check_spacing(where, given, start=ends[0], stop=ends[1])
     return Several(path, given.along or name, name, ends, True, given.count, given.spacing)
 
 
@@ -221,6 +220,15 @@ def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
         return float(to_si(entry, name))
     except InputError as error:
         raise InputError(where, given or error.value, error.allowed) from None
+
+
+def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
+    """Return the low and the high end of a table in SI units. Raises InputError."""
+    low, high = (number_of(getattr(given, end), quantity, f"{where}.{end}") for end in ("low", "high"))
+    if not low < high:
+        raise InputError(f"{where}.high", given.high, f"more than the low end, {given.low}")
+    _check_spacing(where, given, low=low)
+    return low, high
 
 
 def with_values(content: Any, arrays: Mapping[tuple[str, ...], Any]) -> Any:
@@ -251,28 +259,26 @@ def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
         if text is not None:
             raise InputError(where, text, "plain numbers, over sigma, like the others: sigma is several here")
         numbers = [plain_number(entry, where) for entry in entries]
-    h = _between(points, numbers, where) if is_range else np.array(numbers)
+    h = np.array(numbers)
+    if is_range:
+        _check_spacing(where, points, start=h[0], stop=h[1])
+        h = _spaced(h, points.count, points.spacing)
     return _over_sigma(h, subject) if by_sigma else h
 
 
-def _between(points: Range, ends: list[float], where: str) -> np.ndarray:
-    if points.spacing == "log":
-        _check_positive(where, points, *ends)
-    return _spaced(ends, points.count, points.spacing)
-
-
-def _spaced(ends: Sequence[float] | np.ndarray, count: int, spacing: str) -> np.ndarray:
-    start, stop = (float(end) for end in ends)
+def _spaced(ends: np.ndarray, count: int, spacing: str) -> np.ndarray:
+    start, stop = ends.tolist()
     if spacing != "linear":
         return np.geomspace(start, stop, count)
     places = np.linspace(start, stop, count)
     return np.where(np.abs(places) < _ROUNDING * max(abs(start), abs(stop)), 0.0, places)
 
 
-def _check_positive(where: str, points: Range, *ends: float) -> None:
-    for end, number in zip(("start", "stop"), ends, strict=True):
-        if number <= 0:
-            raise InputError(f"{where}.{end}", getattr(points, end), 'above 0 where spacing = "log"')
+def _check_spacing(where: str, given: Any, **ends: float) -> None:
+    """Raise InputError for ends that have no logarithm where logarithms are spaced."""
+    for end, number in ends.items():
+        if given.spacing == "log" and number <= 0.0:
+            raise InputError(f"{where}.{end}", getattr(given, end), 'above 0 where spacing = "log"')
 
 
 def _over_sigma(h: np.ndarray, subject: Any) -> Any:

@@ -53,33 +53,16 @@ def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:
     def moved(name: str) -> str:
         return Path(os.path.relpath((folder / name).resolve(), out.resolve())).as_posix()
 
-    changed = {key: _samples_moved(one, moved) if key in _TABLES else one for key, one in content.items()}
+    def placed(entry: Any, keys: tuple[str, ...]) -> Any:
+        if not isinstance(entry, Mapping):
+            return entry
+        return {key: moved(one) if key in keys and isinstance(one, str) else placed(one, keys) for key, one in entry.items()}
+
+    changed = {key: placed(one, ("samples", "file")) if key in _TABLES else one for key, one in content.items()}
     if isinstance(changed.get("materials"), str):
         changed["materials"] = moved(changed["materials"])
     rough = roughness_in(changed)
-    if not isinstance(rough, Mapping):
-        return changed
-    return with_roughness(
-        changed, {key: _scan_moved(one, moved) if key in ("first", "second") else one for key, one in rough.items()}
-    )
-
-
-def _samples_moved(table: Any, moved) -> Any:
-    """With every file of values named from its new place."""
-    if not isinstance(table, Mapping):
-        return table
-    return {
-        key: moved(one) if key == "samples" and isinstance(one, str) else _samples_moved(one, moved)
-        for key, one in table.items()
-    }
-
-
-def _scan_moved(surface: Any, moved) -> Any:
-    if isinstance(surface, str):
-        return moved(surface)
-    if isinstance(surface, Mapping) and isinstance(surface.get("file"), str):
-        return {**surface, "file": moved(surface["file"])}
-    return surface
+    return with_roughness(changed, placed(rough, ("first", "second"))) if isinstance(rough, Mapping) else changed
 
 
 def _plain(value: Any, name: str) -> Any:

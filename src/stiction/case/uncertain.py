@@ -19,7 +19,8 @@ from stiction.case.distribution import (
     of_samples,
     within_factor,
 )
-from stiction.case.several import Along, Several, as_point, number_of, numbers_in, with_error
+from stiction.case.places import BODIES, entry_at
+from stiction.case.several import Along, Point, Several, number_of, numbers_in, read_ends, with_error
 from stiction.contact.interfaces import interface
 from stiction.contact.materials import Material, as_material
 from stiction.quantities.errors import InputError, InWords, field_below, field_named
@@ -32,11 +33,16 @@ from stiction.surfaces.finished import is_finished, roughness_of_finish
 SAMPLE = "sample"  # the dimension along which numbers are drawn
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _ERROR = re.compile(rf"\s*\(?\s*({_NUMBER})\s*([^+±]*?)\s*(?:\+/-|\+-|±)\s*({_NUMBER})\s*\)?\s*(.*?)\s*", re.DOTALL)
-_BODIES = (("contact", "first"), ("contact", "second"), ("contact", "coating", "material"))
 _MOST_SAMPLES = 1_000_000
 _LARGEST_FILE = 200_000_000
 _NOT_OF_A_CONTACT = ("surface_energy",)  # a contact has a work of adhesion of its own
 _TOGETHER = "name of a dimension: quantities with the same vary together"
+
+
+def _power_of_two(value: Any) -> Any:
+    if isinstance(value, bool) or not isinstance(value, int) or not 64 <= value <= 2**20 or value & (value - 1):
+        raise InputError("", value, "a power of two, 64 to 1048576")
+    return value
 
 
 class Uncertainty(Input):
@@ -46,7 +52,7 @@ class Uncertainty(Input):
     ranges: whether numbers of materials vary within their ranges.
     """
 
-    count: Annotated[int, BeforeValidator(lambda value: _power_of_two(value))] = Field(
+    count: Annotated[int, BeforeValidator(_power_of_two)] = Field(
         1024, strict=True, description="a power of two, 64 to 1048576"
     )
     seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
@@ -54,25 +60,11 @@ class Uncertainty(Input):
     ranges: bool = Field(False, strict=True, description="true: numbers of materials vary within their ranges; or false")
 
 
-def usual() -> Uncertainty:
-    """What holds where a case says nothing of it."""
-    return Uncertainty(**{})
-
-
-def _power_of_two(value: Any) -> Any:
-    if isinstance(value, bool) or not isinstance(value, int) or not 64 <= value <= 2**20 or value & (value - 1):
-        raise InputError("", value, "a power of two, 64 to 1048576")
-    return value
-
-
-_Point = Annotated[Any, BeforeValidator(as_point, json_schema_input_type=float | str)]
-
-
 class _Between(Input):
     """Anything between two ends."""
 
-    low: _Point = Field(description="the low end")
-    high: _Point = Field(description="the high end")
+    low: Point = Field(description="the low end")
+    high: Point = Field(description="the high end")
     spacing: Literal["linear", "log"] = Field(
         "linear", description="linear: the number is as likely anywhere; log: its logarithm is"
     )
@@ -82,7 +74,7 @@ class _Between(Input):
 class _Factor(Input):
     """A median, and the factor that is one standard deviation of the logarithm."""
 
-    median: _Point = Field(description="the value that is as likely too high as too low")
+    median: Point = Field(description="the value that is as likely too high as too low")
     factor: float = Field(gt=1.0, le=1e6, strict=True, description="a factor above 1: two thirds of the values lie within it")
     along: Along = Field(None, validate_default=False, description=_TOGETHER)
 
@@ -167,7 +159,8 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
     if isinstance(entry, str):
         return _with_error(entry, quantity, where)
     forms = [form for _, form in FORMS]
-    form = next((form for form in forms if next(iter(form.model_fields)) in entry), _other_form(entry))
+    likeliest = max(forms, key=lambda form: len(entry.keys() & form.model_fields.keys() - {"along"}))  # names its missing field
+    form = next((form for form in forms if next(iter(form.model_fields)) in entry), likeliest)
     with field_below(where):
         given = form(**entry)
     if isinstance(given, _Samples):
@@ -178,17 +171,7 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
             raise InputError(f"{where}.median", given.median, "above 0")
         return within_factor(quantity, median, given.factor, where, entry)
     assert isinstance(given, _Between)
-    low, high = (number_of(getattr(given, end), quantity, f"{where}.{end}") for end in ("low", "high"))
-    if not low < high:
-        raise InputError(f"{where}.high", given.high, f"more than the low end, {given.low}")
-    if given.spacing == "log" and low <= 0.0:
-        raise InputError(f"{where}.low", given.low, 'above 0 where spacing = "log"')
-    return between(quantity, low, high, given.spacing == "log")
-
-
-def _other_form(entry: Mapping) -> type[Input]:
-    """The form that knows most of the keys: what is missing of it is then said."""
-    return max((form for _, form in FORMS), key=lambda form: len(entry.keys() & form.model_fields.keys() - {"along"}))
+    return between(quantity, *read_ends(given, quantity, where), given.spacing == "log")
 
 
 def _with_error(text: str, quantity: str, where: str) -> Distribution:
@@ -199,7 +182,8 @@ def _with_error(text: str, quantity: str, where: str) -> Distribution:
     number, unit, error, error_unit = match.groups()
     relative = error_unit == "%" and (bool(unit) or not QUANTITIES[quantity].unit)
     own = unit or ("" if relative else error_unit)
-    mean = number_of(f"{number} {own}" if own else _plain(number, quantity), quantity, where, text)
+    plain = number if QUANTITIES[quantity].unit else float(number)  # a number that lacks its unit is refused as text
+    mean = number_of(f"{number} {own}" if own else plain, quantity, where, text)
     if relative:
         deviation = abs(mean) * float(error) / 100.0
     elif unit in ("", error_unit) and float(number) != 0.0:
@@ -209,11 +193,6 @@ def _with_error(text: str, quantity: str, where: str) -> Distribution:
     if not (deviation > 0.0 and np.isfinite(deviation)):
         raise InputError(where, text, f'a standard deviation above 0, e.g. "{_example(quantity)}"')
     return normal(quantity, mean, deviation, where, text)
-
-
-def _plain(number: str, quantity: str) -> Any:
-    """A number without a unit, as text where one is wanted, which is then refused."""
-    return number if QUANTITIES[quantity].unit else float(number)
 
 
 def _example(quantity: str) -> str:
@@ -278,8 +257,8 @@ def placed(numbers: Mapping[tuple[str, ...], Uncertain], content: Mapping) -> It
         if path[0] != "materials":
             yield one
             continue
-        for body in _BODIES:
-            table = _at(content, body)
+        for body in BODIES:
+            table = entry_at(content, body)
             name = table.get("preset") if isinstance(table, Mapping) else table
             if name == path[1] and not (isinstance(table, Mapping) and path[-1] in table):
                 yield replace(one, path=(*body, path[-1]))
@@ -288,7 +267,7 @@ def placed(numbers: Mapping[tuple[str, ...], Uncertain], content: Mapping) -> It
 def with_ranges(content: Mapping, taken: Sequence[tuple[str, ...]]) -> Iterator[Uncertain]:
     """The numbers of materials that have ranges, but for those at the paths that are taken. Within its range a number is as
     likely by its logarithm, where it is above 0; two bodies of one material vary together."""
-    for body in _BODIES:
+    for body in BODIES:
         material = body_at(content, body)
         if material is None:
             continue
@@ -301,7 +280,7 @@ def with_ranges(content: Mapping, taken: Sequence[tuple[str, ...]]) -> Iterator[
 
 def body_at(content: Mapping, path: tuple[str, ...]) -> Material | None:
     """The material of a body, where there is one."""
-    body = _at(content, path)
+    body = entry_at(content, path)
     found = as_material(body) if body is not None else None
     return Material(**found) if isinstance(found, Mapping) else found
 
@@ -312,10 +291,9 @@ def expanded(content: Mapping) -> Mapping:
     if contact is None:
         return content
     tables = _as_tables(contact)
-    for name in ("first", "second"):
-        tables[name] = body_at(content, ("contact", name))
+    tables |= {path[-1]: body_at(content, path) for path in BODIES[:2]}
     if tables.get("coating") is not None:
-        tables["coating"] = _as_tables(tables["coating"]) | {"material": body_at(content, _BODIES[2])}
+        tables["coating"] = _as_tables(tables["coating"]) | {"material": body_at(content, BODIES[2])}
     if isinstance(tables.get("interface"), str):
         tables["interface"] = interface(tables["interface"])
     if is_finished(tables.get("roughness")):
@@ -327,13 +305,6 @@ def _as_tables(record: Any) -> dict[str, Any]:
     if isinstance(record, Mapping):
         return dict(record)
     return {name: getattr(record, name) for name in record.model_fields_set}
-
-
-def _at(content: Any, path: tuple[str, ...]) -> Any:
-    """What stands at a path of tables and records; None if nothing."""
-    for key in path:
-        content = content.get(key) if isinstance(content, Mapping) else getattr(content, key, None)
-    return content
 
 
 def named(numbers: Sequence[Uncertain]) -> list[Uncertain]:
