@@ -108,11 +108,9 @@ class Case:
 
     def with_surface_moments(self, model: str) -> "Case":
         """The case as the model of this key takes it: a theory of the whole surface has no methods of finding asperities."""
-        from stiction.solving.problem import takes_surface_moments
+        from stiction.solving.problem import with_surface_moments
 
-        if not takes_surface_moments(model):
-            return self
-        return replace(self, subject=self.subject.with_surface_moments())
+        return replace(self, subject=with_surface_moments(self.subject, model))
 
 
 class _Solve(Input):

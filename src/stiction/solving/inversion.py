@@ -51,6 +51,15 @@ class Inversion:
     tension: np.ndarray
     where: np.ndarray
 
+    def with_rows(self, rows: np.ndarray, found: "Inversion") -> "Inversion":
+        """Put what was found of some contacts in their rows, in place, and return the whole."""
+        for name in _ARRAYS:
+            getattr(self, name)[rows] = getattr(found, name)
+        return replace(self, evaluations=max(self.evaluations, found.evaluations))
+
+
+_ARRAYS = ("h", "residual", "tension", "where")
+
 
 def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
     """Largest tension per asperity (n,), 0 where there is none, and the separation (n,) at which, else not a number.
@@ -95,9 +104,7 @@ def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[
 
 
 def _whole(parts: list[Inversion]) -> Inversion:
-    h, residual, tension, where = (
-        np.concatenate([getattr(part, name) for part in parts]) for name in ("h", "residual", "tension", "where")
-    )
+    h, residual, tension, where = (np.concatenate([getattr(part, name) for part in parts]) for name in _ARRAYS)
     return Inversion(h, residual, max(part.evaluations for part in parts), tension, where)
 
 
@@ -119,11 +126,9 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
         slow = _robustly(problem.with_groups(rest), targets[rest], refuse)
     except Unreachable as error:
         raise Unreachable(rest[error.law], error.at, error.low, error.high) from None
-    for name in ("h", "residual", "tension", "where"):
-        getattr(quick, name)[rest] = getattr(slow, name)
     if sums is not None:
         sums[:, rest] = np.nan
-    return replace(quick, evaluations=max(quick.evaluations, slow.evaluations)), sums
+    return quick.with_rows(rest, slow), sums
 
 
 def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, np.ndarray]:

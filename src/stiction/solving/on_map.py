@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,7 +16,6 @@ from stiction.solving.point_shear import POINT_SHEARS, points_of
 from stiction.solving.problem_base import Problem, with_coefficient
 
 if TYPE_CHECKING:
-    from stiction.records.registry import TangentialLaw
     from stiction.solvers.boundary_elements.curve import MapCurve
     from stiction.solvers.boundary_elements.solve import MapContact
     from stiction.surfaces.heightmap import HeightMap
@@ -53,40 +52,18 @@ class OnMap(Problem):
         liquid = self.groups.meniscus_index is not None
         return liquid and not self.chosen.dry and not self.adheres
 
-    @property
-    def effects(self) -> list[str]:
-        coated = isinstance(self.subject, Contact) and self.subject.has_film
-        flows = self.options.get("yielding") != "none"
-        known = (
-            ("adhesion", self.adheres),
-            ("plasticity", flows),
-            ("the film", coated),
-            ("menisci", self.menisci),
-            ("contacts that act on each other", True),
-        )
-        return [name for name, there in known if there]
+    def _effects(self) -> dict[str, bool]:
+        return {
+            "adhesion": self.adheres,
+            "plasticity": self.options.get("yielding") != "none",
+            "the film": isinstance(self.subject, Contact) and self.subject.has_film,
+            "menisci": self.menisci,
+            "contacts that act on each other": True,
+        }
 
     @property
     def heights_taken(self) -> str:
         return "measured"
-
-    def on_branch(self, branch: str) -> "OnMap":
-        return self
-
-    def loads(self, h: np.ndarray, law: np.ndarray) -> NoReturn:
-        self._refuse_separation()
-
-    def loads_on_grid(self, h: np.ndarray) -> NoReturn:
-        self._refuse_separation()
-
-    def on_grid(self, h: np.ndarray) -> NoReturn:
-        self._refuse_separation()
-
-    def at(self, h: np.ndarray) -> NoReturn:
-        self._refuse_separation()
-
-    def _refuse_separation(self) -> NoReturn:
-        raise InputError("separation", None, f"a load: {self.record.key} is solved at loads")
 
     @cached_property
     def contact(self) -> Contact:
@@ -100,6 +77,11 @@ class OnMap(Problem):
             raise InputError(name, several_in_words(array, name), f"one number, where {self.record.key} solves a map")
         return self.subject if self.menisci else self.subject.replace(liquid=None)
 
+    @cached_property
+    def factors(self) -> dict[str, Any]:
+        """The units of the contact, by scale."""
+        return self.contact.scales().factors()
+
     def surface(self) -> "HeightMap":
         """The map that is solved. Raises InputError."""
         return self.contact.measured.solvable.one()
@@ -107,7 +89,7 @@ class OnMap(Problem):
     def curve(self, load: np.ndarray) -> "MapCurve":
         """The contacts of the map at normalised loads (m,)."""
         contact, surface = self.contact, self.surface()
-        unit = contact.scales().factors()["N"]
+        unit = self.factors["N"]
         if not self.adheres and not (load > 0.0).all():
             allowed = f"above 0: {self.record.key} knows no adhesion, unless that is chosen"
             raise InputError("load", contact.show(float(load.min() * unit), "load"), allowed)
@@ -118,7 +100,7 @@ class OnMap(Problem):
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         load = np.asarray(load, dtype=float)
         curve = self.curve(load.reshape(-1))
-        factors = self.contact.scales().factors()
+        factors = self.factors
         whole = self.contact.nominal_area / curve.array("nominal_area")  # of the contact over the map
         planes = curve.array("separation")
         found = {
@@ -162,7 +144,7 @@ class OnMap(Problem):
             film = contact.coating.material
             stiff, strong = min(stiff, film.youngs_modulus), min(strong, film.hardness)
         most = min(_HEAVY * stiff * steep, _OF_HARDNESS * strong)
-        return np.geomspace(_LIGHT * most, most, _FEW)[None] * contact.nominal_area / contact.scales().factors()["N"]
+        return np.geomspace(_LIGHT * most, most, _FEW)[None] * contact.nominal_area / self.factors["N"]
 
     def _mean_height(self) -> float:
         """Of the asperities over the mean plane [m], from which separations count everywhere."""
@@ -177,21 +159,14 @@ class OnMap(Problem):
         if of_points is not None and one.pressure is None:
             raise InputError("shear", self.options["shear"], "law, where faces adhere: pressures there are not all of contact")
         if of_points is not None:
-            return of_points(self.contact, self.chosen.tangential.key, one) * whole / self.contact.scales().factors()["N"]
-        if one.pressure is None:  # of the whole load and area
-            factors = self.contact.scales().factors()
-            load, area = one.load * whole / factors["N"], one.area * whole / factors["m^2"]
-            return float(resistances(self.chosen.tangential, self.groups, np.array([[load]]), np.array([[area]])).item())
-        return self._by_law(self.chosen.tangential, one, whole)
+            return of_points(self.contact, self.chosen.tangential.key, one) * whole / self.factors["N"]
+        force, extent = whole / self.factors["N"], whole / self.factors["m^2"]
+        if one.pressure is None:  # the whole load and area stand for those of the points
+            return float(self._sheared(np.array([one.load * force]), one.area * extent, "elastic"))
+        of_states = (self._sheared(p * area.counted * force, area.real * extent, state) for state, p, area in points_of(one))
+        return float(sum(of_states))
 
-    def _by_law(self, tangential: "TangentialLaw", one: "MapContact", whole: float) -> float:
-        """Of the pressure and the area of every point, those that flow and those that do not."""
-        factors = self.contact.scales().factors()
-        total = 0.0
-        for state, pressure, area in points_of(one):
-            loads, areas = (
-                pressure * area.counted * whole / factors["N"],
-                np.full(pressure.size, area.real * whole / factors["m^2"]),
-            )
-            total += float(resistances(tangential, self.groups, loads[None], areas[None], state).sum())
-        return total
+    def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:
+        """Return the tangential force of points of one area, by the tangential law, under their loads."""
+        assert self.chosen.tangential is not None
+        return resistances(self.chosen.tangential, self.groups, loads[None], np.full((1, loads.size), area), state).sum()

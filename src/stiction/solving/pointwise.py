@@ -91,10 +91,7 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
             tables.setdefault(name, np.full(shape, np.nan))[rows] = table
         why_not[rows] = why
         if part.found is not None:
-            found = _no_inversion(shape) if found is None else found
-            found = replace(found, evaluations=max(found.evaluations, part.found.evaluations))
-            for name in ("h", "residual", "tension", "where"):
-                getattr(found, name)[rows] = getattr(part.found, name)
+            found = (_no_inversion(shape) if found is None else found).with_rows(rows, part.found)
     return Solved({name: table.reshape(points.wanted.shape) for name, table in tables.items()}, found), why_not
 
 

@@ -46,11 +46,13 @@ class Sum(Problem):
     def adheres(self) -> bool:
         return "no adhesion" not in self.law.asperity.traits
 
-    @property
-    def effects(self) -> list[str]:
-        plasticity = any(one.state not in ("elastic", MENISCUS) for one in self.regimes)
-        known = ("adhesion", self.adheres), ("plasticity", plasticity), ("the film", self.chosen.film is not None)
-        return [name for name, there in (*known, ("menisci", "meniscus" in self.chosen.additions)) if there]
+    def _effects(self) -> dict[str, bool]:
+        return {
+            "adhesion": self.adheres,
+            "plasticity": any(one.state not in ("elastic", MENISCUS) for one in self.regimes),
+            "the film": self.chosen.film is not None,
+            "menisci": "meniscus" in self.chosen.additions,
+        }
 
     @cached_property
     def regimes(self) -> list[Regime]:
@@ -76,15 +78,11 @@ class Sum(Problem):
             return self
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        return np.concatenate([self._scattered(h[some], law[some])[..., LOAD].sum(axis=0) for some in blocks(h.size)])
-
-    def loads_by_regime(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Net load per asperity (regimes, k) at pairs (k,) of separation and law."""
-        return self._scattered(h, law)[..., LOAD]
+        return np.concatenate([self.sums(h[some], law[some])[..., LOAD].sum(axis=0) for some in blocks(h.size)])
 
     def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Slip-limited and yield-limited tangential force per asperity (2, k) at pairs (k,) of separation and law."""
-        return self._scattered(h, law)[..., [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
+        return self.sums(h, law)[..., [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         if self.most_pull is None:
@@ -99,7 +97,7 @@ class Sum(Problem):
         """What a law that stands in the place of a tangential law gives, per asperity (n, m), at the separations h (n, m)."""
         plain = self.chosen.without("meniscus", model=replace(self.record, regimes=None), tangential=law)
         rows = np.repeat(np.arange(len(h)), h.shape[1])
-        sums = replace(self, chosen=plain)._scattered(h.reshape(-1), rows)
+        sums = replace(self, chosen=plain).sums(h.reshape(-1), rows)
         return sums[..., _SLIP_LIMITED].sum(axis=0).reshape(h.shape)
 
     def _spread(self, results: dict[str, np.ndarray], h: np.ndarray) -> np.ndarray:
@@ -119,21 +117,14 @@ class Sum(Problem):
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
         law = np.repeat(np.arange(len(h)), h.shape[1])
-        return self._at_sums(h, self._scattered(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5))
-
-    def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """The sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
-        return self._scattered(h, law)
+        return self._at_sums(h, self.sums(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5))
 
     def with_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
         """As `at`, with sums (regimes, n, m, 5) that are known there; those that are not numbers are taken, in their places."""
         law, at = np.nonzero(np.isnan(sums[0, ..., LOAD]))
         if law.size:
-            sums[:, law, at] = self._scattered(h[law, at], law)
+            sums[:, law, at] = self.sums(h[law, at], law)
         return self._at_sums(h, sums)
-
-    def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
-        raise AssertionError(f"{self.record.key} is solved at separations")
 
     def _at_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
         """Results (n, m) of the sums (regimes, n, m, 5) at the separations h (n, m)."""
@@ -148,7 +139,8 @@ class Sum(Problem):
         """Return what bounds the pull of menisci (2, n); None where none pull, or no bound is known."""
         return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
-    def _scattered(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+    def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """The sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
         sums = scattered(self.regimes, h, self.heights, law, self.threads)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[:, law])
 
@@ -222,14 +214,9 @@ class ClosedForm(Problem):
     def adheres(self) -> bool:
         return self.record.adheres
 
-    @property
-    def effects(self) -> list[str]:
-        plasticity = "hardness_group" in self.record.needs
-        known = ("adhesion", self.adheres), ("plasticity", plasticity), ("the film", self.record.on_film)
-        return [name for name, there in known if there]
-
-    def on_branch(self, branch: str) -> "ClosedForm":
-        return self
+    def _effects(self) -> dict[str, bool]:
+        flows = "hardness_group" in self.record.needs
+        return {"adhesion": self.adheres, "plasticity": flows, "the film": self.record.on_film}
 
     def near(self, load: np.ndarray) -> np.ndarray:
         """Separations (n, m), about where the normalised loads (n, m) are carried, of a theory that knows that."""
@@ -281,7 +268,7 @@ class ClosedForm(Problem):
 
     def _curve(self, h, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
         if self.record.curve is None:
-            raise InputError("separation", None, f"a load: {self.record.key} knows no separation")
+            self.refuse_separation()
         return self.record.curve(h, groups, **select_options(self.record, self.options))
 
     def _results(self, load: np.ndarray, area: np.ndarray) -> dict[str, np.ndarray]:

@@ -3,12 +3,13 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.heights import Heights
+from stiction.quantities.errors import InputError
 from stiction.records.registry import Record, RoughSurface
 from stiction.solving.chosen import Chosen
 
@@ -77,38 +78,46 @@ class Problem(ABC):
     def adheres(self) -> bool:
         """Whether asperities attract."""
 
-    @property
     @abstractmethod
+    def _effects(self) -> dict[str, bool]:
+        """Return what may be taken account of beyond elastic asperities, in words, and whether it is."""
+
+    @property
     def effects(self) -> list[str]:
-        """What is taken account of beyond elastic asperities, in words."""
+        """Name what is taken account of beyond elastic asperities."""
+        return [name for name, there in self._effects().items() if there]
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
         """Of normalised loads (n, m) of a curve those that can be afforded: all, unless every one takes its time."""
         return load
 
-    @abstractmethod
     def on_branch(self, branch: str) -> "Problem":
         """The same problem on another branch, if it has that for this contact; otherwise itself."""
+        return self
 
-    @abstractmethod
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Net load per asperity at pairs of separation and law."""
+        self.refuse_separation()
 
-    @abstractmethod
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         """Net load per asperity (n, H) at separations that all laws share."""
+        self.refuse_separation()
 
-    @abstractmethod
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
         """Results (n, H) at separations that all laws share."""
+        self.refuse_separation()
 
-    @abstractmethod
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
         """Results (n, m) at the separations h (n, m)."""
+        self.refuse_separation()
 
-    @abstractmethod
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         """Results (n, m) at normalised loads (n, m), where the model `needs_load`."""
+        raise AssertionError(f"{self.record.key} is solved at separations")
+
+    def refuse_separation(self) -> NoReturn:
+        """Raise the InputError of a model that knows no separation."""
+        raise InputError("separation", None, f"a load: {self.record.key} knows no separation")
 
 
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:

@@ -39,14 +39,15 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
     share = None if touching is None else np.asarray(touching).reshape(n, -1)
     pulled = results.get("load_meniscus")
     wet = None if pulled is None else -np.asarray(pulled).reshape(n, -1)
-    found = _by_asperity(problem, load, area, share, _bearing(problem, load, results), wet)
+    some = expected_share(area) if share is None else share
+    found = _by_asperity(problem, load, area, share, some, _bearing(problem, load, results), wet)
     if groups.roughness_parameter is not None:
         density = math.pi * groups.roughness_parameter[:, None]
         found["area_fraction"] = density * area
         found["nominal_pressure_over_hardness"] = density * load / (groups.eta * _softest(groups))[:, None]
         count = number_of_asperities(groups)
         if count is not None:
-            found["touching_asperities"] = count * (expected_share(area) if share is None else share)
+            found["touching_asperities"] = count * some
     of_surface = _of_the_surface(groups) | _of_the_map(problem) | (_of_attraction(groups) if problem.record.adheres else {})
     return found | {name: value[:, None] for name, value in of_surface.items()}
 
@@ -99,6 +100,7 @@ def _by_asperity(
     load: np.ndarray,
     area: np.ndarray,
     share: np.ndarray | None,
+    touching: np.ndarray,
     hardness: np.ndarray,
     pull_of_menisci: np.ndarray | None,
 ) -> dict[str, np.ndarray]:
@@ -112,11 +114,10 @@ def _by_asperity(
         if not groups.has_film:
             yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
             found["asperity_area_over_yield"] = area / np.where(share > 0.0, share * yielded, np.nan)
-    found |= _below_film(groups, load, area, share)
+    found |= _below_film(groups, load, area, touching)
     found |= _of_menisci(groups, area, share, pull_of_menisci)
     per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
     pull = per_theta if groups.n_g is None else per_theta * groups.n_g
-    touching = expected_share(area) if share is None else share
     found["adhesion_share"] = pull[:, None] * touching / compressed
     if groups.meniscus_index is not None and groups.meniscus_height is not None:
         held = _held_by_menisci(touching, groups.meniscus_height[:, None])
@@ -134,14 +135,13 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
     return {"grown_area_ratio": np.maximum(np.clip(pressure, 0.0, 1.0) / np.reshape(left, (-1, 1)), 1.0)}
 
 
-def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, share: np.ndarray | None) -> dict[str, np.ndarray]:
+def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np.ndarray) -> dict[str, np.ndarray]:
     """Return the mean pressure (n, m) of spots on films harder than the body over two limits: what that body carries through
     them, and what punches them through, at most H_b + 2 (t/a) tau_f of a plug of radius a (upper-bound theorem of plasticity),
     tau_f the shear strength of the film itself, also where the other body is softer.
     """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}
-    touching = expected_share(area) if share is None else share
     spot = np.divide(area, touching, where=touching > 0.0, out=np.full(area.shape, np.nan))
     carried = pressure_carried_below(spot, groups)
     pressure = load / (groups.eta[:, None] * np.where(area > 0.0, area, np.nan))

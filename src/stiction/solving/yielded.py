@@ -4,7 +4,7 @@ import numpy as np
 
 from stiction.engine.regime import MENISCUS
 from stiction.quantities.errors import InputError
-from stiction.solving.problem import Problem, Sum
+from stiction.solving.problem import LOAD, Problem, Sum
 
 YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
 
@@ -29,7 +29,7 @@ def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
     sums, film = require_states(problem, name), problem.chosen.film
     regimes, of_all = sums.regimes, name == YIELDED[0]
     law = np.repeat(np.arange(len(h)), h.shape[1])
-    loads = np.abs(sums.loads_by_regime(h.reshape(-1), law)).reshape(len(regimes), *h.shape)
+    loads = np.abs(sums.sums(h.reshape(-1), law)[..., LOAD]).reshape(len(regimes), *h.shape)
     counted = [
         one.state not in ("elastic", MENISCUS) and (of_all or film is None or one.body == "substrate") for one in regimes
     ]
