@@ -1,14 +1,14 @@
 """Materials of a case's own: tables [materials.NAME] in the case, or in a file beside it that the case names."""
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
 from stiction.case.places import BODIES, entry_at
 from stiction.case.several import with_values
 from stiction.contact.materials import Material, as_material, material_names, preset_name
-from stiction.quantities.errors import InputError, field_below
+from stiction.quantities.errors import InputError, field_as, field_below
 
 _FORM = 'tables [materials.NAME], or the name of a file that has them, e.g. materials = "my_materials.toml"'
 
@@ -35,16 +35,11 @@ def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path]
     return {**content, "materials": tables["materials"]}
 
 
-@contextmanager
-def telling_the_file(content: Mapping) -> Iterator[None]:
-    """Whatever is wrong with materials of a file that the case names is told with the name of the file before the field."""
+def telling_the_file(content: Mapping) -> AbstractContextManager[None]:
+    """Put the name of the file that has the materials of a case before the field of an InputError about them."""
     given = content.get("materials")
-    try:
-        yield
-    except InputError as error:
-        if not (isinstance(given, str) and error.field.startswith("materials.")):
-            raise
-        raise InputError(f"materials: {Path(given).name}: {error.field}", error.value, error.allowed) from None
+    before = f"materials: {Path(given).name}: " if isinstance(given, str) else ""
+    return field_as(lambda field: before * field.startswith("materials.") + field)
 
 
 def with_own_materials(content: Mapping) -> Mapping:

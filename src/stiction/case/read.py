@@ -30,7 +30,7 @@ from stiction.case.uncertain import (
 from stiction.contact.contact import Body, Contact, Indices
 from stiction.contact.subject import Subject
 from stiction.laws.proportion import questions
-from stiction.quantities.errors import InputDoubt, InputError
+from stiction.quantities.errors import InputDoubt, InputError, field_as
 from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
@@ -308,12 +308,8 @@ def _measured(content: Mapping, folder: Path) -> Mapping:
     surface = roughness_in(content)
     if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}) or is_finished(surface):
         return content
-    try:
-        measured = measure(MeasuredRoughness(**surface), folder)
-    except InputError as error:
-        where = error.field if error.field.startswith("roughness") else f"roughness.{error.field}"
-        raise InputError(f"contact.{where}", error.value, error.allowed) from None
-    return with_roughness(content, measured.roughness())
+    with field_as(lambda field: "contact." + (field if field.startswith("roughness") else f"roughness.{field}")):
+        return with_roughness(content, measure(MeasuredRoughness(**surface), folder).roughness())
 
 
 def json_schema() -> dict:

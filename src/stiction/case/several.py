@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, Field
 from stiction.case.distribution import Distribution, is_law
 from stiction.contact.indices import plain_number
 from stiction.contact.subject import Subject
-from stiction.quantities.errors import InputError, InWords
+from stiction.quantities.errors import InputError, InWords, field_as
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import several_in_words, to_si
@@ -190,10 +190,8 @@ def _read(path: tuple[str, ...], entry: Any, ambiguous: bool) -> Several:
     where = ".".join(path)
     if isinstance(entry, list):
         entry = {"values": entry}
-    try:
+    with field_as(lambda field: f"{where}.{field}".removesuffix(".values")):
         given = _Ends(**entry) if entry.keys() & {"start", "stop", "count", "spacing"} else _Values(**entry)
-    except InputError as error:
-        raise InputError(f"{where}.{error.field}".removesuffix(".values"), error.value, error.allowed) from None
     name = ".".join(path[1:]) if ambiguous else path[-1]
     if isinstance(given, _Values):
         return Several(path, given.along or name, name, _numbers(given.values, path, ("",)))

@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from stiction.quantities.data_files import read_tables
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError, field_as, nearest
 from stiction.quantities.inputs import Input, Number, OptionalNumber
 from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.units import to_si
@@ -145,10 +145,8 @@ def as_material(value):
         value = {"preset": value}
     if isinstance(value, dict) and "preset" in value:
         changes: dict[str, Any] = {key: entry for key, entry in value.items() if key != "preset"}
-        try:
+        with field_as(lambda field: "" if field == "material" else field):
             return material(value["preset"], **changes)
-        except InputError as error:
-            raise InputError("" if error.field == "material" else error.field, error.value, error.allowed) from None
     return value
 
 

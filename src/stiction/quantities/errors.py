@@ -2,8 +2,8 @@
 
 import difflib
 import re
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager, contextmanager
 
 _LONGEST = 80  # of a longer value the two ends are shown: of a path, the end says most
 
@@ -45,21 +45,22 @@ class InputError(ValueError):
 
 
 @contextmanager
-def field_named(name: str) -> Iterator[None]:
+def field_as(name: Callable[[str], str]) -> Iterator[None]:
+    """Rename the field of an InputError raised inside."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(name(error.field), error.value, error.allowed, error.hint) from None
+
+
+def field_named(name: str) -> AbstractContextManager[None]:
     """Give the field of an InputError raised inside this name; "" where the record around it knows the full path."""
-    try:
-        yield
-    except InputError as error:
-        raise InputError(name, error.value, error.allowed) from None
+    return field_as(lambda field: name)
 
 
-@contextmanager
-def field_below(place: str) -> Iterator[None]:
+def field_below(place: str) -> AbstractContextManager[None]:
     """Put the place of a table before the field of an InputError raised inside."""
-    try:
-        yield
-    except InputError as error:
-        raise InputError(f"{place}.{error.field}".rstrip("."), error.value, error.allowed) from None
+    return field_as(lambda field: f"{place}.{field}".rstrip("."))
 
 
 def nearest(word, known: Iterable[str]) -> str:

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BeforeValidator
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
@@ -26,9 +26,10 @@ def _ends(name: Any, ends: Any) -> tuple[float, float]:
     if not isinstance(ends, list | tuple) or len(ends) != 2:
         raise InputError(name, ends, f"its low and its high end, two values: {QUANTITIES[name].wanted}")
     try:
-        low, high = (float(to_si(end, name)) for end in ends)
-    except InputError as error:
-        raise InputError(name, error.value, error.allowed) from None
+        with field_named(name):
+            low, high = (float(to_si(end, name)) for end in ends)
+    except InputError:
+        raise
     except (TypeError, ValueError):
         raise InputError(name, ends, "its low and its high end, two single values") from None
     if low > high:

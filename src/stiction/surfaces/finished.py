@@ -132,7 +132,7 @@ class FinishedBodies(Input):
     def roughness(self) -> Roughness:
         """Return the roughness at the medians, which remembers the ranges."""
         numbers = dict(zip(_ASPERITIES, self.asperities({}), strict=True))
-        return Roughness(**numbers, kind=self._kind()).as_finished(self)
+        return Roughness(**numbers, kind=self._kind()).attached(finished=self)
 
     def with_first(self, **changes: Any) -> "FinishedBodies":
         """Return the same with another height or finish of the first body. Raises InputError where there are two."""

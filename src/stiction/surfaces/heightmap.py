@@ -136,6 +136,14 @@ def in_metres(value, field: str) -> float:
         raise InputError(field, error.value, 'a length, e.g. "10 um"') from None
 
 
+def metres_per(unit: str, field: str) -> float:
+    """Return how many metres a length unit is. Raises InputError."""
+    try:
+        return metres(f"1 {unit}", field)
+    except InputError:
+        raise InputError(field, unit, 'a length unit, e.g. "nm"') from None
+
+
 def metres(value, field: str) -> float:
     """One length > 0 in metres, from a number in metres or text with its unit ("10 um"); InputError names the field."""
     try:

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, field_as
 from stiction.quantities.foreign import has_unit
-from stiction.surfaces.heightmap import HeightMap, metres
+from stiction.surfaces.heightmap import HeightMap, metres, metres_per
 from stiction.surfaces.read import check_numbers, check_scale
 
 _TAKEN = (
@@ -29,15 +29,13 @@ def as_height_map(value: Any, field: str = "scan") -> HeightMap:
     """
     if isinstance(value, HeightMap):
         return value
-    try:
+    with field_as(lambda own: field if own == "scan" else f"{field}.{own}"):
         if _is_topography(value):
             return _of_topography(value)
         if _is_labelled(value):
             return _of_labelled(value)
         if _is_pair(value):
             return _made(*_of_pair(value), "an array", ("heights in m as given",))
-    except InputError as error:
-        raise InputError(f"{field}.{error.field}" if error.field != "scan" else field, error.value, error.allowed) from None
     raise InputError(field, type(value).__name__, _TAKEN)
 
 
@@ -78,7 +76,7 @@ def _of_topography(topography: Any) -> HeightMap:
 
     if topography.unit is None or topography.physical_sizes is None:
         raise InputError("scan", "a topography without unit or size", 'one that knows both, e.g. Topography(..., unit="um")')
-    factor = _factor(str(topography.unit), "unit")
+    factor = metres_per(str(topography.unit), "unit")
     heights, size, notes = on_grid(topography)
     name = str(getattr(topography, "info", {}).get("name", "") or "")
     history = (f"unit of the topography: {topography.unit}", *notes)
@@ -96,7 +94,7 @@ def _of_labelled(array: Any) -> HeightMap:
         heights, unit = np.asarray(data.magnitude), f"{data.units:C}"
     else:
         heights, unit = array.values, _unit_of(array, "heights")
-    heights = np.atleast_2d(np.asarray(heights, dtype=float)) * _factor(unit, "heights")
+    heights = np.atleast_2d(np.asarray(heights, dtype=float)) * metres_per(unit, "heights")
     steps = pitches if array.ndim == 2 else [pitches[0], pitches[0]]
     size = (steps[0] * heights.shape[0], steps[1] * heights.shape[1])
     return _made(heights, size, "a DataArray", (f"unit of the heights: {unit}",), str(array.name or ""))
@@ -114,7 +112,7 @@ def _pitch(array: Any, dim: str) -> float:
     pitch = float(steps.mean())
     if not (np.isfinite(pitch) and pitch != 0.0 and np.abs(steps - pitch).max() <= _ROUNDING * abs(pitch)):
         raise InputError(dim, f"steps from {steps.min():.6g} to {steps.max():.6g}", "equally spaced places")
-    return abs(pitch) * _factor(_unit_of(coordinate, dim), dim)
+    return abs(pitch) * metres_per(_unit_of(coordinate, dim), dim)
 
 
 def _unit_of(array: Any, field: str) -> str:
@@ -122,10 +120,3 @@ def _unit_of(array: Any, field: str) -> str:
     if "units" not in array.attrs:
         raise InputError(f"units of {field}", None, 'the attribute `units` of the array, e.g. assign_attrs(units="um")')
     return str(array.attrs["units"])
-
-
-def _factor(unit: str, field: str) -> float:
-    try:
-        return metres(f"1 {unit}", field)
-    except InputError:
-        raise InputError(field, unit, 'a length unit, e.g. "nm"') from None

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, field_as
 from stiction.quantities.inputs import Input
 from stiction.quantities.units import show
 from stiction.surfaces.finished import is_finished, roughness_of_finish
@@ -144,8 +144,8 @@ class Measured:
         """The numbers of the method that stands for the surface, which know that they were measured."""
         found, reduced = self.by_method[self.method], self.with_surface_moments()
         if reduced is not self:
-            found = found.replace(surface=self.by_method[self.of_moments].as_measured(reduced))
-        return found.as_measured(self)
+            found = found.replace(surface=self.by_method[self.of_moments].attached(measured=reduced))
+        return found.attached(measured=self)
 
     def contacts(self, contact: _Contact) -> dict[str, _Contact]:
         """The contact with the roughness that each method finds, the chosen method first."""
@@ -254,7 +254,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     of_moments = method_of_moments()
     solvable = SolvableMaps({name: _to_solve(scans[name], maps[name], wanted) for name in maps}, bool(known))
     if of_moments in surfaces:
-        surfaces[of_moments] = surfaces[of_moments].with_map(_one_map(solvable))
+        surfaces[of_moments] = surfaces[of_moments].attached(map=_one_map(solvable))
     surfaces = _with_the_surface(surfaces, surfaces.get(of_moments))
     method = wanted.method or standing_method(found, counts)
     if method not in found:
@@ -356,11 +356,9 @@ def _scan(scan: "Scan | HeightMap", folder: Path, body: str) -> "HeightMap":
 def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: str) -> "HeightMap":
     from stiction.surfaces.prepare import prepared
 
-    try:
+    own = f"{body}.file" if isinstance(scan, Scan) else body
+    with field_as(lambda field: f"roughness.{own if field == 'scan' else field}"):
         return prepared(surface, wanted.form, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest)
-    except InputError as error:
-        own = f"{body}.file" if isinstance(scan, Scan) else body
-        raise InputError(f"roughness.{own if error.field == 'scan' else error.field}", error.value, error.allowed) from None
 
 
 def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughness) -> "HeightMap":
@@ -374,11 +372,8 @@ def _read(scan: Scan, folder: Path, body: str) -> "HeightMap":
     from stiction.surfaces.read import read_scan
 
     given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}
-    try:
+    with field_as(lambda field: f"roughness.{body}.{'file' if field == 'scan' else field}"):
         return replace(read_scan(folder / scan.file, **given), periodic=scan.periodic)
-    except InputError as error:
-        field = "file" if error.field == "scan" else error.field
-        raise InputError(f"roughness.{body}.{field}", error.value, error.allowed) from None
 
 
 def _rough(value):
@@ -389,10 +384,8 @@ def _rough(value):
         return roughness_of_finish(value)
     if isinstance(value, Mapping) and not value.keys() & {"first", "second"}:
         return value
-    try:
+    with field_as(lambda field: field.removeprefix("roughness").lstrip(".")):  # the field of the contact adds its own name
         return roughness_of(value)
-    except InputError as error:  # the field of the contact adds its own name
-        raise InputError(error.field.removeprefix("roughness").lstrip("."), error.value, error.allowed) from None
 
 
 Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]

@@ -192,28 +192,19 @@ def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
     renormalised: there a slope is not followed, so level first; half a cutoff from an edge is better left out of statistics.
     Missing points stay missing. InputError unless 2 pitch <= shortest < longest <= size (of the longest side).
     """
-    low = None if shortest is None else metres(shortest, "shortest")
-    high = None if longest is None else metres(longest, "longest")
-    _check_band(surface, low, high)
+    low, high, band = _band(surface, shortest, longest)
     heights = surface.heights
     if low is not None:
         heights = _smooth(heights, surface.pitch, low)
     if high is not None:
         heights = heights - _smooth(heights, surface.pitch, high)
-    ends = ["all" if end is None else show(end, "scan_size") for end in (low, high)]
-    step = (
-        f"filtered to wavelengths {ends[0]} to {ends[1]}: Gaussian ISO 16610, 50 % at the cutoffs, weights renormalised at "
-        "edges and missing points"
-    )
-    return surface.with_heights(heights, step).alone()
+    return surface.with_heights(heights, f"{band}, weights renormalised at edges and missing points").alone()
 
 
 def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
     """The same for one period of a surface without end, which it stays: the filters of `filter_band` go on over its ends.
     Arguments and errors as there; also InputError for missing points."""
-    low = None if shortest is None else metres(shortest, "shortest")
-    high = None if longest is None else metres(longest, "longest")
-    _check_band(surface, low, high)
+    low, high, band = _band(surface, shortest, longest)
     if not surface.complete:
         raise InputError("heights", f"{surface.missing} missing points", "a map without missing points: fill them")
     along = [scipy.fft.fftfreq(surface.heights.shape[0], surface.pitch[0])]
@@ -225,12 +216,13 @@ def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
             passed = np.exp(-np.minimum(math.log(2.0) * cutoff**2 * squared, 700.0))
             kept *= passed if sign > 0.0 else 1.0 - passed
     heights = scipy.fft.irfft2(scipy.fft.rfft2(surface.heights) * kept, s=surface.heights.shape)
-    ends = ["all" if end is None else show(end, "scan_size") for end in (low, high)]
-    step = f"filtered to wavelengths {ends[0]} to {ends[1]}: Gaussian ISO 16610, 50 % at the cutoffs, going on over the ends"
-    return surface.with_heights(heights, step)
+    return surface.with_heights(heights, f"{band}, going on over the ends")
 
 
-def _check_band(surface: HeightMap, low: float | None, high: float | None) -> None:
+def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None, float | None, str]:
+    """Return both cutoffs [m], None where there is none, and what is said of the filter. Raises InputError."""
+    low = None if shortest is None else metres(shortest, "shortest")
+    high = None if longest is None else metres(longest, "longest")
     if low is None and high is None:
         raise InputError("band", None, "the shortest wavelength, the longest, or both")
     finest = 2.0 * surface.coarsest_pitch
@@ -240,6 +232,8 @@ def _check_band(surface: HeightMap, low: float | None, high: float | None) -> No
             raise InputError(name, end, f"{finest:.6g} m (twice the pitch) to {size:.6g} m (the size)")
     if low is not None and high is not None and not low < high:
         raise InputError("longest", high, f"> {low:.6g} m, the shortest")
+    ends = " to ".join("all" if end is None else show(end, "scan_size") for end in (low, high))
+    return low, high, f"filtered to wavelengths {ends}: Gaussian ISO 16610, 50 % at the cutoffs"
 
 
 def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> np.ndarray:

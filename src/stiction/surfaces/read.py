@@ -18,7 +18,7 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
 from stiction.surfaces import readers as formats
-from stiction.surfaces.heightmap import HeightMap, metres
+from stiction.surfaces.heightmap import HeightMap, metres, metres_per
 from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan, Reader
 from stiction.surfaces.readers.shared.packed import check_packed
 
@@ -153,15 +153,8 @@ def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float
         steps.append(f"unit of heights overridden: {height_unit}" if raw.unit else f"unit of heights as given: {height_unit}")
     if height_scale is not None:
         steps.append(f"heights multiplied by {height_scale:g} as given")
-    lateral = _one(taken, "unit") if taken else 1.0
-    return lateral, _one(heights_in, "height_unit" if height_unit else "unit") * scale, tuple(steps)
-
-
-def _one(unit: str, field: str) -> float:
-    try:
-        return metres(f"1 {unit}", field)
-    except InputError:
-        raise InputError(field, unit, 'a length unit, e.g. "nm"') from None
+    lateral = metres_per(taken, "unit") if taken else 1.0
+    return lateral, metres_per(heights_in, "height_unit" if height_unit else "unit") * scale, tuple(steps)
 
 
 def _size(raw: RawScan, size, unit, factor: float) -> tuple[tuple[float, float], tuple[str, ...]]:

@@ -80,10 +80,12 @@ class Roughness(Input):
             raise InputError("levels", InWords(f"{len(np.atleast_1d(rows))} rows"), f"a row for each of {names}")
         return self._finished.asperities(dict(zip(self.unknowns, rows, strict=True)))
 
-    def as_finished(self, bodies: Any) -> "Roughness":
-        """Return the same numbers, found by the finishes of these bodies (surfaces.finished.FinishedBodies)."""
+    def attached(self, **what: Any) -> "Roughness":
+        """Return the same numbers with where they come from: measured (surfaces.measured.Measured), map, or the finishes of the
+        bodies, finished (surfaces.finished.FinishedBodies)."""
         found = self.model_copy()
-        found._finished = bodies
+        for name, value in what.items():
+            setattr(found, f"_{name}", value)
         return found
 
     def notes(self) -> list[str]:
@@ -103,12 +105,6 @@ class Roughness(Input):
         """What scans say by all ways of finding asperities (surfaces.measured.Measured), where these numbers are from scans."""
         return self._measured
 
-    def as_measured(self, measured: Any) -> "Roughness":
-        """The same numbers, found in scans that say this."""
-        found = self.model_copy()
-        found._measured = measured
-        return found
-
     def as_numbers(self) -> "Roughness":
         """The same without the memory of scans and their map."""
         return self.replace() if self.surface is None else self.replace(surface=self.surface.as_numbers())
@@ -117,12 +113,6 @@ class Roughness(Input):
     def map(self) -> Any:
         """The map (a HeightMap) that stands for both faces, where these numbers are from scans that make one; else None."""
         return self._map
-
-    def with_map(self, surface: Any) -> "Roughness":
-        """The same numbers, of a surface whose map this is."""
-        found = self.model_copy()
-        found._map = surface
-        return found
 
     @model_validator(mode="after")
     def _surface_is_gaussian(self):

@@ -119,7 +119,7 @@ class _Friction:
             heights = height_model(found)
         one = roughness(found, heights)
         if self.of_map:
-            one = one.as_measured(of_one_map(one, found, to_solve))
+            one = one.attached(measured=of_one_map(one, found, to_solve))
         other = self.contact.model_copy(update={"roughness": one})
         return float(solve(other, load=self.load, **self.chosen.arguments())["friction_coefficient"])
 

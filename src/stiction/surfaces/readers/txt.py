@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from stiction.quantities.errors import InputError
-from stiction.surfaces.heightmap import metres
+from stiction.surfaces.heightmap import metres_per
 from stiction.surfaces.raw_scan import RawScan, Reader
 from stiction.surfaces.readers.csv import GIVEN, HOLDS
 from stiction.surfaces.readers.shared.text import matrix, read_text
@@ -21,7 +21,7 @@ def read(path: Path, channel) -> RawScan | None:
     if scan is None or not units:
         return scan
     lateral, vertical = units
-    heights = scan.heights * (metres(f"1 {vertical}", "unit") / metres(f"1 {lateral}", "unit"))
+    heights = scan.heights * (metres_per(vertical, "unit") / metres_per(lateral, "unit"))
     return replace(scan, heights=heights, unit=lateral) if scan.size else None
 
 
@@ -43,7 +43,7 @@ def _units(path: Path) -> tuple[str, ...] | None:
                 said[remark[1]] = remark[2]
     found = tuple(said[name] for name in ("Lateral units", "Value units") if name in said)
     try:
-        return found if len(found) in (0, 2) and all(metres(f"1 {unit}", "unit") for unit in found) else None
+        return found if len(found) in (0, 2) and all(metres_per(unit, "unit") for unit in found) else None
     except InputError:
         return None
 
