@@ -12,7 +12,7 @@ _CLOSE = 1e-15  # two steps nearer to each other than this, relative, are one pl
 
 
 @cache
-def _narrowing(excess: Callable) -> Any:
+def narrowing(excess: Callable) -> Any:
     @formula
     def narrow(left, right, at_left, at_right, row):
         """The place between at which the sign changes: secants (Illinois variant) with halvings between, which alone go on
@@ -38,7 +38,7 @@ def _narrowing(excess: Callable) -> Any:
 @cache
 def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
     """The kernel that looks for the changes of sign of excess(u, row), row having so many parameters."""
-    narrow = _narrowing(excess)
+    narrow = narrowing(excess)
 
     @kernel
     def fill_crossings(table, edges, out):

@@ -45,6 +45,7 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity import jackson_green_2005 as unhardened
@@ -60,7 +61,7 @@ _SPLITS = (1e3, 1e5)
 # E of the asperity over (1 - nu^2) E*: E* = E/(2 (1 - nu^2)) between bodies alike, E/(1 - nu^2) against a rigid one.
 _BODIES = {"alike": 2.0, "rigid": 1.0}
 # How a = R is searched.
-_STEPS, _HALVINGS = 64, 60
+_STEPS = 64
 
 
 def elastic_share(hardening):
@@ -116,26 +117,30 @@ def yielding(u, *row):
     return w, 2.0 * u, soft + (w * u - soft) * share, a * a
 
 
+@formula
+def _is_narrow(w, given):
+    """Whether the contact radius is below R."""
+    w_c, B, sharpness, front, rate = given
+    return _radius(w, w_c, B, sharpness, front, rate) * sharpness < 1.0
+
+
+_halve = halving(_is_narrow)
+
+
 @kernel
-def _wide_as_high(w_c, B, sharpness, front, rate, steps, halvings, out):
+def _wide_as_high(w_c, B, sharpness, front, rate, out):
     """Displacement beyond 1.9 omega_c at which a = R for the first time; 1.9 omega_c if a >= R already.
 
     With little hardening a may fall below R again, before omega = R: hence the steps.
     """
     for i in range(out.size):
-        start = _elastic_to * w_c[i]
-        step = max(1.0 / (sharpness[i] * sharpness[i]) - start, 0.0) / steps  # at omega = R, a >= R
-        low, high = start, start
-        for _ in range(steps):
-            if _radius(high, w_c[i], B[i], sharpness[i], front[i], rate[i]) * sharpness[i] < 1.0:
+        given = w_c[i], B[i], sharpness[i], front[i], rate[i]
+        low = high = _elastic_to * w_c[i]
+        step = max(1.0 / (sharpness[i] * sharpness[i]) - low, 0.0) / _STEPS  # at omega = R, a >= R
+        for _ in range(_STEPS):
+            if _is_narrow(high, given):
                 low, high = high, high + step
-        for _ in range(halvings):
-            middle = 0.5 * (low + high)
-            if _radius(middle, w_c[i], B[i], sharpness[i], front[i], rate[i]) * sharpness[i] < 1.0:
-                low = middle
-            else:
-                high = middle
-        out[i] = high
+        out[i] = _halve(low, high, given)
 
 
 def _edges(w_c, sharpness, front, rate, wide):
@@ -156,7 +161,7 @@ def pieces(groups: Groups, other_body: str = "alike") -> list[NormalPiece]:
     B = unhardened.area_power(groups.yield_strain)
     front, rate = stiffening(groups.hardening, _BODIES[other_body] * (1.0 - groups.nu * groups.nu) / groups.yield_strain)
     wide = np.empty_like(w_c)
-    _wide_as_high(w_c, B, sharpness, front, rate, _STEPS, _HALVINGS, wide)
+    _wide_as_high(w_c, B, sharpness, front, rate, wide)
     parameters = w_c, C, B, sharpness, front, rate, elastic_share(groups.hardening), wide
     edges = np.sqrt(_edges(w_c, sharpness, front, rate, wide))
     return [hertz.elastic(_elastic_to * w_c), NormalPiece(yielding, root_of, parameters, edges, "elastic-plastic")]

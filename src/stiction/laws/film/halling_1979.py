@@ -31,6 +31,7 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.laws.film.shared.two_bodies import TwoBodies, in_series
@@ -40,7 +41,7 @@ from stiction.records.sources import Source
 
 _THINNEST = 1e-100  # film over sigma, of one that is not there
 
-CELLS, HALVINGS = 256, 60
+CELLS = 256
 ELASTIC = 15  # parameters before the displacement at which it flows
 BODIES = 8  # of these, the place of the two bodies
 
@@ -89,6 +90,12 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 def _onset(flows: Any) -> Any:
     """The kernel that finds where the elastic asperity gives way to the plastic one."""
 
+    @formula
+    def holds(u, row):
+        return not flows(u, row)
+
+    halve = halving(holds)
+
     @kernel
     def onset(table, out):
         """The least u = sqrt(w) at which the mean pressure reaches the hardness: (E'/E'_s) u = eta H/H_s. It lies between the
@@ -97,22 +104,14 @@ def _onset(flows: Any) -> Any:
             row = unpack(table[i], ELASTIC)
             least, greatest, n_H, eta = row[:4]
             low = eta * min(n_H, 1.0) / greatest
-            high = eta * max(n_H, 1.0) / least
-            step = (high / low) ** (1.0 / CELLS)
+            step = (eta * max(n_H, 1.0) / least / low) ** (1.0 / CELLS)
             u = low
             for _ in range(CELLS):
                 if flows(u, row):
                     break
                 low = u
                 u *= step
-            high = u
-            for _ in range(HALVINGS):
-                u = 0.5 * (low + high)
-                if flows(u, row):
-                    high = u
-                else:
-                    low = u
-            out[i] = high
+            out[i] = halve(low, u, row)
 
     return onset
 

@@ -37,6 +37,7 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.joining import coordinates
@@ -78,17 +79,18 @@ def friction_coefficient(w_ratio, nu, K_H):
     return min(on_axis(w_ratio, nu, K_H), at_edge(w_ratio, nu, K_H)) if w_ratio < 1.0 else 0.0
 
 
+@formula
+def _at_edge_first(w_ratio, given):
+    return on_axis(w_ratio, *given) > at_edge(w_ratio, *given)
+
+
+_halve = halving(_at_edge_first)
+
+
 @kernel
 def _fill_first_on_axis(nu, K_H, out):
     for i in range(nu.size):
-        low, high = 0.5, 1.0
-        for _ in range(60):
-            middle = 0.5 * (low + high)
-            if on_axis(middle, nu[i], K_H[i]) > at_edge(middle, nu[i], K_H[i]):
-                low = middle
-            else:
-                high = middle
-        out[i] = high
+        out[i] = _halve(0.5, 1.0, (nu[i], K_H[i]))
 
 
 def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:

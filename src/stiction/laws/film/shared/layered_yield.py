@@ -15,13 +15,14 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.crossings import narrowing
 from stiction.engine.regime import columns
 from stiction.laws.joining import Law, normal_states
 from stiction.laws.piece import NormalPiece
 from stiction.records.registry import Composite
 from stiction.solvers.layered.asperity import _hertzian, edged, touch
 
-_STEP, _FARTHEST, _MOST_STEPS = 1.5, 1e30, 80
+_STEP, _FARTHEST = 1.5, 1e30
 # Rounds in which the pressure at yield, which depends on the modulus under adhesion, is found.
 _ROUNDS = 6
 
@@ -53,12 +54,14 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
     edge = along is edged
 
     @formula
-    def excess(u, row, pressure, of_hardness):
+    def excess(u, given):
         """Load less that of yield on the same area."""
+        row, pressure, (n_H, tau, constant, exponent) = given
         _, _, load, area = along(u, *row)
-        n_H, tau, constant, exponent = of_hardness
         chi = hardness(n_H, _hertzian(u, row)[3] * area / tau, constant, exponent)
         return load - area * pressure * chi
+
+    narrow = narrowing(excess)
 
     @kernel
     def find(table, pressure, of_hardness, out):
@@ -68,23 +71,15 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
             low = touch(row) if edge else 1e-8
             least = min(hard[0], 1.0) * max(pressure[i], 0.0) * min(np.exp(-row[0]), 1.0)
             low = max(low, 0.5 * np.sqrt(least))
-            high, value = low, excess(low, row, pressure[i], hard)
+            given = row, pressure[i], hard
+            u, value = low, excess(low, given)
             below = value
-            while value < 0.0 and high < _FARTHEST:
-                low, below = high, value
-                high *= _STEP
-                value = excess(high, row, pressure[i], hard)
-            above, u = value, high
-            for _ in range(_MOST_STEPS if below < 0.0 else 0):  # regula falsi after Illinois
-                before = u
-                u = high - above * (high - low) / (above - below)
-                if abs(u - before) <= 1e-14 * u:
-                    break
-                value = excess(u, row, pressure[i], hard)
-                if value < 0.0:
-                    low, below, above = u, value, 0.5 * above
-                else:
-                    high, above, below = u, value, 0.5 * below
+            while value < 0.0 and u < _FARTHEST:
+                low, below = u, value
+                u *= _STEP
+                value = excess(u, given)
+            if below < 0.0:
+                u = narrow(low, u, below, value, given)
             z, _, modulus, approach, _, _ = _hertzian(u, row)
             depth = approach * u**4
             chi = hardness(hard[0], depth / hard[1], hard[2], hard[3])

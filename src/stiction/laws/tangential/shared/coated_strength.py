@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
@@ -58,10 +59,13 @@ def _traction(p, s, table, film_strength, film):
 @cache
 def _filling(normal: Callable, parameters: int) -> Any:
     @formula
-    def excess(u, row, scale, root, table, film_strength, film):
-        """Mean pressure over that at which it alone yields, less 1."""
+    def holds(u, given):
+        """Whether the mean pressure is below that at which it alone yields."""
+        row, scale, root, table, film_strength, film = given
         _, _, load, area = normal(u, *row)
-        return load / (scale * area) * _norms_at(root * area**0.25, table, 0, film_strength, film) - 1.0
+        return load / (scale * area) * _norms_at(root * area**0.25, table, 0, film_strength, film) < 1.0
+
+    halve = halving(holds)
 
     @kernel
     def fill(rows, scale, root, film_strength, film, which, tables, place, out):
@@ -69,16 +73,12 @@ def _filling(normal: Callable, parameters: int) -> Any:
         out[i]: the square of the traction at the knots."""
         for i in range(scale.size):
             row, table = unpack(rows[i], parameters), tables[which[i]]
+            given = row, scale[i], root[i], table, film_strength[i], film[i]
             low = high = _LEAST
-            while high < _MOST and excess(high, row, scale[i], root[i], table, film_strength[i], film[i]) < 0.0:
+            while high < _MOST and holds(high, given):
                 low = high
                 high *= _STEP
-            for _ in range(60):
-                middle = 0.5 * (low + high)
-                if excess(middle, row, scale[i], root[i], table, film_strength[i], film[i]) < 0.0:
-                    low = middle
-                else:
-                    high = middle
+            high = halve(low, high, given)
             unit = min(root[i], _FARTHEST / high)
             place[i, 0], place[i, 1], place[i, 2] = high, unit, 1.0 / np.log1p(unit * high)
             for at in range(PIECES + 1):

@@ -6,16 +6,24 @@ from typing import Any
 
 import numpy as np
 
-from stiction.engine.compiled import kernel, unpack
+from stiction.engine.bisection import halving
+from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
 
-# Steps in ln u that are looked at, up to so many times the first coordinate; halvings of a step.
-_STEPS, _FARTHEST, _HALVINGS = 200, 1e5, 50
+# Steps in ln u that are looked at, up to so many times the first coordinate.
+_STEPS, _FARTHEST = 200, 1e5
 
 
 @cache
 def _finding(signed: Callable, parameters: int) -> Any:
+    @formula
+    def holds(u, given):
+        row, one, above = given
+        return (signed(u, row)[one] > 0.0) == above
+
+    halve = halving(holds)
+
     @kernel
     def fill(table, edges, out):
         for i in range(out.shape[0]):
@@ -32,14 +40,7 @@ def _finding(signed: Callable, parameters: int) -> Any:
                 for one in range(out.shape[1]):
                     if (after[one] > 0.0) == (before[one] > 0.0) or found[one] == out.shape[2]:
                         continue
-                    left, right = low, high
-                    for _ in range(_HALVINGS):
-                        middle = 0.5 * (left + right)
-                        if (signed(middle, row)[one] > 0.0) == (before[one] > 0.0):
-                            left = middle
-                        else:
-                            right = middle
-                    out[i, one, found[one]] = right
+                    out[i, one, found[one]] = halve(low, high, (row, one, before[one] > 0.0))
                     found[one] += 1
                 low, before = high, after
                 high = low * ratio
