@@ -140,7 +140,7 @@ def test_nothing_resists_without_a_tangential_law(law):
 
 def test_dmt():
     """Hertz less 2 pi gamma R (section A3): its pull-off is 4/3 of JKR's."""
-    displacement, _, load, area = dmt.normal(dmt.coordinate(0.0, 5.0), 5.0)
+    displacement, _, load, area = dmt.normal(0.0, 5.0)
     assert (displacement, area) == (0.0, 0.0)
     assert load == pytest.approx(4.0 / 3.0 * -4.71239 / 5.0, abs=1e-5)
     assert dmt.normal(2.0, 5.0)[2] == pytest.approx(8.0 - 2.0 * math.pi / 5.0)
