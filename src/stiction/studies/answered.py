@@ -15,8 +15,6 @@ from stiction.studies.uncertainty.spreads import ends_of_band, ends_of_models, w
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Answered", "answered", "uncertainty"]
-
 _MU = "friction_coefficient"
 
 

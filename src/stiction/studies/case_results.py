@@ -27,9 +27,6 @@ if TYPE_CHECKING:
     import xarray
     from _typeshed import DataclassInstance
 
-__all__ = ["compare_case", "film_of_case", "slide_case", "solve_case", "with_recommended"]
-
-
 RECOMMENDED = "recommended"
 Plan = TypeVar("Plan", bound="DataclassInstance")
 _LAYERED = "layered"  # the film law of `stiction film`

@@ -15,8 +15,6 @@ from stiction.quantities.dimensions import dimensions
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import Pointwise, Region, bisected, solve_pointwise
 
-__all__ = ["evaluate_many", "evaluate_together"]
-
 Numbers = Mapping[tuple[str, ...], Any]
 
 

@@ -19,8 +19,6 @@ from stiction.studies.prediction.predict import is_predicted, prediction_of
 if TYPE_CHECKING:
     from stiction.studies.scans.analysis import Analysis
 
-__all__ = ["Findings", "find_out", "places_in"]
-
 
 @dataclass(frozen=True)
 class Findings:

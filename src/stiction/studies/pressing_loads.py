@@ -6,8 +6,6 @@ from stiction.case.read import Case
 from stiction.solving.choice import DEFAULT_MODEL
 from stiction.solving.solve import solve
 
-__all__ = ["pressing_loads"]
-
 
 def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
     """Return the loads of a case above 0, and the place among them of its working load.

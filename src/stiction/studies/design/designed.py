@@ -9,8 +9,6 @@ from stiction.quantities.table import QUANTITIES
 from stiction.studies.comparison.compare import compare, working_load
 from stiction.studies.design.plan import LOAD
 
-__all__ = ["other_recommended", "with_numbers"]
-
 
 def with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
     """Return the tables of a case with the numbers of a design in their places."""

@@ -7,8 +7,6 @@ import numpy as np
 from stiction.quantities.units import show
 from stiction.studies.design.plan import DesignPlan
 
-__all__ = ["missed_objectives", "off_targets"]
-
 _NEAR = 0.01  # of a target: nearer than this counts as met
 
 

@@ -20,8 +20,6 @@ from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.studies.design.table import Design, Wish
 
-__all__ = ["DesignPlan", "Limit", "Options", "make_design_plan"]
-
 LOAD = ("solve", "load")
 _NAMED = ("material", "bodies", "first", "second")  # what may be chosen that is no number
 _MOST_FREE, _MOST_OPTIONS, _MOST_WAYS = 8, 100, 2000

@@ -21,8 +21,6 @@ from stiction.studies.design.space import TOLERANCE, Answers, Space
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Archive", "Designing", "design", "plan_of_design", "run_design"]
-
 # Told how many designs were asked, and the best so far in words.
 Tell = Callable[[int, str], None]
 _FRONT = 12  # designs between the two ends of a front that are searched

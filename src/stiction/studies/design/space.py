@@ -22,8 +22,6 @@ from stiction.solving.yielded import YIELDED, require_states, yielded_shares
 from stiction.studies.design.plan import LOAD, DesignPlan
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
-__all__ = ["TOLERANCE", "Answers", "Space"]
-
 TOLERANCE = 1e-6  # of a limit: by so much, times its size, it may be broken
 _REFUSED = 1e6  # how far beyond all limits a design is that is refused
 _DESIGN, _SAMPLE = "design", "sample"

@@ -7,8 +7,6 @@ from pydantic import Field, model_validator
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 
-__all__ = ["TABLE", "Design", "Wish"]
-
 
 class Wish(Input):
     """What is wished of a result: that it is least, most, or next to a value."""

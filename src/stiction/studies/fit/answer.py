@@ -12,8 +12,6 @@ from stiction.quantities.units import show
 from stiction.studies.fit.model import Forward, Parameter
 from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 
-__all__ = ["Fitted", "fitted", "refitted", "verdicts"]
-
 _BELIEVED = 0.99  # quantile of chi square up to which stated errors are believed
 _HIDES = 5.0  # how many times farther a number may go if another goes with it, for the two not to be told apart
 _LIKE = 0.25  # of the rate at which one goes, at which the other does, in their logarithms

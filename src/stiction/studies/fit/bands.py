@@ -16,8 +16,6 @@ from stiction.studies.fit.model import Parameter, derived, result_of
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
 from stiction.studies.fit.search import CONFIDENCE, finite
 
-__all__ = ["Bands", "check_predicted", "draws_of", "predicted"]
-
 _DRAWS, _TRIED = 1024, 4096
 _AT_ONCE = 256  # sets of trials at a time
 _MOST = 50_000  # predicted points at a time

@@ -10,8 +10,6 @@ from stiction.studies.fit.answer import Fitted, fitted, refitted
 from stiction.studies.fit.model import forward_of
 from stiction.studies.fit.plan import FitPlan
 
-__all__ = ["Rival", "aicc_of", "rank", "rival"]
-
 _FOLDS = 5
 
 

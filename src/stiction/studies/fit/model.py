@@ -20,8 +20,6 @@ from stiction.studies.fit.plan import RESISTANCE, FitPlan
 if TYPE_CHECKING:
     from stiction.case.read import Case
 
-__all__ = ["Forward", "Parameter", "case_between_the_ends", "check_models", "derived", "forward_of", "result_of", "solved_sets"]
-
 _SET, _ROW = "set", "row"
 
 

@@ -18,8 +18,6 @@ from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import require_names
 from stiction.studies.fit.table import Fit
 
-__all__ = ["RESISTANCE", "FitPlan", "make_fit_plan"]
-
 RESISTANCE = ("fit", "specific_contact_resistance")
 _MOST_FREE = 8
 

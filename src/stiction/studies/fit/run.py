@@ -25,8 +25,6 @@ from stiction.studies.fit.search import CONFIDENCE
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Fitting", "fit", "plan_of_fit", "run_fit"]
-
 _FEW = 100  # independent sets, below which a 95 % band is rough
 # From a text, what wraps a list of steps.
 

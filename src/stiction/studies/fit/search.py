@@ -6,8 +6,6 @@ from functools import cached_property
 
 import numpy as np
 
-__all__ = ["CONFIDENCE", "FAR", "Best", "Profile", "Residuals", "profiles", "search"]
-
 CONFIDENCE = 0.95
 # Standardised residual where a model refuses a set of numbers, or has no value.
 FAR = 1e4

@@ -6,8 +6,6 @@ from pydantic import Field
 
 from stiction.quantities.inputs import Input
 
-__all__ = ["TABLE", "Fit"]
-
 
 class Fit(Input):
     """What is fitted to measured series.

@@ -19,8 +19,6 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw
 
-__all__ = ["Elasticities", "elasticities", "numbers_of"]
-
 # Half the width of the wider difference, in ln x.
 _WIDTH = 0.02
 _STENCIL = np.array([-1.0, -0.5, 0.5, 1.0]) * _WIDTH

@@ -10,8 +10,6 @@ import numpy as np
 
 from stiction.studies.uncertainty.drawing import scrambled
 
-__all__ = ["Effects", "Indices", "effects", "points_of_indices", "sobol_indices", "trajectories"]
-
 # Scramblings of the sequence, each on its own: their scatter is the error of the indices.
 PARTS = 8
 _T = 2.364624  # Student's t of 7 degrees of freedom at 97.5 %

@@ -26,8 +26,6 @@ from stiction.studies.uncertainty.spreads import weights_of_models
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["sensitivity"]
-
 METHOD_INPUT, MODEL_INPUT = "asperity_method", "model"
 _LOADS = 9  # at most so many of the loads of a case
 _LITTLE = 0.05  # models with less of the weight are not drawn

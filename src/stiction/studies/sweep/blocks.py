@@ -15,8 +15,6 @@ from stiction.studies.evaluate_many import evaluate_many
 from stiction.studies.sweep.plan import Plan
 from stiction.studies.sweep.table import MOMENTS
 
-__all__ = ["Block", "merged", "solve_block", "statistics_of"]
-
 
 @dataclass(frozen=True)
 class Block:

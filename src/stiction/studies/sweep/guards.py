@@ -7,8 +7,6 @@ from typing import Any
 
 from stiction.quantities.errors import InputError
 
-__all__ = ["locked"]
-
 
 @contextmanager
 def locked(path: Path):

@@ -19,8 +19,6 @@ from stiction.quantities.inputs import Input, require_names
 from stiction.studies.sweep.table import LARGEST_BLOCK, Sample, Sweep
 from stiction.surfaces.roughness import Roughness
 
-__all__ = ["AT_ONCE", "Plan", "make_plan"]
-
 AT_ONCE = 131_072  # points of a block: half a second of work; and of what is solved together, of larger ones
 _MOST_BLOCKS = 50_000_000  # 10^12 points in blocks of the usual size are 7.6 million
 _BITS = 32  # of the coordinates of Sobol points: as many as can be skipped quickly

@@ -12,8 +12,6 @@ from itertools import pairwise
 
 import numpy as np
 
-__all__ = ["PERCENTILES", "counted", "quantiles_of", "sizes_of", "values_at"]
-
 # Share of the values that are not above it, by the name of a statistic.
 PERCENTILES: Mapping[str, float] = {
     "percentile_1": 0.01,

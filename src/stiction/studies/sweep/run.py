@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
     from stiction.studies.sweep.store import Store
 
-__all__ = ["Progress", "sweep"]
-
 _MOST_WORKERS = 1024  # processes of one machine
 
 # From how many points are done, how many there are, and what is done as it is done, the same with a display of that.

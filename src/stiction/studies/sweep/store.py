@@ -32,8 +32,6 @@ from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantil
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Store", "create", "open_store", "opened_store"]
-
 _DONE, _DOUBTS, _PARTS, _COUNTS = "doubts_by_block", "doubts", "statistics_by_block", "counts_by_block"
 _NOTHING = -1  # of a block that is not done
 _LAWS = ("title", "model", "asperity", "tangential", "film", "options", "heights", "grade", "sources", "friction_law")

@@ -8,8 +8,6 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.studies.sweep.quantile_counts import PERCENTILES
 
-__all__ = ["LARGEST_BLOCK", "MOMENTS", "STATISTICS", "TABLE", "Sample", "Sweep"]
-
 Method = Literal["grid", "list", "sobol", "latin_hypercube"]
 _MOST_SOBOL, _MOST_HYPERCUBE = 2**32, 2**22  # a Latin hypercube is drawn whole, by every worker
 LARGEST_BLOCK = 2**24

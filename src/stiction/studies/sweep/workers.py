@@ -13,8 +13,6 @@ from stiction.quantities.errors import InputError
 if TYPE_CHECKING:
     from stiction.studies.sweep.store import Store
 
-__all__ = ["done_here", "done_in_processes", "done_on_cluster", "make_ready"]
-
 # Times that workers may die without a block done between; blocks that wait for each worker.
 _DEATHS, _AHEAD = 3, 3
 _EVERY = 5.0  # seconds between countings of the workers of a cluster

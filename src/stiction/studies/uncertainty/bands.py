@@ -27,8 +27,6 @@ from stiction.studies.uncertainty.drawing import (
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["as_columns", "levels", "quantiles", "with_bands", "with_bands_of_models"]
-
 # Scramblings of the sequence, each on its own: their scatter is the error of the sampling.
 _PARTS = 8
 _QUANTILE, _ERROR = "_quantile", "_quantile_error"

@@ -16,10 +16,6 @@ from stiction.solving.conditions import excludes
 from stiction.solving.pointwise import WHY_NOT, Pointwise
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
-__all__ = [
-    "OUTPUTS", "Draws", "Variant", "draw", "impossible_share", "scrambled", "shares_of_points", "solves_maps",
-]  # fmt: skip
-
 # What is asked of contacts that are drawn.
 OUTPUTS = ("friction_coefficient", "contact_area", "load", "pull_off_force")
 _AT_ONCE = 65_536  # points that are solved at once: bounds the memory

@@ -10,8 +10,6 @@ from stiction.studies.comparison.recommendation import COST_UNIT
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["SPREADS", "ends_of_band", "ends_of_models", "spreads_of_comparison", "weights_of_models", "with_spreads"]
-
 # What a result may differ by.
 SPREADS = ("inputs", "methods", "models")
 _MU = "friction_coefficient_at_load"
