@@ -20,22 +20,23 @@ none.
 """
 
 import math
+from functools import partial
 
 import numpy as np
 from scipy.special import erf
 
-from stiction.contact.indices import Groups
+from stiction.laws.rough_surface.shared.corrected_diffusion import GRADIENT, area_per_asperity
 from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.records.registry import RoughSurface
 from stiction.records.sources import Source
-from stiction.surfaces.theory.moments import reduced_pressure
 
 
-def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H). Source: Persson 2001; no contact under tension."""
-    density = groups.roughness_parameter[:, None]
-    pressure = reduced_pressure(np.maximum(load, 0.0), density)
-    return erf(math.sqrt(2.0) * pressure) / (math.pi * density)
+def area_share(pressure: np.ndarray) -> np.ndarray:
+    """A/A0 at the reduced pressures p / (E* h') >= 0, any shape. Source: Persson 2001."""
+    return erf(math.sqrt(2.0) * pressure)
+
+
+area_at_load = partial(area_per_asperity, share=area_share)
 
 
 RECORD = RoughSurface(
@@ -52,5 +53,5 @@ RECORD = RoughSurface(
     verified="diffusion with an absorbing boundary, by finite differences; A/A0 = sqrt(8/pi) p/(E* h') at light load",
     needs=("roughness_parameter",),
     validity=(ELASTIC_CONTACT,),
-    notes="h' is that of an isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2).",
+    notes=GRADIENT,
 )

@@ -19,10 +19,11 @@ within -10 to +5 %. The source is about surfaces that attract each other; here i
 knows no separation: results have none.
 """
 
+from functools import partial
+
 import numpy as np
 
-from stiction.contact.indices import Groups
-from stiction.laws.rough_surface.shared.corrected_diffusion import area_per_asperity, area_share
+from stiction.laws.rough_surface.shared.corrected_diffusion import GRADIENT, area_per_asperity, area_share
 from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.records.registry import RoughSurface
 from stiction.records.sources import Source
@@ -34,9 +35,7 @@ def rate(share: np.ndarray) -> np.ndarray:
     return (5.0 - 2.0 * squared + 6.0 * squared**2) / 9.0
 
 
-def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
-    return area_per_asperity(load, groups, lambda pressure: area_share(pressure, rate))
+area_at_load = partial(area_per_asperity, share=partial(area_share, rate=rate))
 
 
 RECORD = RoughSurface(
@@ -55,5 +54,5 @@ RECORD = RoughSurface(
     verified="the differential equation by an independent integrator; its limits at light load and full contact",
     needs=("roughness_parameter",),
     validity=(ELASTIC_CONTACT,),
-    notes="h' is that of an isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2).",
+    notes=GRADIENT,
 )

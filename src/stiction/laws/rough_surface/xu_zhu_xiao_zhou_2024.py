@@ -21,12 +21,12 @@ within -3 to +5 %. It knows no separation: results have none.
 """
 
 import math
+from functools import partial
 
 import numpy as np
 from scipy.special import erf
 
-from stiction.contact.indices import Groups
-from stiction.laws.rough_surface.shared.corrected_diffusion import area_per_asperity
+from stiction.laws.rough_surface.shared.corrected_diffusion import GRADIENT, area_per_asperity
 from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.records.registry import RoughSurface
 from stiction.records.sources import Source
@@ -53,9 +53,7 @@ def area_share(pressure: np.ndarray) -> np.ndarray:
     return np.where(pressure > 0.0, erf(np.exp(log_q)), 0.0)
 
 
-def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
-    return area_per_asperity(load, groups, area_share)
+area_at_load = partial(area_per_asperity, share=area_share)
 
 
 RECORD = RoughSurface(
@@ -73,8 +71,5 @@ RECORD = RoughSurface(
     verified="the equation solved by bisection in 30 digits; its limits at light load and full contact",
     needs=("roughness_parameter",),
     validity=(ELASTIC_CONTACT,),
-    notes=(
-        "gamma = 0.45. h' is that of an isotropic Gaussian surface whose summits have this R and N: "
-        "h'^2 = sqrt(3) / (64 N R^2)."
-    ),
+    notes=f"gamma = {GAMMA}. {GRADIENT}",
 )

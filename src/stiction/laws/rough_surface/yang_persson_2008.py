@@ -23,10 +23,11 @@ The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.00
 within -4 to +8 %. It knows no separation: results have none.
 """
 
+from functools import partial
+
 import numpy as np
 
-from stiction.contact.indices import Groups
-from stiction.laws.rough_surface.shared.corrected_diffusion import area_per_asperity, area_share
+from stiction.laws.rough_surface.shared.corrected_diffusion import GRADIENT, area_per_asperity, area_share
 from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.records.registry import RoughSurface
 from stiction.records.sources import Source
@@ -39,9 +40,7 @@ def rate(share: np.ndarray) -> np.ndarray:
     return GAMMA + (1.0 - GAMMA) * share**2
 
 
-def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
-    return area_per_asperity(load, groups, lambda pressure: area_share(pressure, rate))
+area_at_load = partial(area_per_asperity, share=partial(area_share, rate=rate))
 
 
 RECORD = RoughSurface(
@@ -60,8 +59,5 @@ RECORD = RoughSurface(
     verified="the differential equation by an independent integrator; its limits at light load and full contact",
     needs=("roughness_parameter",),
     validity=(ELASTIC_CONTACT,),
-    notes=(
-        "gamma = 0.45. h' is that of an isotropic Gaussian surface whose summits have this R and N: "
-        "h'^2 = sqrt(3) / (64 N R^2)."
-    ),
+    notes=f"gamma = {GAMMA}. {GRADIENT}",
 )

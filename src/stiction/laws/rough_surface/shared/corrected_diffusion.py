@@ -27,6 +27,9 @@ from stiction.surfaces.theory.moments import reduced_pressure
 
 Rate = Callable[[np.ndarray], np.ndarray]
 
+# A note of the models that take the gradient of such a surface.
+GRADIENT = "h' is that of an isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2)."
+
 _FULL = 6.0  # erf is 1 from here on
 _LIGHTEST = 1e-9  # below this q the rate is that of no contact, to rounding
 _PANELS, _NODES, _STEPS = 120, 16, 8
