@@ -8,7 +8,7 @@ squeezes a film out is solved nowhere here.
 
 import csv
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -47,14 +47,14 @@ def on_a_sphere(
     law: str, options: Mapping[str, str], n_E: np.ndarray, a_over_t: np.ndarray, thickness_over_radius: np.ndarray
 ) -> OnSphere | None:
     """Of a film law with its options, at arrays alike; None where it was not measured at all."""
-    found = _of(_sphere(), law, options)
-    if found is None:
+    table = _of(_sphere(), law, options)
+    if table is None:
         return None
-    radii, places, table = found
     with np.errstate(divide="ignore"):  # of no contact
-        given = [np.log(np.asarray(one, dtype=float)) for one in (n_E, a_over_t, thickness_over_radius)]
-    values = [_between(table[..., column], [*places, radii], given) for column in range(2)]
-    return OnSphere(*(np.exp(one) for one in values))
+        given = np.log(np.stack(np.broadcast_arrays(n_E, a_over_t, thickness_over_radius), axis=-1))
+    inside = np.clip(given, *np.transpose([(axis[0], axis[-1]) for axis in table.grid]))
+    near = np.abs(given - inside)[..., :2] <= math.log(_MARGIN)  # of thicknesses over radius the nearest is taken
+    return OnSphere(*np.moveaxis(np.where(near.all(axis=-1)[..., None], np.exp(table(inside)), np.nan), -1, 0))
 
 
 def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np.ndarray) -> OnMaps | None:
@@ -93,52 +93,30 @@ def _of(table: Mapping, law: str, options: Mapping[str, str]):
     return None
 
 
-def _between(table: np.ndarray, places: list[np.ndarray], given: list[np.ndarray]) -> np.ndarray:
-    """Linear between the places along each axis; held beyond the ends of the last one, not a number beyond those of others."""
-    shape = np.broadcast_shapes(*(np.shape(one) for one in given))
-    left, share, inside = [], [], np.ones(shape, dtype=bool)
-    for number, (axis, one) in enumerate(zip(places, given, strict=True)):
-        one = np.broadcast_to(one, shape)
-        if number < len(places) - 1:
-            inside &= (one >= axis[0] - math.log(_MARGIN)) & (one <= axis[-1] + math.log(_MARGIN))
-        at = np.clip(np.searchsorted(axis, one) - 1, 0, max(len(axis) - 2, 0))
-        left.append(at)
-        width = axis[np.minimum(at + 1, len(axis) - 1)] - axis[at]
-        share.append(np.clip(np.divide(one - axis[at], width, out=np.zeros(shape), where=width > 0.0), 0.0, 1.0))
-    total = np.zeros(shape)
-    for corner in np.ndindex(*(2,) * len(places)):
-        place = tuple(np.minimum(one + step, len(p) - 1) for one, step, p in zip(left, corner, places, strict=True))
-        weight = np.prod([s if step else 1.0 - s for s, step in zip(share, corner, strict=True)], axis=0)
-        total += np.where(weight > 0.0, weight * table[place], 0.0)
-    return np.where(inside, total, np.nan)
-
-
 @cache
-def _sphere() -> dict[tuple[str, str], tuple[np.ndarray, list[np.ndarray], np.ndarray]]:
-    """Law and options -> logarithms of thicknesses over radius, of n_E and of a/t, and of the ratios over them."""
-    found: dict[tuple[str, str], list[list[float]]] = {}
-    for row in _rows(ON_A_SPHERE):
-        numbers = [float(row[name] or 1.0) for name in SPHERE_COLUMNS[2:]]
-        found.setdefault((row["law"], row["options"]), []).append(numbers)
+def _sphere() -> dict[tuple[str, str], Any]:
+    """Law and options -> logarithms of the ratios, between those of n_E, of a/t and of thicknesses over radius."""
+    from scipy.interpolate import RegularGridInterpolator
+
     tables = {}
-    for key, rows in found.items():
-        radius, n_E, width, *_ = np.log(np.array(rows)).T
+    for key, rows in _numbers(ON_A_SPHERE, SPHERE_COLUMNS).items():
+        radius, n_E, width, *ratios = np.log(rows).T
         axes = [np.unique(one) for one in (n_E, width, radius)]
-        table = np.full((*(len(axis) for axis in axes), 2), np.nan)
-        at = tuple(np.searchsorted(axis, one) for axis, one in zip(axes, (n_E, width, radius), strict=True))
-        table[at] = np.log(np.array(rows)[:, 3:])
-        tables[key] = (axes[2], axes[:2], table)
+        table = np.full((*map(len, axes), len(ratios)), np.nan)
+        table[tuple(map(np.searchsorted, axes, (n_E, width, radius)))] = np.transpose(ratios)
+        tables[key] = RegularGridInterpolator(axes, table, bounds_error=False)
     return tables
 
 
 @cache
 def _maps() -> dict[tuple[str, str], list[list[float]]]:
+    return _numbers(ON_MAPS, MAP_COLUMNS)
+
+
+def _numbers(path: Path, columns: Sequence[str]) -> dict[tuple[str, str], list[list[float]]]:
+    """Law and options -> the numbers of their rows; 1 for one that is left out."""
     found: dict[tuple[str, str], list[list[float]]] = {}
-    for row in _rows(ON_MAPS):
-        found.setdefault((row["law"], row["options"]), []).append([float(row[name]) for name in MAP_COLUMNS[2:]])
-    return found
-
-
-def _rows(path: Path) -> list[dict[str, str]]:
     with path.open(encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+        for row in csv.DictReader(file):
+            found.setdefault((row["law"], row["options"]), []).append([float(row[name] or 1.0) for name in columns[2:]])
+    return found
