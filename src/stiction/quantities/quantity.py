@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from math import degrees, inf, isinf
+from typing import Any
 
 # What a number of asperities is normalised by.
 COUNT = "number of asperities"
@@ -34,6 +35,12 @@ class Quantity:
     normalised_by: str = ""
     example: str = ""
     short: str = ""
+
+    def holds(self, values: Any) -> Any:
+        """Whether a number, or each of an array, is finite and within the bounds."""
+        above = values >= self.lower if self.lower_included else values > self.lower
+        below = values <= self.upper if self.upper_included else values < self.upper
+        return above & below & (abs(values) < inf)
 
     @property
     def attributes(self) -> dict[str, str]:

@@ -269,9 +269,7 @@ def _check(number, quantity: Quantity, given) -> None:
     values = np.asarray(number)
     if values.size == 0:
         raise InputError(quantity.name, "no values", "at least one value")
-    above = values >= quantity.lower if quantity.lower_included else values > quantity.lower
-    below = values <= quantity.upper if quantity.upper_included else values < quantity.upper
-    good = np.isfinite(values) & above & below
+    good = quantity.holds(values)
     if not good.all():
         place = tuple(index[0] for index in np.nonzero(~good)) if values.ndim else ()
         worst = float(values[place])

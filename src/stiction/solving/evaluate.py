@@ -90,11 +90,10 @@ def _checked(name: str, value) -> np.ndarray:
     array = _array(value, name, quantity.allowed)
     if array.size == 0:
         return array
-    low, high = float(array.min()), float(array.max())  # either is NaN if any element is
-    above = low >= quantity.lower if quantity.lower_included else low > quantity.lower
-    below = high <= quantity.upper if quantity.upper_included else high < quantity.upper
-    if not (above and below):
-        raise InputError(name, low if not above else high, quantity.allowed)
+    ends = np.array([array.min(), array.max()])  # either is NaN if any element is
+    held = quantity.holds(ends)
+    if not held.all():
+        raise InputError(name, float(ends[~held][0]), quantity.allowed)
     return array
 
 

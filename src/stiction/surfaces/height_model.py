@@ -1,7 +1,6 @@
 """The height distribution of asperities as a contact takes it: Gaussian, Weibull, or as found."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -58,7 +57,7 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
     form = stats.weibull_min(exponent)
     mean, deviation = form.mean(), form.std()
     fits = {"gaussian": stats.norm, "weibull": stats.weibull_min(exponent, loc=-mean / deviation, scale=1.0 / deviation)}
-    distances = {name: _distance(z, fit.cdf) for name, fit in fits.items()}
+    distances = {name: float(stats.ks_1samp(z, fit.cdf, method="asymp").statistic) for name, fit in fits.items()}
     likelihoods = {name: float(np.mean(fit.logpdf(z))) for name, fit in fits.items()}
     allowed = _ONE_IN_TWENTY / math.sqrt(min(found.count, _INDEPENDENT))
     name = wanted or next((one for one in fits if distances[one] <= allowed), "empirical")
@@ -100,13 +99,6 @@ def exponent_of_skewness(skewness: float) -> float:
     if excess(_LARGEST_EXPONENT) >= 0.0:
         return _LARGEST_EXPONENT
     return float(brentq(excess, _LEAST_EXPONENT, _LARGEST_EXPONENT, xtol=1e-10))
-
-
-def _distance(ascending: np.ndarray, cumulative: Callable) -> float:
-    """Of Kolmogorov and Smirnov: the largest difference between the distribution and that of the samples."""
-    expected = cumulative(ascending)
-    steps = np.arange(len(ascending) + 1) / len(ascending)
-    return float(max(np.max(steps[1:] - expected), np.max(expected - steps[:-1])))
 
 
 def _representatives(ascending: np.ndarray) -> list[float]:
