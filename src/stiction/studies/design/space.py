@@ -165,14 +165,14 @@ class Space:
         """Tables, numbers and loads of some designs, which take the same of what is no number."""
         from xarray import DataArray
 
-        content = dict(self.plan.content)
+        content = self.plan.content
         numbers: dict[tuple[str, ...], Any] = {}
         for at, one in enumerate(self.plan.options):
             index = one.index(shares[some, at])
             if one.is_number:
                 numbers[one.path] = DataArray(np.array(one.entries)[index], dims=(_DESIGN,))
             else:
-                content = _replaced(content, one.path, one.entries[int(index[0])])
+                content = with_numbers(content, {one.path: one.entries[int(index[0])]})
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
             numbers[free.path] = DataArray(free.at(shares[some, at]), dims=(_DESIGN,))
         for path, values in self._sampled(content, list(numbers)).items():
@@ -248,14 +248,6 @@ class Space:
         rows = np.nan_to_num(turned.reshape(len(problem.groups), -1))
         found = yielded_shares(problem, rows, name).reshape(turned.shape).transpose(np.argsort(order))
         return np.where(np.isfinite(over), found, np.nan)
-
-
-def _replaced(content: Any, path: tuple[str, ...], entry: Any) -> Any:
-    if not path:
-        return entry
-    if not isinstance(content, Mapping):
-        return content.replace(**{path[0]: entry})
-    return {**content, path[0]: _replaced(content.get(path[0], {}), path[1:], entry)}
 
 
 def _shape(subject: Any, designs: int, loads: int) -> tuple[int, int, int]:
