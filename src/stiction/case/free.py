@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field
 
-from stiction.case.several import read_ends
+from stiction.case.several import Address, read_ends
 from stiction.quantities.errors import InputError, field_below
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
@@ -28,7 +28,7 @@ class Interval(Input):
 class Free:
     """A number that is free. path: where it stands; name: without the table; low, high: SI; share 0 is low, 1 is high."""
 
-    path: tuple[str, ...]
+    path: Address
     low: float
     high: float
     log: bool
@@ -59,7 +59,7 @@ class Free:
         return show(value, self.quantity, digits) if np.isfinite(value) else "?"
 
 
-def read_free(path: tuple[str, ...], entry: Any, where: str) -> Free:
+def read_free(path: Address, entry: Any, where: str) -> Free:
     """The free number of a table {low, high}. Raises InputError."""
     if not isinstance(entry, Mapping):
         example = QUANTITIES[path[-1]].example or "1"

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from stiction.case.places import placed, subject_table
+from stiction.case.several import Address
 from stiction.quantities.errors import InputError, field_named, nearest
 from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
@@ -46,7 +47,7 @@ class Measurements:
     load: np.ndarray
     value: np.ndarray
     error: np.ndarray
-    known: tuple[Mapping[tuple[str, ...], float], ...]
+    known: tuple[Mapping[Address, float], ...]
     line: tuple[int, ...]
 
     def __len__(self) -> int:
@@ -76,7 +77,7 @@ class _Column:
     kind: str
     quantity: str
     unit: str
-    path: tuple[str, ...] = ()
+    path: Address = ()
 
 
 def read_measurements(path: Any, content: Mapping) -> Measurements:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from stiction.case.several import with_values
+from stiction.case.several import Address, with_values
 from stiction.contact.contact import Coating, Contact, Indices, Liquid
 from stiction.contact.materials import Material
 from stiction.quantities.errors import InputError, nearest
@@ -26,7 +26,7 @@ _PARTS: dict[str, type[Input]] = {
 BODIES = (("contact", "first"), ("contact", "second"), ("contact", "coating", "material"))
 
 
-def entry_at(content: Any, path: tuple[str, ...]) -> Any:
+def entry_at(content: Any, path: Address) -> Any:
     """Return what stands at a path of tables and records; None if nothing does."""
     for key in path:
         content = content.get(key) if isinstance(content, Mapping) else getattr(content, key, None)
@@ -52,7 +52,7 @@ def _known(content: Mapping) -> list[str]:
     return [f"{part}.{name}".removeprefix(".") for part in parts for name in _numbers_of(_PARTS[part])]
 
 
-def placed(name: str, content: Mapping, where: str) -> tuple[str, ...]:
+def placed(name: str, content: Mapping, where: str) -> Address:
     """Where the number of this name stands: ("contact", "coating", "thickness") of "coating.thickness", or of "thickness" if
     there is only one. Raises InputError, naming `where`, for what is no number of the case."""
     known = _known(content)
@@ -75,7 +75,7 @@ def flat(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
             yield str(key), value
 
 
-def with_numbers(content: Mapping, numbers: Mapping[tuple[str, ...], Any]) -> Mapping:
+def with_numbers(content: Mapping, numbers: Mapping[Address, Any]) -> Mapping:
     """The tables of a case with these numbers, floats or labelled arrays in SI units, in their places; a body that is named by
     its preset keeps all its others."""
     changed = dict(content)
@@ -85,7 +85,7 @@ def with_numbers(content: Mapping, numbers: Mapping[tuple[str, ...], Any]) -> Ma
     return with_values(changed, numbers)
 
 
-def _as_table(content: Any, path: tuple[str, ...]) -> Any:
+def _as_table(content: Any, path: Address) -> Any:
     """With what stands at the path as a table: the name of a preset as one that starts from it, and nothing as an empty one."""
     if isinstance(content, Input):
         return content

@@ -15,7 +15,7 @@ from pydantic import Field, create_model, model_validator
 from stiction.case.distribution import Distribution, is_law
 from stiction.case.own_materials import telling_the_file, with_materials_of_file, with_own_materials
 from stiction.case.places import roughness_in, with_roughness
-from stiction.case.several import Points, Several, numbers_schema, points_of, several_numbers, with_values
+from stiction.case.several import Address, Points, Several, numbers_schema, points_of, several_numbers, with_values
 from stiction.case.study_tables import study_tables
 from stiction.case.uncertain import (
     FORMS,
@@ -62,7 +62,7 @@ class Case:
     uncertain: tuple[Uncertain, ...] = ()
     uncertainty: Uncertainty = field(default_factory=lambda: Uncertainty(**{}))
     tables: Mapping[str, Any] = field(default_factory=dict, repr=False)
-    several: Mapping[tuple[str, ...], Any] = field(default_factory=dict, repr=False)
+    several: Mapping[Address, Any] = field(default_factory=dict, repr=False)
 
     @property
     def unknowns(self) -> dict[str, list[Uncertain]]:
@@ -72,7 +72,7 @@ class Case:
             found.setdefault(one.dimension, []).append(one)
         return found
 
-    def numbers_at(self, shares: np.ndarray) -> dict[tuple[str, ...], Any]:
+    def numbers_at(self, shares: np.ndarray) -> dict[Address, Any]:
         """What stands in the places of numbers that are several, and of those that are uncertain at these shares (n, k) of the
         distributions, k being the number of `unknowns`, in their order: arrays along `sample`."""
         columns = list(self.unknowns)
@@ -248,11 +248,11 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
     return replace(case_of(content, arrays), uncertain=tuple(uncertain), tables=content, several=arrays)
 
 
-def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[tuple[str, ...], Several]]:
+def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, Several]]:
     """The tables with materials of their own and the roughness that scans show, the first value of what is several in its
     place; and the numbers that are several. Raises InputError."""
     _refuse_bare_numbers(content, "")
-    numbers: dict[tuple[str, ...], Several] = dict(several_numbers(content))
+    numbers: dict[Address, Several] = dict(several_numbers(content))
     with telling_the_file(content):
         file = content.get("materials")
         content = with_materials_of_file(content, folder, _tables)
@@ -278,7 +278,7 @@ def wants_ranges(content: Mapping) -> bool:
     return isinstance(table, Mapping) and table.get("ranges") is True
 
 
-def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[tuple[str, ...], Uncertain]) -> None:
+def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[Address, Uncertain]) -> None:
     """InputError where a number of the roughness is several, or uncertain, that was measured."""
     if getattr(roughness_in(content), "measured", None) is None:
         return
@@ -287,7 +287,7 @@ def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[
             raise InputError(one.where, one.words, "one number, where scans say the roughness")
 
 
-def case_of(content: Mapping, arrays: Mapping[tuple[str, ...], Any]) -> Case:
+def case_of(content: Mapping, arrays: Mapping[Address, Any]) -> Case:
     """The case of these tables, with labelled arrays in the places of the numbers that are several. Raises InputError."""
     file = _case_file()(**with_values(content, arrays))
     subject = file.contact or file.indices

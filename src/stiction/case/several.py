@@ -19,6 +19,9 @@ from stiction.quantities.units import several_in_words, to_si
 if TYPE_CHECKING:
     import xarray
 
+# Where an entry stands in the tables of a case: ("contact", "first", "hardness").
+Address = tuple[str, ...]
+
 _MOST_POINTS = 100_000
 _ROUNDING = 1e-14  # of the ends of a range: less than this is the rounding of 0
 # Dimensions and coordinates of results that are no quantities, and other names of their tables.
@@ -95,7 +98,7 @@ class Several:
     as many as are drawn).
     """
 
-    path: tuple[str, ...]
+    path: Address
     dimension: str
     name: str
     values: np.ndarray
@@ -153,14 +156,14 @@ class Several:
         return xarray.DataArray(values, dims=(dimension,), coords={self.name: ((dimension,), values, attributes)})
 
 
-def several_numbers(content: Mapping) -> dict[tuple[str, ...], Several]:
+def several_numbers(content: Mapping) -> dict[Address, Several]:
     """Every number of [contact] or [indices] that is several, by where it stands. Raises InputError."""
     found = {path: entry for path, entry in numbers_in(content, ("contact", "indices")) if not with_error(entry)}
     short = [path[-1] for path in found]
     return {path: _read(path, entry, short.count(path[-1]) > 1) for path, entry in found.items()}
 
 
-def numbers_in(content: Mapping, tables: Sequence[str]) -> Iterator[tuple[tuple[str, ...], Any]]:
+def numbers_in(content: Mapping, tables: Sequence[str]) -> Iterator[tuple[Address, Any]]:
     """Where in these tables a number is not one: a list, a range, or uncertain; and what stands there."""
     for table in tables:
         if isinstance(content.get(table), Mapping):
@@ -178,7 +181,7 @@ _ERROR_SIGNS = ("+/-", "+-", "±")
 _ERROR_KEYS = {"low", "high", "median", "factor", "samples"}
 
 
-def _in_table(table: Mapping, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Any]]:
+def _in_table(table: Mapping, path: Address) -> Iterator[tuple[Address, Any]]:
     for key, value in table.items():
         if key in QUANTITIES and (isinstance(value, list | Mapping) or with_error(value)):
             yield (*path, key), value
@@ -186,7 +189,7 @@ def _in_table(table: Mapping, path: tuple[str, ...]) -> Iterator[tuple[tuple[str
             yield from _in_table(value, (*path, key))
 
 
-def _read(path: tuple[str, ...], entry: Any, ambiguous: bool) -> Several:
+def _read(path: Address, entry: Any, ambiguous: bool) -> Several:
     where = ".".join(path)
     if isinstance(entry, list):
         entry = {"values": entry}
@@ -200,7 +203,7 @@ def _read(path: tuple[str, ...], entry: Any, ambiguous: bool) -> Several:
     return Several(path, given.along or name, name, ends, True, given.count, given.spacing)
 
 
-def _numbers(entries: list[Any], path: tuple[str, ...], ends: tuple[str, ...]) -> np.ndarray:
+def _numbers(entries: list[Any], path: Address, ends: tuple[str, ...]) -> np.ndarray:
     """The numbers in SI units, each checked as one number of a case file is; ends: what their names end in."""
     where = [".".join(path) + ends[min(at, len(ends) - 1)] for at in range(len(entries))]
     return np.array([number_of(entry, path[-1], at) for entry, at in zip(entries, where, strict=True)])
@@ -229,7 +232,7 @@ def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
     return low, high
 
 
-def with_values(content: Any, arrays: Mapping[tuple[str, ...], Any]) -> Any:
+def with_values(content: Any, arrays: Mapping[Address, Any]) -> Any:
     """The tables with these arrays in the places of their paths; a table may be a record already."""
     if isinstance(content, Input):
         return content.replace(**{path[0]: array for path, array in arrays.items()})

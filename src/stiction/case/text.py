@@ -11,6 +11,7 @@ import tomli_w
 
 from stiction.case.distribution import Distribution, is_law
 from stiction.case.places import roughness_in, with_numbers, with_roughness
+from stiction.case.several import Address
 from stiction.case.uncertain import read_distribution
 from stiction.quantities.quantity import in_degrees
 from stiction.quantities.table import QUANTITIES
@@ -18,7 +19,7 @@ from stiction.quantities.table import QUANTITIES
 _TABLES = ("contact", "indices", "materials")  # in which numbers may be values from a file
 
 
-def with_written(content: Mapping, numbers: Mapping[tuple[str, ...], float]) -> dict[str, Any]:
+def with_written(content: Mapping, numbers: Mapping[Address, float]) -> dict[str, Any]:
     """The tables of a case as they were written, with these numbers, SI, as text with their units."""
     return dict(with_numbers(content, {path: show_exactly(value, path[-1]) for path, value in numbers.items()}))
 

@@ -20,7 +20,7 @@ from stiction.case.distribution import (
     within_factor,
 )
 from stiction.case.places import BODIES, entry_at
-from stiction.case.several import Along, Point, Several, number_of, numbers_in, read_ends, with_error
+from stiction.case.several import Address, Along, Point, Several, number_of, numbers_in, read_ends, with_error
 from stiction.contact.interfaces import interface
 from stiction.contact.materials import Material, as_material
 from stiction.quantities.errors import InputError, InWords, field_below, field_named
@@ -100,7 +100,7 @@ class Uncertain(Several):
     distribution: Any = None
 
     @classmethod
-    def of(cls, path: tuple[str, ...], distribution: Distribution, dimension: str | None = None) -> "Uncertain":
+    def of(cls, path: Address, distribution: Distribution, dimension: str | None = None) -> "Uncertain":
         name = path[-1]
         return cls(path, dimension or name, name, np.array([distribution.nominal]), distribution=distribution)
 
@@ -120,9 +120,7 @@ class Uncertain(Several):
         return self.distribution.ppf(share)
 
 
-def uncertain_numbers(
-    content: Mapping, folder: Path = Path(), of_materials: Path | None = None
-) -> dict[tuple[str, ...], Uncertain]:
+def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Path | None = None) -> dict[Address, Uncertain]:
     """Every number of [contact], [indices] or [materials] that is uncertain, by where it stands. folder: from which files of
     values are named; of_materials: from which those of [materials] are, where they stand in a file elsewhere. Raises
     InputError."""
@@ -137,7 +135,7 @@ def uncertain_numbers(
     return read
 
 
-def _check_rows(numbers: Mapping[tuple[str, ...], Uncertain]) -> None:
+def _check_rows(numbers: Mapping[Address, Uncertain]) -> None:
     """InputError where files whose rows stay together have not as many."""
     first: dict[str, Uncertain] = {}
     for one in numbers.values():
@@ -251,7 +249,7 @@ def _is_number(text: str) -> bool:
         return False
 
 
-def placed(numbers: Mapping[tuple[str, ...], Uncertain], content: Mapping) -> Iterator[Uncertain]:
+def placed(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[Uncertain]:
     """The numbers where they are used: those of the materials of a case in every body that is of such a material."""
     for path, one in numbers.items():
         if path[0] != "materials":
@@ -264,7 +262,7 @@ def placed(numbers: Mapping[tuple[str, ...], Uncertain], content: Mapping) -> It
                 yield replace(one, path=(*body, path[-1]))
 
 
-def with_ranges(content: Mapping, taken: Sequence[tuple[str, ...]]) -> Iterator[Uncertain]:
+def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertain]:
     """The numbers of materials that have ranges, but for those at the paths that are taken. Within its range a number is as
     likely by its logarithm, where it is above 0; two bodies of one material vary together."""
     for body in BODIES:
@@ -278,7 +276,7 @@ def with_ranges(content: Mapping, taken: Sequence[tuple[str, ...]]) -> Iterator[
                 yield Uncertain.of(path, in_range(name, low, high, nominal, low > 0.0), f"{material.name}.{name}")
 
 
-def body_at(content: Mapping, path: tuple[str, ...]) -> Material | None:
+def body_at(content: Mapping, path: Address) -> Material | None:
     """The material of a body, where there is one."""
     body = entry_at(content, path)
     found = as_material(body) if body is not None else None

@@ -11,11 +11,12 @@ import numpy as np
 
 from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of
+from stiction.case.several import Address
 from stiction.quantities.dimensions import dimensions
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import Pointwise, Region, bisected, solve_pointwise
 
-Numbers = Mapping[tuple[str, ...], Any]
+Numbers = Mapping[Address, Any]
 
 
 def evaluate_together(

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from stiction.case.read import Case
+from stiction.case.several import Address
 from stiction.laws.proportion import questions
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
@@ -75,11 +76,11 @@ def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":
     return {body: analyse(one, progress=progress(f"Analysing the {body} body")) for body, one in maps.items()}
 
 
-def places_in(text: str) -> frozenset[tuple[str, ...]]:
+def places_in(text: str) -> frozenset[Address]:
     """The places of all values in the text of a case file: ("contact", "first", "hardness"). None where it is no TOML."""
-    found: set[tuple[str, ...]] = set()
+    found: set[Address] = set()
 
-    def walk(table: Mapping, path: tuple[str, ...]) -> None:
+    def walk(table: Mapping, path: Address) -> None:
         for key, value in table.items():
             found.add((*path, key))
             if isinstance(value, Mapping):

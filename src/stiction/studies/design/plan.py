@@ -10,7 +10,7 @@ import numpy as np
 from stiction.case.free import Free, read_free
 from stiction.case.places import as_numbers, flat, placed, subject_table
 from stiction.case.read import opened, without_studies
-from stiction.case.several import number_of
+from stiction.case.several import Address, number_of
 from stiction.case.study_tables import study_table
 from stiction.case.uncertain import Uncertain
 from stiction.contact.contact import Contact
@@ -29,7 +29,7 @@ _MOST_FREE, _MOST_OPTIONS, _MOST_WAYS = 8, 100, 2000
 class Options:
     """A list of which one is taken: numbers in SI units, or what stands in a case file, tables and names."""
 
-    path: tuple[str, ...]
+    path: Address
     entries: tuple[Any, ...]
     words: tuple[str, ...]
     is_number: bool
@@ -139,7 +139,7 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
     return tuple(free), tuple(options)
 
 
-def _path(name: str, content: Mapping, where: str) -> tuple[str, ...]:
+def _path(name: str, content: Mapping, where: str) -> Address:
     if name == "load":
         return LOAD
     last = name.rpartition(".")[2]
@@ -156,7 +156,7 @@ def _path(name: str, content: Mapping, where: str) -> tuple[str, ...]:
     return (table, "coating", last) if last in ("material", "bodies") else (table, last)
 
 
-def _options(path: tuple[str, ...], entries: list, where: str) -> Options:
+def _options(path: Address, entries: list, where: str) -> Options:
     if not 1 <= len(entries) <= _MOST_OPTIONS:
         raise InputError(where, f"{len(entries)} entries", f"a list of 1 to {_MOST_OPTIONS}")
     if path[-1] not in _NAMED:

@@ -8,6 +8,7 @@ import numpy as np
 
 from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of, wants_ranges
+from stiction.case.several import Address
 from stiction.case.uncertain import with_ranges
 from stiction.laws.validity import Doubt
 from stiction.quantities.dimensions import arranged
@@ -86,9 +87,9 @@ class Space:
         rest = shares[len(self.plan.options) :]
         return found + [one.show(float(one.at(np.asarray(share))), 5) for one, share in zip(self.plan.free, rest, strict=True)]
 
-    def numbers(self, shares: np.ndarray) -> dict[tuple[str, ...], Any]:
+    def numbers(self, shares: np.ndarray) -> dict[Address, Any]:
         """Of one design (d,) what stands where in the case: SI floats, and entries of lists."""
-        found: dict[tuple[str, ...], Any] = {}
+        found: dict[Address, Any] = {}
         for one, share in zip(self.plan.options, shares, strict=False):
             found[one.path] = one.entries[int(one.index(np.asarray(share)))]
         for free, share in zip(self.plan.free, shares[len(self.plan.options) :], strict=True):
@@ -161,12 +162,12 @@ class Space:
         _, group = np.unique(self.way(shares), axis=0, return_inverse=True)
         return [np.flatnonzero(group.ravel() == at) for at in range(group.max() + 1)]
 
-    def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[Mapping, dict[tuple[str, ...], Any], dict[str, Any]]:
+    def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[Mapping, dict[Address, Any], dict[str, Any]]:
         """Tables, numbers and loads of some designs, which take the same of what is no number."""
         from xarray import DataArray
 
         content = self.plan.content
-        numbers: dict[tuple[str, ...], Any] = {}
+        numbers: dict[Address, Any] = {}
         for at, one in enumerate(self.plan.options):
             index = one.index(shares[some, at])
             if one.is_number:
@@ -180,7 +181,7 @@ class Space:
         load = numbers.pop(LOAD, None)
         return content, numbers, {"load": DataArray(self.case.load, dims=("load",)) if load is None else load}
 
-    def _sampled(self, content: Mapping, chosen: list[tuple[str, ...]]) -> dict[tuple[str, ...], np.ndarray]:
+    def _sampled(self, content: Mapping, chosen: list[Address]) -> dict[Address, np.ndarray]:
         """Values of what is uncertain and not chosen (samples,), the same for every design of the same materials. Of a material
         that is chosen its own ranges count."""
         from scipy.stats import qmc

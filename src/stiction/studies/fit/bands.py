@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.several import Address
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.solving.pointwise import Pointwise
@@ -116,12 +117,12 @@ def check_predicted(plan: FitPlan) -> None:
         raise InputError("fit.predict", f"{count} points with those of [solve]", f"{_MOST_PREDICTED} at most")
 
 
-def _predicted_numbers(plan: FitPlan) -> dict[tuple[str, ...], Any]:
+def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
     """The numbers of [fit.predict], those that are several as labelled arrays."""
     from stiction.case.places import flat, placed
     from stiction.case.several import number_of, several_numbers
 
-    arrays: dict[tuple[str, ...], Any] = {}
+    arrays: dict[Address, Any] = {}
     leaf = {"start", "stop", "values", "along", "count"}
     for name, entry in flat(plan.predict, "fit.predict", lambda table: bool(table.keys() & leaf)):
         where = f"fit.predict.{name}"
@@ -140,7 +141,7 @@ def _predicted_numbers(plan: FitPlan) -> dict[tuple[str, ...], Any]:
     return arrays
 
 
-def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[tuple[str, ...]]) -> dict[tuple[str, ...], Any]:
+def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[Address]) -> dict[Address, Any]:
     """The free numbers as arrays along the sets, but for what [fit.predict] says."""
     return {x.free.path: x.free.at(sets[:, at]) for at, x in enumerate(named) if x.free.path not in taken}
 

@@ -9,6 +9,7 @@ import numpy as np
 from stiction.case.free import Free
 from stiction.case.measurements import Measurements
 from stiction.case.places import with_numbers
+from stiction.case.several import Address
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
@@ -41,7 +42,7 @@ class _Group:
     which parameters (columns) they have."""
 
     rows: np.ndarray
-    known: Mapping[tuple[str, ...], np.ndarray]
+    known: Mapping[Address, np.ndarray]
     columns: tuple[int, ...]
 
 
@@ -65,7 +66,7 @@ class Forward:
             found[:, group.rows] = self._of_group(group, of)
         return found
 
-    def _of_group(self, group: _Group, numbers: Mapping[tuple[str, ...], np.ndarray]) -> np.ndarray:
+    def _of_group(self, group: _Group, numbers: Mapping[Address, np.ndarray]) -> np.ndarray:
         some = self.data.some(group.rows)
         names = {result_of(name) for name in some.quantity}
         contact = {path: values for path, values in numbers.items() if path != RESISTANCE}
@@ -93,8 +94,8 @@ def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.
 def solved_sets(
     content: Mapping[str, Any],
     choice: Choice,
-    numbers: Mapping[tuple[str, ...], np.ndarray],
-    known: Mapping[tuple[str, ...], np.ndarray],
+    numbers: Mapping[Address, np.ndarray],
+    known: Mapping[Address, np.ndarray],
     load: np.ndarray,
     keep: Sequence[str],
 ) -> dict[str, np.ndarray]:
@@ -104,7 +105,7 @@ def solved_sets(
 
     sets = len(next(iter(numbers.values()))) if numbers else 1
     found = {name: np.full((sets, len(load)), np.nan) for name in keep}
-    arrays: dict[tuple[str, ...], Any] = {path: DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
+    arrays: dict[Address, Any] = {path: DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
     arrays |= {path: float(v[0]) if (v == v[0]).all() else DataArray(v, dims=(_ROW,)) for path, v in known.items()}
     points: dict[str, Any] = {"load": DataArray(load, dims=(_ROW,))} if np.isfinite(load).all() else {"separation": 0.0}
     for region, _, solved in evaluate_many(content, arrays, points, choice, keep, along=(_SET,)):

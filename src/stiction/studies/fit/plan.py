@@ -11,7 +11,7 @@ from stiction.case.free import Free, read_free
 from stiction.case.measurements import Measurements, read_measurements
 from stiction.case.places import as_numbers, flat, placed, roughness_in
 from stiction.case.read import opened, without_studies
-from stiction.case.several import number_of
+from stiction.case.several import Address, number_of
 from stiction.case.study_tables import study_table
 from stiction.case.uncertain import Uncertain
 from stiction.quantities.errors import InputError, InWords
@@ -68,7 +68,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
 
 
 def _free(fit: Fit, content: Mapping) -> tuple[Free, ...]:
-    found: dict[tuple[str, ...], Free] = {}
+    found: dict[Address, Free] = {}
     for name, entry in flat(fit.free, "fit.free", lambda table: "low" in table or "high" in table):
         where = f"fit.free.{name}"
         path = RESISTANCE if name == RESISTANCE[1] else placed(name, content, where)

@@ -12,6 +12,7 @@ import numpy as np
 
 from stiction.case.distribution import Distribution
 from stiction.case.read import Case
+from stiction.case.several import Address
 from stiction.case.uncertain import Uncertain, named
 from stiction.contact.subject import Subject
 from stiction.quantities.inputs import Input
@@ -63,7 +64,7 @@ def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
     return by_name
 
 
-def _alone(path: tuple[str, ...], value: float) -> Uncertain:
+def _alone(path: Address, value: float) -> Uncertain:
     return Uncertain.of(path, Distribution(path[-1], value, "values", (value,), ""), ".".join(path[1:]))
 
 
@@ -71,7 +72,7 @@ def _stepped(one: Uncertain, value: float) -> Uncertain:
     return replace(one, values=np.array([value]), distribution=_Steps(value))
 
 
-def _numbers(record: Input, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], float]]:
+def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
     """Where each number above 0 stands that was given, and the number."""
     for name in type(record).model_fields:
         value = getattr(record, name)

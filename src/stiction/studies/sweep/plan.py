@@ -11,7 +11,7 @@ import numpy as np
 
 from stiction.case.places import roughness_in, with_roughness
 from stiction.case.read import case_of, opened
-from stiction.case.several import Several, with_values
+from stiction.case.several import Address, Several, with_values
 from stiction.case.study_tables import study_table
 from stiction.case.uncertain import SAMPLE, Uncertain, expanded
 from stiction.quantities.errors import InputError, nearest
@@ -34,7 +34,7 @@ class Plan:
     """
 
     content: Mapping[str, Any]
-    several: Mapping[tuple[str, ...], Several]
+    several: Mapping[Address, Several]
     sweep: Sweep
     dims: Mapping[str, int] = field(default_factory=dict)
     tile: Mapping[str, int] = field(default_factory=dict)
@@ -70,7 +70,7 @@ class Plan:
         """How many contacts are in a block."""
         return math.prod(some.stop - some.start for some in self.region(block).values())
 
-    def arrays(self, region: Mapping[str, slice]) -> dict[tuple[str, ...], Any]:
+    def arrays(self, region: Mapping[str, slice]) -> dict[Address, Any]:
         """The numbers that are several, as labelled arrays, in a region."""
         if self.sweep.sample.is_drawn:
             return self._drawn(region[SAMPLE])
@@ -81,7 +81,7 @@ class Plan:
             found[path] = one.array(one.numbers()[region[dim]], dim)
         return found
 
-    def _drawn(self, some: slice) -> dict[tuple[str, ...], Any]:
+    def _drawn(self, some: slice) -> dict[Address, Any]:
         """Points that are drawn. Quantities along one dimension share their shares, and go together."""
         columns = list(dict.fromkeys(one.dimension for one in self.several.values()))
         shares = _shares(self.sweep.sample, len(columns), some)
