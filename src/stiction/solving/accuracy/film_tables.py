@@ -54,7 +54,8 @@ def on_a_sphere(
         given = np.log(np.stack(np.broadcast_arrays(n_E, a_over_t, thickness_over_radius), axis=-1))
     inside = np.clip(given, *np.transpose([(axis[0], axis[-1]) for axis in table.grid]))
     near = np.abs(given - inside)[..., :2] <= math.log(_MARGIN)  # of thicknesses over radius the nearest is taken
-    return OnSphere(*np.moveaxis(np.where(near.all(axis=-1)[..., None], np.exp(table(inside)), np.nan), -1, 0))
+    ratios = np.exp(table(inside)).reshape(*near.shape[:-1], 2)  # of one place too
+    return OnSphere(*np.moveaxis(np.where(near.all(axis=-1)[..., None], ratios, np.nan), -1, 0))
 
 
 def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np.ndarray) -> OnMaps | None:
