@@ -452,7 +452,7 @@ def test_files_of_values_are_named_from_where_the_case_goes(tmp_path):
     [
         ({"free": {}}, "fit.free: 0 numbers"),
         ({"free": {"wrk": {"low": "1 mJ/m^2", "high": "1 J/m^2"}}}, "fit.free.wrk"),
-        ({"free": {ADHESION: {"low": "1 J/m^2", "high": "1 mJ/m^2"}}}, "the low end first"),
+        ({"free": {ADHESION: {"low": "1 J/m^2", "high": "1 mJ/m^2"}}}, "more than the low end, 1 J/m"),
         ({"free": {ADHESION: {"low": 1, "high": "1 J/m^2"}}}, "fit.free.work_of_adhesion.low: 1; allowed: text with a unit"),
         ({"free": {ADHESION: {"low": "0 J/m^2", "high": "1 J/m^2", "spacing": "log"}}}, "above 0 where"),
         ({"free": {ADHESION: {"low": "1 J/m^2", "hihg": "1 J/m^2"}}}, "fit.free.work_of_adhesion.hihg"),
