@@ -21,6 +21,14 @@ from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
+from stiction.studies.comparison.recommendation import (
+    COST_OF_A_DOUBLING,
+    COST_OF_ERROR,
+    COST_OF_FILM,
+    COST_OF_GRADE,
+    COST_UNIT,
+    NOT_MEASURED,
+)
 
 import stiction as st
 from stiction.contact.materials import material_names, symbols_of
@@ -32,14 +40,6 @@ from stiction.report.material_tables import LISTED, with_range
 from stiction.solving.accuracy import film_tables
 from stiction.solving.accuracy.film_tables import summary
 from stiction.solving.conditions import RULES
-from stiction.studies.comparison.recommendation import (
-    COST_OF_A_DOUBLING,
-    COST_OF_ERROR,
-    COST_OF_FILM,
-    COST_OF_GRADE,
-    COST_UNIT,
-    NOT_MEASURED,
-)
 from stiction.surfaces.finding import methods
 from stiction.surfaces.read import readers
 

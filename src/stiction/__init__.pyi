@@ -20,7 +20,6 @@ from .solving.overview import models as models
 from .solving.sliding import slide as slide
 from .solving.solve import solve as solve
 from .solving.unloading import unload as unload
-from .studies.answered import uncertainty as uncertainty
 from .studies.case_results import compare_case as compare_case
 from .studies.case_results import slide_case as slide_case
 from .studies.case_results import solve_case as solve_case

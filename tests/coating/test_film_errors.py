@@ -14,12 +14,8 @@ import stiction as st
 from stiction.contact.contact import Contact
 from stiction.records.registry import FilmLaw, of_kind
 from stiction.solving.accuracy import film_tables
-from stiction.solving.accuracy.film_errors import film_errors, in_words, off_by, read_film_errors
+from stiction.solving.accuracy.film_errors import in_words, read_film_errors
 from stiction.solving.accuracy.film_tables import on_a_sphere, on_maps, summary
-from stiction.solving.candidates import Candidate
-from stiction.solving.choice import Choice
-from stiction.solving.problem import make_problem
-from stiction.studies.comparison.recommendation import COST_OF_FILM, Answer
 from tables import column, read
 
 TRUTH = Path(__file__).parents[2] / "truth"
@@ -195,32 +191,9 @@ def test_what_was_measured_at_some_points_only_says_at_which():
     assert not any("outside" in row for row in read_film_errors(inside.attrs["measured_film_error"]))
 
 
-def test_its_cost():
-    """Factors of two in area, where the contact is elastic; what was not measured beyond the table counts as its end."""
-
-    def cost(contact, **laws):
-        problem = make_problem(contact, Choice(**{"model": PLAIN} | laws))
-        results = problem.at_load(np.array([[0.1]])) if problem.needs_load else problem.on_grid(np.array([1.0]))
-        return off_by(problem, results), film_errors(problem, results)
-
-    off, rows = cost(coated(), film="halling_1979")
-    assert off == pytest.approx(abs(math.log2(1.0 + rows[0]["error"][0])), rel=1e-9) and off > 0.5
-    assert cost(coated(), film="layered")[0] < 0.01
-    assert cost(coated(interfacial_shear_strength="10 MPa"), film="kato_1981")[0] == 0.0
-    assert cost(coated(n_E=300.0), film="halling_1979")[0] > 0.0
-    assert 0.0 < cost(coated(), model="rough_on_film")[0] < 0.2
-    soft = coated().replace(first=STEEL | {"hardness": "0.1 GPa"})
-    soft = soft.replace(coating=soft.coating.replace(material=soft.coating.material.replace(hardness="10 MPa")))
-    assert cost(soft, film="halling_1979")[0] < 0.1 * off  # all of it is plastic
-    plain = Answer(Candidate("one", Choice()), grade="C")
-    other = Answer(Candidate("one", Choice()), grade="C", film_off=2.0)
-    assert other.cost == pytest.approx(plain.cost + 2.0 * COST_OF_FILM)
-
-
 def test_in_a_comparison():
     data = st.compare(coated(thickness=500e-9, interfacial_shear_strength="100 MPa"), load="0.1 N")
     laws = ("layered", "ogilvy_1993", "rough_on_film")
     rows = {name: json.loads(data["measured_film_error"].sel(model=name).item()) for name in laws}
     assert rows["layered"][0]["error"][1] == pytest.approx(0.0, abs=5e-3)
     assert rows["ogilvy_1993"][0]["error"][1] < -0.2 and rows["rough_on_film"][0]["rms"] < 0.1
-    assert float(data["cost"].sel(model="layered")) < float(data["cost"].sel(model="halling_1979"))

@@ -16,11 +16,9 @@ from cases import STEEL_ON_STEEL
 from stiction.case.read import read_case
 from stiction.cli import app
 from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
-from stiction.report.comparison_pictures import comparison_figure
+from stiction.report.comparison_groups import groups_of
 from stiction.report.comparison_rows import at_load_rows, comparison
-from stiction.report.families import families_of, said_of_plastic_junctions
-from stiction.report.model_pictures import models_figure, rows_of_models
-from stiction.report.tables import comparison_summary
+from stiction.report.model_pictures import models_figure
 from stiction.studies.case_results import compare_case
 from stiction.studies.comparison.compare import candidates, compare, working_load
 
@@ -76,34 +74,16 @@ def test_without_an_interface_they_say_so():
     one = data.sel(model="persson_2001")
     assert np.isnan(one["friction_coefficient_at_load"]) and "interfacial_shear_strength" in one["why_not"].item()
     assert float(one["contact_area_at_load"]) > 0.0
-    assert np.isfinite(data.attrs["spread"]).all()
 
 
-def test_spread_and_recommendation(data):
-    mu = data["friction_coefficient_at_load"].values
-    assert data.attrs["spread"] == [mu.min(), mu.max()]
-    inside = mu[[not text for text in data["outside_validity"].values]]
-    assert data.attrs["spread_within_validity"] == [inside.min(), inside.max()]
-    chosen = data.sel(model=data.attrs["recommended"])
-    assert chosen["outside_validity"].item() == "" and "within its validity" in data.attrs["reason"]
-    assert data.attrs["working_load"] == pytest.approx(10.0)
-
-
-def test_the_spread_leaves_impossible_models_out():
-    """A polymer that sticks fully: models without a bound on the area say mu above tau_0 A_n/P, which nothing passes."""
-    soft = {"youngs_modulus": "1 MPa", "poissons_ratio": 0.49, "hardness": "0.5 MPa"}
-    rough = {"asperity_height_deviation": "50 nm", "asperity_radius": "10 um", "asperity_density": "1e11 1/m^2"}
-    given = st.Contact(
-        first=soft, second="soda_lime_glass", roughness=rough, nominal_area="1 mm^2",
-        work_of_adhesion="50 mJ/m^2", interfacial_shear_strength="0.1 MPa",
-    )  # fmt: skip
-    most = 0.1e6 * 1e-6 / 1e-3
-    data = compare(given, load="1 mN")
-    mu, impossible = data["friction_coefficient_at_load"].values, np.isinf(data["cost"].values)
-    assert np.nanmax(mu) > 1.1 * most >= data.attrs["spread"][1]
-    assert data.attrs["impossible_models"] == (impossible & np.isfinite(mu)).sum() > 0
-    first = str(comparison_summary(data)[0])
-    assert f"over all possible models ({data.attrs['impossible_models']} impossible left out)" in first
+def test_a_status_says_whether_the_contact_fits_and_why_not(data):
+    said = dict(zip(data["model"].values, data["status"].values, strict=True))
+    for name, text in said.items():
+        assert (text == "fits") == (data.sel(model=name)["outside_validity"].item() == ""), name
+    sharp = compare(on(asperity_radius="1 um"), load="1 N")
+    assert any(text.startswith("does not fit: ") for text in sharp["status"].values)
+    far = compare(SHEARED, load="1e9 N")
+    assert any(text.startswith("no answer: carries loads up to") for text in far["status"].values)
 
 
 def test_the_field_disagrees_by_an_order_of_magnitude(data):
@@ -236,7 +216,7 @@ def run(*arguments):
 
 def test_command_in_json(case, data):
     found = json.loads(run(case, "--json").stdout)
-    assert found["working_load"] == pytest.approx(10.0) and found["recommended"] == data.attrs["recommended"]
+    assert found["working_load"] == pytest.approx(10.0)
     assert found["units"]["load"] == "N"
     rows = {row["model"]: row for row in found["models"]}
     assert set(rows) == set(data["model"].values)
@@ -252,9 +232,9 @@ def test_command_for_people(case, tmp_path):
     result = run(case, "--all", "--out", out)
     assert result.exit_code == 0
     said = " ".join(result.stdout.split())  # lines are folded to the width of the terminal
-    for word in ("kogut_etsion_2004", "working load 10 N", "recommended: ", "within their validity", "does not stick"):
+    for word in ("kogut_etsion_2004", "at 10 N", "fits", "does not stick"):
         assert word in said
-    names = {"compare.csv", "compare_at_load.csv", "compare.nc", "compare.png", "spread.png"}
+    names = {"compare.csv", "compare_at_load.csv", "compare.nc", "compare.png"}
     assert {path.name for path in out.iterdir()} == names and all(name in said for name in names)
     lines = (out / "compare.csv").read_text().splitlines()
     assert lines[0] == "model,mean_separation [m],load [N],contact_area [m^2],friction_force [N],friction_coefficient"
@@ -263,15 +243,14 @@ def test_command_for_people(case, tmp_path):
 
 @pytest.mark.parametrize("width", [80, 100])
 def test_what_is_to_be_copied_is_not_broken(case, width):
-    """On a narrow terminal: keys of the table, each at the start of a line, and the command that runs the recommended one."""
+    """On a narrow terminal: keys of the table, each at the start of a line."""
     case.write_text(CASE + '[contact.coating]\nmaterial = "silver"\nthickness = "200 nm"\nbodies = "first"\n')
     said = CliRunner().invoke(app, ["compare", str(case), "--all"], env={"COLUMNS": str(width)}).stdout.splitlines()
     names = compare_case(read_case(case), 1.0)["model"].values
     assert len(names) > 25
-    for name in names:
+    answered = [name for name in names if "+" not in name]
+    for name in answered:
         assert any(re.match(f"{re.escape(name)}( |$)", line.strip()) for line in said), name
-    (command,) = (line for line in said if line.startswith("to run it: "))
-    assert command.endswith("--load '10 N'")
 
 
 def test_command_refuses_in_one_line(case):
@@ -336,8 +315,12 @@ def test_where_separations_are_asked_for_it_is_carried_at_one_of_them(case):
 def test_without_a_load_that_presses_there_are_only_curves(case, tmp_path):
     adhesive(case, 'load = ["-1 mN", "0 N"]')
     result = run(case, "--out", tmp_path / "out")
-    assert result.exit_code == 0 and result.stderr == "" and "without a working load" in " ".join(result.stdout.split())
-    assert {path.name for path in (tmp_path / "out").iterdir()} == {"compare.csv", "compare.nc", "compare.png"}
+    assert (
+        result.exit_code == 0
+        and result.stderr == ""
+        and "no model says anything of friction" in " ".join(result.stdout.split())
+    )
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"compare.csv", "compare.nc"}
     assert "working_load" not in json.loads(run(case, "--json").stdout)
 
 
@@ -353,7 +336,7 @@ def test_the_table_at_the_working_load(case, tmp_path, data):
         *results,
         *measured,
         "plastic_junctions_resist",
-        "liquid",
+        "status",
         "outside_validity",
         "why_not",
     ]
@@ -361,7 +344,7 @@ def test_the_table_at_the_working_load(case, tmp_path, data):
     for head in results:
         values = data[f"{head.partition(' ')[0]}_at_load"].values
         assert_allclose([float(row[head]) for row in rows], values, rtol=1e-12)
-    for name in ("grade", "plastic_junctions_resist", "liquid", "outside_validity", "why_not"):
+    for name in ("grade", "plastic_junctions_resist", "status", "outside_validity", "why_not"):
         assert [row[name] for row in rows] == list(data[name].values)
 
 
@@ -374,108 +357,40 @@ def test_the_table_has_the_ends_over_methods_if_the_surface_is_measured(data):
     assert_allclose(table, table[:, :1] * [1.0, 0.5, 2.0])
 
 
-@pytest.mark.parametrize("load", (None, "1e-15 N", "1 N", "5 kN", "1e9 N", "1e100 N"))
+# The picture ---------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("load", ("1e-15 N", "1 N", "5 kN", "1e9 N"))
 @pytest.mark.parametrize("strength", ({}, {"interfacial_shear_strength": "200 MPa"}))
-def test_the_picture_warns_of_nothing_and_keeps_its_legend_on_the_page(load, strength):
-    data = compare(contact(**strength), load=load)
-    drawn_without_warning(data)
-
-
-def drawn_without_warning(data):
+def test_the_picture_warns_of_nothing_and_keeps_its_names_on_the_page(load, strength):
+    pair = contact(**strength)
+    data = compare(pair, load=load)
+    answer = st.predict(pair, load=load) if load in ("1 N", "5 kN") else None
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("error")
-        figure = comparison_figure(data, "title")
+        figure = models_figure(data, groups_of(data), answer, "title")
         figure.draw_without_rendering()
-    low, high = figure.axes[0].get_xlim()
-    may_be = (data["friction_coefficient"].values > 0.0) & (data["doubtful"].values < 2)
-    assert low < data["load"].values[may_be].max() < high or "case_loads" in data.attrs
+    (axes,) = figure.axes
+    names = axes.get_yticklabels()
+    assert len(names) <= 10
     page = figure.bbox
-    names = [text for axes in figure.axes for text in axes.texts if axes.get_title()]
-    for box in [one.get_window_extent() for one in (*figure.legends, *names)]:
+    for box in [one.get_window_extent() for one in (*names, *figure.legends)]:
         assert page.x0 <= box.x0 < box.x1 <= page.x1 and page.y0 <= box.y0 < box.y1 <= page.y1
-    return figure
 
 
-def test_the_picture_ends_curves_where_they_cannot_be_and_names_them():
-    """Steel under up to 100 kN on 1 mm^2 is pressed flat: no curve goes there."""
-    data = compare(contact(interfacial_shear_strength="200 MPa"), load="1 kN", separations=np.linspace(5.0, -30.0, 40))
-    assert (data["doubtful"].values == 2).any()
-    figure = drawn_without_warning(data)
-    assert sorted(axes.get_title()[:9] for axes in figure.axes) == ["interface", "strength "]
-    for axes in figure.axes:
-        names = {text.get_text() for text in axes.texts} - {"working load"}
-        lines = [line for line in axes.lines if not line.get_label().startswith("_")]
-        assert names <= {line.get_label() for line in lines} and names
-        for line in lines:
-            one = data.sel(model=line.get_label().partition(" (")[0])
-            impossible = one["load"].values[one["doubtful"].values == 2]
-            assert not impossible.size or not np.isin(impossible, np.asarray(line.get_xdata())).any()
-
-
-def test_the_family_of_the_recommended_model_is_the_first_panel():
-    """Whichever model happens to be first in the comparison."""
-    data = compare(contact(interfacial_shear_strength="200 MPa"), load="1 N")
-    its_own = data["family_of_curve"].values == data.attrs["family"]
-    for order in (np.argsort(its_own), np.argsort(~its_own)):
-        assert comparison_figure(data.isel(model=order)).axes[0].get_title() == data.attrs["family"]
-
-
-@pytest.mark.parametrize("case_loads", [[0.5, 5.0], [0.01, 0.1], [30.0]])
-def test_the_recommended_model_is_marked_at_the_working_load_where_its_curve_does_not_reach(case_loads):
-    data = compare(contact(interfacial_shear_strength="200 MPa"), load="1 N").assign_attrs(case_loads=np.array(case_loads))
-    best = data.attrs["recommended"]
-    beyond = (data["model"] == best) & (data["load"] > 0.1)
-    figure = drawn_without_warning(data.assign(friction_coefficient=data["friction_coefficient"].where(~beyond)))
-    axes = figure.axes[0]
-    (point,) = (line for line in axes.lines if line.get_marker() == "o")
-    mu = float(data["friction_coefficient_at_load"].sel(model=best))
-    assert (float(point.get_xdata()[0]), float(point.get_ydata()[0])) == (1.0, mu)
-    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
-    assert left < 1.0 < right and bottom < mu < top
-    (curve,) = (line for line in axes.lines if str(line.get_label()).partition(" (")[0] == best)
-    assert curve.get_linestyle() == "-" and curve.get_color() == "black"
-
-
-def test_an_error_bar_is_in_sight_with_its_ends_and_names_stay_beside_their_curves():
-    data = compare(contact(), load="1 N").sel(model=["soft_coating_2015"])
-    mu = data["friction_coefficient_at_load"]
-    ends = {"friction_coefficient_at_load_low": mu / 50.0, "friction_coefficient_at_load_high": mu * 50.0}
-    (axes,) = comparison_figure(data.assign(ends).assign_attrs(recommended="soft_coating_2015")).axes
-    bottom, top = axes.get_ylim()
-    assert bottom < 0.9 * float(mu.item()) / 50.0 and 1.1 * float(mu.item()) * 50.0 < top
-    (name,) = (text for text in axes.texts if text.get_text() == "soft_coating_2015")
-    end = np.log(name.xy[1] / bottom) / np.log(top / bottom)
-    assert name.xyann[1] == pytest.approx(end, abs=1e-6)
-
-
-def test_the_picture_is_of_the_loads_of_the_case(case):
-    read = read_case(case)
-    figure = drawn_without_warning(compare_case(read, 1.0))
-    low, high = figure.axes[0].get_xlim()
-    assert low == pytest.approx(min(read.load) / 3.0) and high == pytest.approx(max(read.load) * 3.0)
-
-
-def test_the_picture_of_a_contact_that_holds_itself(case):
-    found = adhesive(case, 'load = ["-1 mN", "0 N", "1 N"]')
-    figure = drawn_without_warning(compare_case(found, working_load(found, None)))
-    assert any("working load" in text.get_text() for text in figure.axes[0].texts)
-
-
-def test_the_picture_of_models_that_say_nothing_of_friction():
-    silent = compare(contact(), load="1 N")
-    none = silent.isel(model=[at for at, text in enumerate(silent["why_not"].values) if "of contact only" in text])
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("error")
-        figure = comparison_figure(none)
-        figure.draw_without_rendering()
-    assert "interfacial_shear_strength" in figure.axes[0].texts[0].get_text()
+def test_the_picture_shows_the_prediction_its_interval_and_the_working_load(data):
+    answer = st.predict(SHEARED, load="10 N")
+    (axes,) = models_figure(data, groups_of(data), answer).axes
+    assert axes.get_yticklabels()[0].get_text() == "prediction" and "10 N" in axes.get_xlabel()
+    ends = axes.lines[0].get_xdata()
+    assert list(ends) == [float(answer["friction_coefficient_low"]), float(answer["friction_coefficient_high"])]
 
 
 # By what plastic junctions resist -------------------------------------------------------------------------------------------
 
 
 def test_families_by_what_plastic_junctions_resist(data, case, tmp_path):
-    """From the law of each model, wherever a comparison is shown: in JSON, the tables, the words, the pictures."""
+    """From the law of each model: in JSON and the table."""
     said = dict(zip(data["model"].values, data["plastic_junctions_resist"].values, strict=True))
     for key, record in of_kind(RoughSurface).items():
         if key in said and record.tangential != "none":
@@ -485,27 +400,3 @@ def test_families_by_what_plastic_junctions_resist(data, case, tmp_path):
     assert {row["model"]: row["plastic_junctions_resist"] or "" for row in rows} == said
     heads, table = at_load_rows(data)
     assert [row[heads.index("plastic_junctions_resist")] for row in table] == list(said.values())
-    printed = run(case, "--all").stdout
-    assert " full stick " in printed and re.search(r"kogut_etsion_2004 .* none", printed)
-
-
-def test_the_ends_of_mu_by_what_plastic_junctions_resist(data):
-    mu, resist = data["friction_coefficient_at_load"].values, data["plastic_junctions_resist"].values
-    words = said_of_plastic_junctions(data)
-    for kind in ("none", "interface", "full stick"):
-        some = mu[np.isfinite(mu) & (resist == kind)]
-        ends = " to ".join(dict.fromkeys(f"{end:.3g}" for end in (some.min(), some.max())))
-        assert f"{kind} {ends} ({some.size} model" in words
-    assert any(words == line.plain for line in comparison_summary(data))
-    silent = data.assign(plastic_junctions_resist=("model", np.full(data.sizes["model"], "", dtype=object)))
-    assert said_of_plastic_junctions(silent) == ""
-
-
-def test_pictures_tell_what_plastic_junctions_resist(data):
-    """Names where a panel has models of several kinds, and the legend of the models' rows."""
-    names = {str(line.get_label()) for axes in comparison_figure(data).axes for line in axes.lines}
-    kinds = {"cohen_kligerman_etsion_2008": "full stick", "kogut_etsion_2004": "none", "mccool_1986": "interface"}
-    assert {f"{model} ({kind})" for model, kind in kinds.items()} | {"tabor_1959 (junction growth)"} <= names
-    legend = [text.get_text() for text in models_figure(data).legends[0].get_texts()]
-    assert legend == [*dict.fromkeys(families_of(data.isel(model=rows_of_models(data)))), "hollow: outside its range"]
-    assert sum("plastic junctions: full stick" in text for text in legend) == 1

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-import stiction as st
 from stiction import cli
 from stiction.case.read import parse_case, read_case
 from stiction.quantities.errors import InputError
@@ -19,7 +18,6 @@ from stiction.solving.problem import make_problem
 from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
 from stiction.studies.case_results import solve_case
-from stiction.studies.comparison.compare import compare
 from stiction.studies.design import run as design_module
 from stiction.studies.design.plan import Limit
 from stiction.studies.design.run import _beyond, _front, _searched, design, plan_of_design, run_design
@@ -335,31 +333,6 @@ def test_broken_limits_are_named_with_their_values():
         }
     notes = "\n".join(map(str, design_notes(rough)))
     assert notes.count("N R sigma is not 0.001 to 1") == 2 and "broken (silver): " in notes and "broken (gold): " in notes
-
-
-def test_the_recommended_model_is_that_of_compare(tmp_path):
-    """Search with the model that compare recommends for the case as written, and name it in the designed case."""
-    table = case(MOST, RADIUS, {"area_fraction": {"high": 0.001}}, model="recommended", effort=5)
-    name = compare(subject_of(table | {"solve": {"load": "1 N"}}), load=LOAD).attrs["recommended"]
-    found, named = design(table), design(table | {"solve": {"load": "1 N", "model": name}})
-    assert found.attrs["model"] == name and found.assign_attrs(other_model="").identical(named)
-    text = run_design(plan_of_design(table), lambda count, text: None).case_text(tmp_path)
-    assert tomllib.loads(text)["solve"]["model"] == name
-
-
-def test_another_model_that_is_recommended_at_the_design_is_named_with_both_coefficients(tmp_path):
-    """The wish for little friction makes the surface rough: there asperities are plastic, which the searched model is not."""
-    choose = {"roughness": {"asperity_height_deviation": {"low": "5 nm", "high": "2 um"}}}
-    table = case(LEAST, choose, {"area_fraction": {"high": 0.001}}, model="recommended", effort=5)
-    searched = run_design(plan_of_design(table), lambda count, text: None)
-    data, designed = searched.data(), tomllib.loads(searched.case_text(tmp_path))
-    there = compare(subject_of(designed), load=LOAD)
-    best, name = there.attrs["recommended"], data.attrs["model"]
-    assert best != name
-    mu = st.solve(subject_of(designed), load=LOAD, model=best)["friction_coefficient"]
-    assert f"{best} is recommended, with mu {float(mu):.3g}; {name}" in data.attrs["other_model"]
-    assert data.attrs["other_model"].endswith(f"gives mu {float(data['friction_coefficient'][0]):.3g}")
-    assert any(data.attrs["other_model"] in str(line) for line in design_notes(data))
 
 
 def test_what_is_uncertain_is_held_for_nineteen_of_twenty():

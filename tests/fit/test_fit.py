@@ -21,7 +21,6 @@ from stiction.quantities.errors import InputError
 from stiction.report.fit_tables import evidence_table, fit_notes
 from stiction.solving.solve import solve
 from stiction.studies.case_results import solve_case
-from stiction.studies.comparison.compare import compare
 from stiction.studies.fit import run as fit_module
 from stiction.studies.fit.answer import Fitted, _over, _scaled, fitted
 from stiction.studies.fit.bands import draws_of
@@ -65,20 +64,6 @@ def test_what_the_data_do_not_bound_is_spread_evenly_between_its_ends():
         found = _over(best, factor)
         np.testing.assert_allclose(found.bounded, np.diag([1.0 / (5.0 / factor**2 + 12.0), 1.0 / 12.0]), rtol=1e-14)
         assert found.chi_square == pytest.approx(1.0 / factor**2)
-
-
-def test_the_recommended_model_is_that_of_compare(tmp_path):
-    """Fit the model that compare recommends between the ends, judged at the middle of the measured loads, and name it."""
-    values = {"load [N]": LOADS, "friction_coefficient": exact(), "friction_coefficient_error": np.full(8, 1e-4)}
-    data = written(tmp_path / "mu.csv", values)
-    middle = parse_case({**{key: one for key, one in case("recommended").items() if key != "fit"}}).subject
-    middle = middle.replace(**{STRENGTH: np.sqrt(10e6 * 2e9)})
-    name = compare(middle, load=LOADS[3]).attrs["recommended"]
-    plan = plan_of_fit(case("recommended"), data)
-    found = run_fit(plan, lambda text: iter)
-    assert found.data().attrs["model"] == name
-    assert found.data().identical(run_fit(plan_of_fit(case(name), data), lambda text: iter).data())
-    assert tomllib.loads(found.case_text(tmp_path))["solve"]["model"] == name
 
 
 def written(path, columns):

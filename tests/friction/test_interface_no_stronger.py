@@ -5,7 +5,6 @@ mu = tau_0/H, and Tabor's (1959) junction c/sqrt(alpha (1 - c^2)), alpha = 3 2.8
 """
 
 import math
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -21,10 +20,6 @@ def contact(strength, **more):
     rough = {"asperity_height_deviation": "150 nm", "asperity_radius": "20 um", "asperity_density": "1.2e10 1/m^2"}
     given = {"first": "copper", "second": "copper", "roughness": rough, "nominal_area": "1 mm^2"}
     return st.Contact(**given | more, interfacial_shear_strength=strength)
-
-
-def mu_of(data):
-    return float(data["friction_coefficient_at_load"].sel(model=data.attrs["recommended"]))
 
 
 @pytest.mark.parametrize("strength", (1.001 * BULK * COPPER, 2e9, 1e12))
@@ -67,29 +62,12 @@ def test_groups_are_capped_where_they_are_arrays():
     assert np.allclose(taken, np.minimum([[0.1, 0.3, 0.5]] * 2, 1.0 / (math.sqrt(3.0) * np.array([[2.0], [3.0]]))), rtol=1e-14)
 
 
-def test_growth_or_full_stick_answers_where_the_cap_is_reached():
-    data = st.compare(contact("2 GPa"), load="1 N")
-    resist = data["plastic_junctions_resist"].sel(model=data.attrs["recommended"]).item()
-    assert resist in ("junction growth", "full stick")
-    assert BULK < mu_of(data) < 0.6
-    assert "stronger than the bodies" in data.attrs["reason"]
-    assert "tabor_1959" in data.attrs["left_out"]  # without an end there
-
-
 def test_growing_junctions_stand_beside_those_that_do_not_grow():
-    """Copper with 60 MPa: .169 was recommended, and .169 to .169 as the range."""
     data = st.compare(contact("60 MPa"), load="1 N")
     share = 60e6 / (BULK * COPPER)
     mu = data["friction_coefficient_at_load"]
     assert float(mu.sel(model="tabor_1959")) == pytest.approx(BULK * share / math.sqrt(1.0 - share**2), rel=0.01)
     assert 60e6 / COPPER < float(mu.sel(model="junction_growth")) < float(mu.sel(model="tabor_1959"))
-    low, high = data.attrs["recommended_range"]
-    assert low <= 60e6 / COPPER * 1.01 and high >= float(mu.sel(model="junction_growth"))
-
-
-def test_mu_rises_to_full_stick_without_a_leap():
-    mu = [mu_of(st.compare(contact(share * BULK * COPPER), load="1 N")) for share in (0.96, 0.98, 1.0, 1.02)]
-    assert all(1.0 <= high / low < 1.2 for low, high in pairwise(mu))
 
 
 def test_the_growth_that_is_left_out():

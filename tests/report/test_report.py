@@ -106,12 +106,8 @@ def test_it_says_what_solve_and_compare_say(reported):
     mu = float(here["friction_coefficient"])
     assert record["friction_coefficient"] == pytest.approx(mu, rel=1e-12)
     assert f"μ {mu:.4g}" in page.text
-    best = st.compare(case.subject, load=at)
-    assert record["recommended"] == best.attrs["recommended"] and record["recommended"] in page.text
-    assert float(best["friction_coefficient_at_load"].sel(model=record["recommended"])) == pytest.approx(
-        record["recommended_friction_coefficient"], rel=1e-12
-    )
-    for name in best["model"].values:
+    told = st.compare(case.subject, load=at)
+    for name in told["model"].values[np.isfinite(told["friction_coefficient_at_load"].values)]:
         assert str(name) in page.text
     for word in (
         "Question.",
@@ -157,17 +153,15 @@ def test_every_doubt_is_beside_the_number(reported):
 def test_what_is_uncertain_is_in_the_answer(reported):
     """The ends of the band at the working load, and mu with the digits that they leave; or that nothing is known of it."""
     path, record, _, page = reported
-    case, found = st.read_case(path), record["spreads"]["inputs"]
+    case = st.read_case(path)
     if not case.uncertain:
-        assert np.isnan(found["low"]) and "No input of the case is uncertain" in page.text
-        assert "the case states no errors of its inputs" in record["answer_in_words"]
+        assert "No input of the case is uncertain" in page.text
         return
     alone = st.solve_case(replace(case, separation=None, load=np.array([record["working_load"]])))
     ends = alone["friction_coefficient_quantile"].values[[0, -1], 0]
-    assert [found["low"], found["high"]] == pytest.approx(list(ends), rel=1e-12)
     # From 0.08 to 0.32 half the width is 0.12: two places after the point.
     assert record["friction_coefficient_rounded"] == f"{record['friction_coefficient']:.2f}"
-    assert f"{found['low']:.3g}" in page.text and f"{found['high']:.3g}" in page.text
+    assert f"by what is uncertain of its inputs it is {ends[0]:.2g} to {ends[1]:.2g}" in page.text
 
 
 def test_the_same_case_gives_the_same_page(tmp_path):

@@ -17,15 +17,14 @@ from stiction import cli
 from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
 from stiction.report.pictures import curve_figure
-from stiction.report.uncertainty_pictures import COLOURS, spread_figure, uncertainty_figure
+from stiction.report.uncertainty_pictures import uncertainty_figure
 from stiction.report.uncertainty_tables import band_lines
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
-from stiction.studies.case_results import compare_case, solve_case
+from stiction.studies.case_results import solve_case
 from stiction.studies.uncertainty import bands, drawing
 from stiction.studies.uncertainty.bands import levels, quantiles
 from stiction.studies.uncertainty.drawing import Variant, draw, scrambled
-from stiction.studies.uncertainty.spreads import ends_of_models, weights_of_models
 
 # Exponential heights and elastic asperities: mu is tau_0 R^(1/2)/(E* sigma^(1/2)) times a number, at every load.
 POWER_LAW = {
@@ -222,77 +221,6 @@ ADHESIVE = {
 }
 
 
-@pytest.fixture(scope="module")
-def compared():
-    """Every model on a contact of which two numbers are uncertain."""
-    content = {"contact": ADHESIVE, "solve": {"load": "1 N"}, "uncertainty": {"count": 64}}
-    with np.errstate(all="raise", under="ignore"):
-        return compare_case(parse_case(content), 1.0)
-
-
-def test_the_short_comparison_draws_no_band_of_a_model(tmp_path, monkeypatch):
-    """The short answer shows no band of a model; --json shows each of them."""
-    drawn = []
-
-    def kept(data, *given):
-        drawn.append(given)
-        return data
-
-    monkeypatch.setattr("stiction.studies.case_results.with_bands_of_models", kept)
-    path = tmp_path / "case.toml"
-    path.write_text(TEXT, encoding="utf-8")
-    assert CliRunner().invoke(cli.app, ["compare", str(path), "--ranges"]).exit_code == 0 and not drawn
-    assert CliRunner().invoke(cli.app, ["compare", str(path), "--ranges", "--json"]).exit_code == 0 and len(drawn) == 1
-
-
-def test_every_model_has_a_band(compared):
-    """Of models whose friction is that of the interface, and which know no adhesion, mu goes as its strength."""
-    one = compared.sel(model="greenwood_williamson_1966")
-    exact = float(one["friction_coefficient_at_load"]) * np.exp(np.log(1.5) * scipy.stats.norm.ppf(one["quantile"].values))
-    off = np.abs(one["friction_coefficient_at_load_quantile"].values - exact)
-    assert np.all(off < 4.0 * one["friction_coefficient_at_load_quantile_error"].values) and np.all(off < 0.2 * exact)
-    assert np.isfinite(compared["friction_coefficient_at_load_quantile_error"].values[:, compared["cost"] < 5.0]).all()
-
-
-def test_spreads_are_kept_apart(compared):
-    best = compared.sel(model=compared.attrs["recommended"])
-    inputs, methods, models = (compared.sel(spread=name) for name in ("inputs", "methods", "models"))
-    assert float(inputs["spread_low"]) == float(best["friction_coefficient_at_load_quantile"][0])
-    assert float(inputs["spread_high"]) == float(best["friction_coefficient_at_load_quantile"][-1])
-    assert np.isnan(float(methods["spread_factor"]))  # there is no scan
-    low, high = compared.attrs["recommended_range"]  # two thirds of the weight are within 90 % of it
-    assert float(models["spread_low"]) <= low <= high <= float(models["spread_high"])
-    assert float(models["spread_factor"]) == float(models["spread_high"] / models["spread_low"])
-
-
-def test_the_spread_of_the_models_is_by_their_weights():
-    """Weights exp(-2 cost) of those of one family that can be: of four, 1, e^-2, none and 1, in the order of mu."""
-    costs = {"cost": ("model", [0.0, 1.0, np.inf, 0.0, 0.0]), "family_of_curve": ("model", ["a", "a", "a", "a", "b"])}
-    mu = {"friction_coefficient_at_load": ("model", [0.1, 0.2, 0.9, 0.3, 5.0])}
-    attributes = {"recommended": "w", "family": "a"}
-    data = xarray.Dataset(mu | costs, coords={"model": list("wxyzv")}, attrs=attributes)
-    names, weights = weights_of_models(data)
-    assert names == ["w", "x", "z"]
-    np.testing.assert_allclose(weights, np.array([1.0, np.exp(-2.0), 1.0]) / (2.0 + np.exp(-2.0)))
-    assert weights_of_models(data, little=0.1)[0] == ["w", "z"]
-    assert ends_of_models(data, 0.9) == [0.1, 0.3] and ends_of_models(data, 0.04) == [0.2, 0.2]
-    assert ends_of_models(data.assign_attrs(recommended="none"), 0.9) == []
-    assert ends_of_models(data.assign_attrs(family="b"), 0.9) == []  # one opinion is no range
-
-
-def test_the_bar_has_a_colour_for_each(compared):
-    spreads, factors = spread_figure(compared).axes
-    lengths = {patch.get_facecolor(): patch.get_width() for patch in spreads.patches}
-    assert len(lengths) == 2
-    from matplotlib.colors import to_rgba
-
-    one = compared.sel(spread="inputs")
-    assert lengths[to_rgba(COLOURS["inputs"])] == pytest.approx(float(one["spread_high"] - one["spread_low"]))
-    ends = [patch.get_x() + patch.get_width() for patch in factors.patches]
-    told = compared["spread_factor"].values
-    assert ends[-1] == pytest.approx(told[0] * told[2])
-
-
 def test_the_band_is_drawn():
     data = solve_case(case(uncertainty={"count": 64}))
     (axes,) = uncertainty_figure(data, "title").axes
@@ -300,16 +228,6 @@ def test_the_band_is_drawn():
     np.testing.assert_array_equal(axes.lines[0].get_ydata(), data["friction_coefficient_quantile"][2])
     low = axes.collections[0].get_paths()[0].vertices[:, 1].min()
     assert low == pytest.approx(float(data["friction_coefficient_quantile"][0].min()))
-
-
-def test_uncertainty_in_python_has_bands_and_spreads():
-    content = {"contact": ADHESIVE, "solve": {"load": ["0.5 N", "1 N", "2 N"], "model": "greenwood_williamson_1966"},
-               "uncertainty": {"count": 64}}  # fmt: skip
-    data = st.uncertainty(content)
-    assert data.attrs["working_load"] == 1.0 and data["friction_coefficient_quantile"].shape == (5, 3)
-    one = data.sel(spread="inputs")
-    assert float(one["spread_low"]) == pytest.approx(float(data["friction_coefficient_quantile"][0, 1]), rel=1e-9)
-    assert np.isfinite(float(data.sel(spread="models")["spread_factor"]))
 
 
 TEXT = """
@@ -355,13 +273,6 @@ def test_run_tells_draws_and_writes_the_bands(tmp_path):
     assert "hardened_steel_52100.youngs_modulus" in wider["attrs"]["uncertain_inputs"]
 
 
-def test_compare_tells_the_spreads(tmp_path):
-    found = json.loads(run(tmp_path, "compare", "--json", "--load", "1 N"))
-    assert found["spreads"].keys() == {"inputs", "methods", "models"} and found["spreads"]["methods"]["factor"] is None
-    row = next(one for one in found["models"] if one["model"] == "greenwood_williamson_1966")
-    assert [one["share"] for one in row["friction_coefficient_quantile"]] == pytest.approx([0.05, 0.25, 0.5, 0.75, 0.95])
-
-
 def test_the_error_of_a_quantile_is_the_scatter_of_the_parts_over_the_root_of_their_number():
     """Parts that say 0 to 7, each of all of its points: their variance is 6, of eight that are independent 6/8."""
     values = np.broadcast_to(np.arange(8.0)[:, None], (8, 50))
@@ -377,17 +288,6 @@ def test_quantiles_are_of_those_that_are_known_while_these_are_half():
     assert whole[0] == pytest.approx(np.quantile(known, 0.5)) and np.isfinite(error[0])
     values[:, 40:] = np.nan
     assert np.isnan(quantiles(values, np.array([0.5]))[0]).all()
-
-
-def test_the_spread_of_the_models_holds_the_share_that_is_asked_for():
-    content = {"contact": ADHESIVE, "solve": {"load": ["1 N"], "model": "greenwood_williamson_1966"}}
-    for coverage in (0.2, 0.9):
-        data = st.uncertainty({**content, "uncertainty": {"count": 64, "coverage": coverage}})
-        found = parse_case({**content, "uncertainty": {"count": 64, "coverage": coverage}})
-        ends = ends_of_models(compare_case(found, 1.0), coverage)
-        one = data.sel(spread="models")
-        assert [float(one["spread_low"]), float(one["spread_high"])] == pytest.approx(ends, rel=1e-12)
-    assert ends != ends_of_models(compare_case(found, 1.0), 0.5)  # coverage does decide it here
 
 
 @pytest.mark.parametrize("why", WHY_NOT[:2])

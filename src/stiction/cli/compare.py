@@ -19,11 +19,10 @@ def compare(
 ) -> None:
     """The answer for one contact, and what every applicable model says of it, those that say the same in one row.
 
-    A contact that states an interfacial_shear_strength gets a friction coefficient from models of contact only, too.
-    With --out: compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4), compare.png and spread.png: what is due to
-    the inputs, to the methods and to the models, each apart. Where the case names scans, also the spread of each model over the
-    methods of finding asperities; where numbers are uncertain, the band of each. A working load presses: it is above 0 N; where
-    the middle one of the case is not, the nearest that is stands in, and without any there are only curves.
+    A model fits, or does not and why. The area is off by its mean error on solved surfaces near this contact. A contact that
+    states an interfacial_shear_strength gets a friction coefficient from models of contact only, too. With --out: compare.csv
+    (the curves), compare_at_load.csv, compare.nc (netCDF4) and compare.png. A working load presses: it is above 0 N; where the
+    middle one of the case is not, the nearest that is stands in, and without any there are only curves.
     """
     with busy("Reading the case"):
         from stiction.case.read import read_case
@@ -33,8 +32,7 @@ def compare(
 
         chosen = read_case(case, ranges=ranges)
         at = working_load(chosen, load)
-    bands = every or json or out is not None  # the short answer has no band of a model, and they take longest
-    data = compare_case(chosen, at, bar, bands).assign_attrs(case_file=str(case))
+    data = compare_case(chosen, at, bar).assign_attrs(case_file=str(case))
     from stiction.report.views.comparison import comparison_view
 
     present(comparison_view(chosen, data, prediction_of(chosen, at), every), out, json)

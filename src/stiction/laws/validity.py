@@ -45,15 +45,6 @@ class Doubt:
         ends = [(self.low, self.low - self.least), (self.high, self.most - self.high)]
         return max(distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound))
 
-    @property
-    def doublings(self) -> float:
-        """How far outside at the worst, as a number of factors of two; continuous at the bound. Of a doubt of no quantity 1."""
-        if not self.quantity:
-            return 1.0
-        if self.low > 0.0 and self.least < self.low:
-            return math.log2(self.low / self.least) if self.least > 0.0 else math.inf
-        return math.log2(1.0 + self.beyond)
-
     def as_data(self) -> dict[str, Any]:
         """The fields with `beyond`, for programs; a doubt that is of no quantity has its words only."""
         return asdict(self) | {"beyond": self.beyond} if self.quantity else {"why": self.why, "kind": self.kind}
@@ -71,6 +62,11 @@ class Doubt:
             return self.why
         where = f"in {self.outside} of {self.points} points" if self.points > 1 else "here"
         return f"{QUANTITIES[self.quantity].meaning} is {self._values} {where}, claimed is {self._range}: {self.why}"
+
+    @property
+    def in_brief(self) -> str:
+        """Which quantity is outside of what is claimed, with its value."""
+        return f"{QUANTITIES[self.quantity].short or self.quantity} {self._values}" if self.quantity else self.why
 
     @property
     def rule(self) -> str:

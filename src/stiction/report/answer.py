@@ -9,8 +9,26 @@ from stiction.quantities.units import show
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["answer_lines", "answer_record", "at_working_load", "headline", "model_record", "number"]
+__all__ = [
+    "PREDICTION_HEADS",
+    "answer_lines",
+    "answer_record",
+    "at_working_load",
+    "headline",
+    "model_record",
+    "number",
+    "part_name",
+]
 
+# Result of a prediction -> head of its column.
+PREDICTION_HEADS = {
+    "load": "load",
+    "friction_coefficient_low": "mu low",
+    "friction_coefficient": "mu",
+    "friction_coefficient_high": "mu high",
+    "friction_force": "friction force",
+    "contact_area": "contact area",
+}
 _MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
 _LEAST = 0.05  # share of the variance that is named
 _NAMES = {
@@ -138,6 +156,11 @@ def _bare(interval: list[float]) -> str:
     return f"mu = {number(interval[0])} to {number(interval[1])} where the metals touch, not included" if interval else ""
 
 
+def part_name(name: str) -> str:
+    """Return what a part of a prediction, or a number, is called."""
+    return _NAMES.get(name, name.replace("_", " "))
+
+
 def _shares(shares: dict[str, float]) -> str:
-    named = ((_NAMES.get(name, name.replace("_", " ")), share) for name, share in shares.items() if share >= _LEAST)
+    named = ((part_name(name), share) for name, share in shares.items() if share >= _LEAST)
     return ", ".join(f"{name} {share:.0%}" for name, share in named)

@@ -1,5 +1,7 @@
 """A comparison in a few rows: models that say the same are one row, families apart."""
 
+import json
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -8,113 +10,128 @@ import numpy as np
 from rich.table import Table
 from rich.text import Text
 
-from stiction.laws.validity import read_doubts
-from stiction.quantities.units import show
 from stiction.report.answer import number
+from stiction.report.number_table import number_table
+from stiction.report.view import lines_of
+from stiction.report.whole_keys import WholeKeys
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["GROUP_HEADS", "Group", "group_rows", "groups_of", "groups_table", "left_out_in_words"]
+__all__ = ["GROUP_HEADS", "Group", "group_row", "groups_of", "groups_table", "left_out_in_words"]
 
-_MU, _AREA = "friction_coefficient_at_load", "contact_area_at_load"
+_MU = "friction_coefficient_at_load"
 _ALIKE = 1.1  # ratio of mu within which models say the same
-_MOST, _LONG = 8, 28  # lines in all; characters of a title in one
-GROUP_HEADS = ("models that say the same", "mu", "real contact", "status")
+GROUP_HEADS = ("models that say the same", "mu", "area off by", "status")
 
 
 @dataclass(frozen=True)
 class Group:
     """Models that say the same.
 
-    names: in the order of mu. low, high: of mu. area [m^2 or normalised]: the median. outside: whether they leave what their
-    authors claim. possible: whether they can be right here.
+    family: what their friction rests on. names: in the order of mu. low, high: of mu. errors: mean errors of the area on solved
+    surfaces, of the models of which it is known. least, most: mu without its error there, at the ends of 90 %; as low and high
+    where nothing is known. status: of the first.
     """
 
     family: str
     names: list[str]
     low: float
     high: float
-    area: float
-    outside: bool
-    possible: bool
+    errors: list[float]
+    least: float
+    most: float
+    status: str
 
     @property
     def title(self) -> str:
         """Return the first model, and how many say the same."""
         return self.names[0] + (f" +{len(self.names) - 1}" if len(self.names) > 1 else "")
 
+    @property
+    def fits(self) -> bool:
+        """Return whether the contact fits the models."""
+        return self.status == "fits"
 
-def groups_of(data: "xarray.Dataset") -> list[Group]:
-    """Return the groups of a comparison at its working load, possible ones first, by family and mu."""
+    @property
+    def possible(self) -> bool:
+        """Return whether they can be right here."""
+        return not self.status.startswith("cannot")
+
+
+def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
+    """Return the groups of a comparison at its working load: those that fit first, then possible ones, by family and mu.
+
+    every: each model by itself.
+    """
     models = [data.isel(model=at) for at in range(data.sizes["model"])]
-    able = [one for one in models if np.isfinite(one[_MU].item())]
-    keyed = [
-        (not _possible(one), one["family_of_curve"].item(), bool(read_doubts(one["doubts"].item())), one[_MU].item(), one)
-        for one in able
-    ]
-    keyed.sort(key=lambda row: row[:4])
-    found: list[list[tuple]] = []
-    for row in keyed:
-        last = found[-1] if found else None
-        if last and row[:3] == last[0][:3] and (row[0] or row[3] <= _ALIKE * max(last[0][3], 1e-300)):
-            last.append(row)
+    alone = [_group([one]) for one in models if np.isfinite(one[_MU].item())]
+    alone.sort(key=lambda one: (not one.fits, not one.possible, one.family, one.low))
+    if every:
+        return alone
+    by_name = {str(one["model"].item()): one for one in models}
+    found: list[list[Group]] = []
+    for one in alone:
+        last = found[-1][0] if found else None
+        alike = last is not None and (last.family, last.fits, last.possible) == (one.family, one.fits, one.possible)
+        if last is not None and alike and one.high <= _ALIKE * max(last.low, 1e-300):
+            found[-1].append(one)
         else:
-            found.append([row])
-    return [_group(rows) for rows in found]
+            found.append([one])
+    return [_group([by_name[one.names[0]] for one in some]) for some in found]
 
 
-def _group(rows: list[tuple]) -> Group:
-    models = [row[-1] for row in rows]
-    area = float(np.median([one[_AREA].item() for one in models]))
+def _group(models: "list[xarray.Dataset]") -> Group:
+    mu = [float(one[_MU].item()) for one in models]
+    ends = [end for one, value in zip(models, mu, strict=True) for end in _ends(one, value)]
+    errors = [float(one["measured_area_error"].item()) for one in models]
     names = [str(one["model"].item()) for one in models]
-    return Group(rows[0][1], names, rows[0][3], rows[-1][3], area, rows[0][2], not rows[0][0])
+    known = [one for one in errors if math.isfinite(one)]
+    first = models[0]
+    return Group(
+        first["family_of_curve"].item(), names, mu[0], mu[-1], known, min(ends), max(ends), str(first["status"].item())
+    )
 
 
-def _possible(one: "xarray.Dataset") -> bool:
-    return not any(doubt.kind == "impossible" for doubt in read_doubts(one["doubts"].item()))
+def _ends(one: "xarray.Dataset", mu: float) -> list[float]:
+    """Return mu, over 1 plus its error on solved surfaces at the ends of 90 %."""
+    errors = json.loads(one["measured_error"].item()) or {}
+    ends = [errors.get(f"area_{end}") or [None] for end in ("high", "low")]
+    return [mu if end[0] is None else mu / (1.0 + end[0]) for end in ends]
 
 
-def group_rows(data: "xarray.Dataset") -> list[tuple[str, str, str, str]]:
-    """Return the texts of GROUP_HEADS for each group that is shown."""
-    rows = []
-    for group in rows_shown(groups_of(data)):
-        ends = dict.fromkeys((number(group.low), number(group.high)))
-        area = show(group.area, "contact_area", 2).replace("m^2", "m²") if _in_metres(data) else number(group.area)
-        rows.append((group.title, " to ".join(ends), area, "outside its claims" if group.outside else "within its claims"))
-    return rows
+def group_row(group: Group) -> tuple[str, str, str, str]:
+    """Return the texts of GROUP_HEADS for a group."""
+    mu = " to ".join(dict.fromkeys((number(group.low), number(group.high))))
+    ends = dict.fromkeys(f"{end:+.0%}" for end in (min(group.errors), max(group.errors))) if group.errors else ["-"]
+    return group.title, mu, " to ".join(ends), group.status
 
 
-def groups_table(data: "xarray.Dataset") -> Iterator[Table | Text]:
-    """Yield the rows of a comparison and a line on what is left out."""
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for head in GROUP_HEADS:
-        table.add_column(head, justify="right" if head == "real contact" else "left", no_wrap=head != GROUP_HEADS[0])
-    for row in group_rows(data):
-        table.add_row(*row)
-    yield table
-    yield Text("; ".join(filter(None, (left_out_in_words(data), "--all lists every model"))), style="dim")
+def groups_table(groups: list[Group], room: int | None = None) -> Iterator[Table | WholeKeys | Text]:
+    """Yield rows for groups, as many as fit into so many lines, and a line on what is left out."""
+    shown = groups if room is None else [group for group in groups if group.possible]
+    while room is not None and shown and lines_of(_table(shown)) > room - 1:
+        shown = shown[:-1]
+    if shown:
+        yield _table(shown) if room is not None else WholeKeys(_table(shown))
+    if text := left_out_in_words(groups, shown):
+        yield Text(text, style="dim")
 
 
-def rows_shown(groups: list[Group]) -> list[Group]:
-    """Return the first groups of possible models, as many as fit into _MOST lines; a long name takes two."""
-    lines = np.cumsum([1 + (len(group.title) > _LONG) for group in groups if group.possible])
-    return [group for group in groups if group.possible][: int(np.searchsorted(lines, _MOST, side="right"))]
+def _table(groups: list[Group]) -> Table:
+    table = number_table(GROUP_HEADS[1:3], GROUP_HEADS[0])
+    table.columns[0].no_wrap, table.columns[0].overflow, table.columns[0].max_width = False, "fold", 34
+    table.add_column(GROUP_HEADS[3])
+    for group in groups:
+        table.add_row(*map(Text, group_row(group)))
+    return table
 
 
-def left_out_in_words(data: "xarray.Dataset") -> str:
+def left_out_in_words(groups: list[Group], shown: list[Group]) -> str:
     """Return how many models the rows leave out, "" for none."""
-    shown = groups_of(data)
-    impossible = sum(len(group.names) for group in shown if not group.possible)
-    rest = [group for group in shown if group.possible][len(rows_shown(shown)) :]
-    silent = data.sizes["model"] - sum(len(group.names) for group in shown)
     counts = [
-        (impossible, "cannot be right here"),
-        (sum(len(group.names) for group in rest), "not shown"),
-        (silent, "say nothing of friction here"),
+        (sum(len(one.names) for one in groups if one.possible and one not in shown), "not shown"),
+        (sum(len(one.names) for one in groups if not one.possible and one not in shown), "cannot be right here"),
     ]
-    return ", ".join(f"{count} {text}" for count, text in counts if count)
-
-
-def _in_metres(data: "xarray.Dataset") -> bool:
-    return data[_AREA].attrs.get("units", "1") == "m^2"
+    words = [f"{count} {text}" for count, text in counts if count]
+    return "; ".join([*words, "--all lists every model"]) if words else ""

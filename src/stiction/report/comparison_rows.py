@@ -42,6 +42,7 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
         row = {
             "model": str(name),
             "grade": str(one["grade"].item()),
+            "status": str(one["status"].item()),
             "outside_validity": [doubt.short for doubt in read_doubts(one["doubts"].item())],
             "doubts": json.loads(one["doubts"].item()),
             "measured_error": json.loads(one["measured_error"].item()),
@@ -49,33 +50,15 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "why_not": one["why_not"].item() or None,
             "family": one["family_of_curve"].item() or None,
             "plastic_junctions_resist": one["plastic_junctions_resist"].item() or None,
-            "liquid": one["liquid"].item() or None,
-            "liquid_pull_left_out": one["liquid_pull_left_out"].item(),
-            "cost": one["cost"].item(),
-            "solved": one["solved"].item(),
             "command": run_command(data, str(name), exact=True),
         }
         row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
-        row |= _over_methods(one) | _over_inputs(one)
+        row |= _over_methods(one)
         rows.append(row | {"curve": {key: one[key].values for key in RESULTS}})
     left_out = dict(line.split(": ", 1) for line in data.attrs["left_out"].splitlines())
     attributes = {name: value for name, value in data.attrs.items() if name not in ("left_out", "sources", "criteria")}
     attributes["criteria"] = data.attrs["criteria"].splitlines()
-    return (
-        attributes
-        | _spreads(data)
-        | {"units": units, "models": rows, "left_out": left_out, "sources": data.attrs["sources"].split()}
-    )
-
-
-def recommended_record(data: "xarray.Dataset") -> dict[str, Any] | None:
-    """Return the answer of normalised numbers, of which nothing is predicted: what the recommended model says, with the ends
-    between which two thirds of the weight of the models are."""
-    name = data.attrs.get("recommended", "none")
-    if name == "none":
-        return None
-    mu = data["friction_coefficient_at_load"].sel(model=name).item()
-    return {"friction_coefficient": mu, "interval": list(data.attrs["recommended_range"]), "level": 2.0 / 3.0}
+    return attributes | {"units": units, "models": rows, "left_out": left_out, "sources": data.attrs["sources"].split()}
 
 
 def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
@@ -88,31 +71,6 @@ def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
         "friction_coefficient_by_method": dict(zip(each["asperity_method"].values.tolist(), each.values.tolist(), strict=True)),
         "friction_coefficient_low": one[f"{name}_low"].item(),
         "friction_coefficient_high": one[f"{name}_high"].item(),
-    }
-
-
-def _over_inputs(one: "xarray.Dataset") -> dict[str, Any]:
-    """Quantiles of one model over what is uncertain, at the working load, with their errors."""
-    name = "friction_coefficient_at_load_quantile"
-    if name not in one:
-        return {}
-    shares = one["quantile"].values.tolist()
-    return {
-        "impossible_draws": one["impossible_draws"].item(),
-        "friction_coefficient_quantile": [
-            {"share": share, "value": value, "error": error}
-            for share, value, error in zip(shares, one[name].values, one[f"{name}_error"].values, strict=True)
-        ],
-    }
-
-
-def _spreads(data: "xarray.Dataset") -> dict[str, Any]:
-    """What friction at the working load differs by, each apart."""
-    if "spread_factor" not in data:
-        return {}
-    rows = {str(name): data.sel(spread=name) for name in data["spread"].values}
-    return {
-        "spreads": {name: {end: float(one[f"spread_{end}"]) for end in ("low", "high", "factor")} for name, one in rows.items()}
     }
 
 
@@ -133,19 +91,16 @@ def _head(data: "xarray.Dataset", name: str) -> str:
 
 def at_load_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
     """Heads and rows of a table: what every model says at the working load; of a measured surface also the lowest and the
-    highest friction coefficient over the methods of finding asperities, where numbers are uncertain its quantiles."""
+    highest friction coefficient over the methods of finding asperities."""
     names = [f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1])]
     names[1:1] = [f"{names[0]}_{end}" for end in ("low", "high") if f"{names[0]}_{end}" in data]
     heads = [_head(data, name).replace("_at_load", "") for name in names]
     names += ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
     heads += names[-3:]
-    shares: list[float] = data["quantile"].values.tolist() if "quantile" in data.dims else []
-    heads += [f"friction_coefficient_q{round(100.0 * share):02d}" for share in shares]
-    texts = ("plastic_junctions_resist", "liquid", "outside_validity", "why_not")
+    texts = ("plastic_junctions_resist", "status", "outside_validity", "why_not")
     rows = (
         [str(one[name].item()) for name in ("model", "grade")]
         + [one[name].item() for name in names]
-        + (one["friction_coefficient_at_load_quantile"].values.tolist() if shares else [])
         + [str(one[name].item()) for name in texts]
         for one in (data.isel(model=at) for at in range(data.sizes["model"]))
     )

@@ -9,6 +9,7 @@ from rich.text import Text
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.number_table import number_table, shown, some
+from stiction.studies.design.plan import quantity_of
 
 if TYPE_CHECKING:
     import xarray
@@ -42,6 +43,8 @@ def _head(name: str) -> str:
     last = name.rpartition(".")[2]
     if name.endswith("_off_target"):
         return "off target"
+    if last != quantity_of(last):
+        return f"{QUANTITIES[quantity_of(last)].symbol} {last.rpartition('_')[2]}"
     return {"kept": "limits"}.get(last, QUANTITIES[last].symbol if last in QUANTITIES else last.replace("_", " "))
 
 
@@ -54,7 +57,7 @@ def _cell(name: str, value: Any) -> str:
     last = name.rpartition(".")[2]
     if isinstance(value, str | np.str_):
         return str(value)
-    return shown(float(value), last) if last in QUANTITIES else f"{float(value):.3g}"
+    return shown(float(value), quantity_of(last), 3) if quantity_of(last) in QUANTITIES else f"{float(value):.3g}"
 
 
 def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
@@ -67,8 +70,6 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
         yield Text(f"of what is uncertain ({used['uncertain']}) wishes and limits hold for 95 %")
     for words in filter(None, used["missed"].split("\n")):
         yield Text(f"objective missed: {words}; widen the ranges or choose another number", style="bold yellow")
-    if used["other_model"]:
-        yield Text(used["other_model"], style="bold yellow")
     if used["verdict"]:
         yield Text(used["verdict"], style="bold yellow")
     for at in range(min(data.sizes["design"], _ROWS)):

@@ -18,13 +18,14 @@ from stiction.quantities.extras import require
 from stiction.quantities.paths import require_place
 from stiction.quantities.progress import Progress, silent
 from stiction.report import report_sections as say
-from stiction.report.answer import answer_record
+from stiction.report.answer import answer_record, model_record
 from stiction.report.honest_digits import rounded
 from stiction.report.html_tables import FORMULAS
 from stiction.report.html_words import breakable, formula
 from stiction.report.printed_sources import printed
-from stiction.report.report_answer import answer_in_words, beside_headline, best_of, doubts_here, headline, question, spreads
+from stiction.report.report_answer import answer_in_words, doubts_here, headline, interval_of, question
 from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
+from stiction.solving.choice import RECOMMENDED
 from stiction.solving.overview import entries
 from stiction.studies.findings import Findings, find_out, text_of_file
 
@@ -82,7 +83,6 @@ def as_html(findings: Findings, name: str, again: str, progress: Progress = sile
         date=datetime.datetime.now(datetime.UTC).date().isoformat(),
         question=question(findings),
         headline=headline(findings),
-        beside=beside_headline(findings),
         answer=answer_in_words(findings),
         say=say,
         inputs=[*groups_of_inputs(findings), *groups_of_groups(findings)],
@@ -128,32 +128,35 @@ def _pictures(findings: Findings, progress: Progress) -> Iterable[tuple[str, lis
 
 def report_record(findings: Findings) -> dict[str, Any]:
     """The answer as numbers and words, for JSON."""
-    data, here, best = findings.answer.data, findings.answer.here, best_of(findings)
-    found = spreads(findings)
-    known = [end for one in found if one.known for end in (one.low, one.high)]
+    data, here = findings.data, findings.here
     mu = None if here is None or "friction_coefficient" not in here else float(here["friction_coefficient"])
+    if findings.prediction is not None:
+        mu = answer_record(findings.prediction)["friction_coefficient"]
     unit = data["load"].attrs.get("units", "1")
     own, of_materials, _ = say.sources_of(findings)
     return {
         "title": findings.case.title,
         "question": question(findings),
-        "answer": None if findings.prediction is None else answer_record(findings.prediction),
+        "answer": _answer(findings),
         "answer_in_words": answer_in_words(findings),
-        "model": data.attrs["model"],
-        "grade": data.attrs["grade"],
-        "working_load": findings.answer.load,
+        "model": data.attrs.get("model", RECOMMENDED),
+        "grade": data.attrs.get("grade"),
+        "working_load": findings.load,
         "working_load_unit": unit,
         "friction_coefficient": mu,
-        "friction_coefficient_rounded": None if mu is None else rounded(mu, known),
-        "spreads": {one.name: {"low": one.low, "high": one.high, "factor": one.factor} for one in found},
-        "recommended": None if best is None else str(best["model"].item()),
-        "recommended_friction_coefficient": None if best is None else float(best["friction_coefficient_at_load"]),
+        "friction_coefficient_rounded": None if here is None or mu is None else rounded(mu, interval_of(here)),
         "doubts": [one.as_data() for one in doubts_here(findings)],
         "measured_error": json.loads(findings.result.attrs.get("measured_error", "null")),
         "not_compared": findings.not_compared,
         "sources": [*own, *of_materials],
         "versions": dict(say.versions()),
     }
+
+
+def _answer(findings: Findings) -> dict[str, Any] | None:
+    if findings.prediction is not None:
+        return answer_record(findings.prediction)
+    return None if findings.case.is_several else model_record(findings.data)
 
 
 def check_place(path: Path, case: Any = None) -> None:

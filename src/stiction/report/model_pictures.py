@@ -1,6 +1,6 @@
-"""Every model's friction at the working load, a row each: to be read where there is little room."""
+"""Friction at the working load: the prediction, and models that say the same, a row each."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -8,74 +8,78 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.families import families_of
-from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, finish, say
+from stiction.quantities.units import show
+from stiction.report.comparison_groups import Group
+from stiction.report.pictures import BLUE, GREY, ORANGE, RED, finish, say
 
 if TYPE_CHECKING:
     import xarray
 
-_LOOKS = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"), (SKY, "D"))
-_MU = "friction_coefficient_at_load"
-_WIDE = 1e4  # friction more than this factor below the largest stands at the edge: the axis would be of it alone
+_MU = "friction_coefficient"
+_COLOURS = (BLUE, ORANGE, GREY)  # of families
+_ROWS = 9  # beside the prediction
+_WIDE = 1e4  # friction more than this factor below the largest has no place on the axis
 
 
-def rows_of_models(data: "xarray.Dataset") -> list[int]:
-    """Places of the models that have a friction coefficient at the working load, families together, from the least up."""
-    mu, rests, families = data[_MU].values, data["family_of_curve"].values, families_of(data)
-    shown = np.flatnonzero(np.isfinite(mu)).tolist()
-    return sorted(shown, key=lambda at: (rests[at] != data.attrs.get("family"), families[at], mu[at]))
+def models_figure(
+    data: "xarray.Dataset", groups: list[Group], prediction: "xarray.Dataset | None" = None, title: str = ""
+) -> Figure:
+    """Return dots with intervals: the prediction with its interval, and at most nine groups of models, hollow where the contact
+    does not fit them; a bar is mu less the error of the model on solved surfaces, at the ends of 90 %.
 
-
-def models_figure(data: "xarray.Dataset") -> Figure:
-    """Dots, hollow where a model is outside its range, and an arrow at the edge with its number where it says far less than the
-    others; a bar over what is uncertain of the inputs, where that is known; the
-    recommended one named in bold. data: a comparison at a working load."""
-    rows = rows_of_models(data)
-    figure = Figure(figsize=(6.4, 1.5 + 0.21 * max(len(rows), 3)), layout="constrained")
+    data: a comparison; prediction: at its working load. groups: of the comparison.
+    """
+    groups = [one for one in groups if one.possible and one.low > 0.0]
+    groups = [one for one in groups if one.high > max(other.high for other in groups) / _WIDE][:_ROWS]
+    count = len(groups) + (prediction is not None)
+    figure = Figure(figsize=(8.0, 1.4 + 0.36 * max(count, 2)), layout="constrained")
     axes = figure.subplots()
-    if not rows:
+    if not count:
         say(axes, "no model says anything of friction here")
         return figure
-    every = families_of(data)
-    families = list(dict.fromkeys(every[at] for at in rows))
-    least = max(float(data[_MU].values[rows].max()) / _WIDE, 1e-300)
-    for row, at in enumerate(rows):
-        colour, mark = _LOOKS[families.index(every[at]) % len(_LOOKS)]
-        outside = bool(str(data["outside_validity"].values[at]))
-        look: dict[str, Any] = {"color": colour, "markerfacecolor": "none" if outside else colour, "markersize": 6}
-        mu = float(data[_MU].values[at])
-        if mu < least:
-            axes.plot(0.02, row, "<", transform=axes.get_yaxis_transform(), **look)
-            axes.text(0.04, row, f"{mu:.2g}", transform=axes.get_yaxis_transform(), fontsize=8, va="center")
-            continue
-        _bar(axes, data, at, row, colour, least)
-        axes.plot(mu, row, mark, **look)
-    names = [str(data["model"].values[at]) for at in rows]
-    axes.set_yticks(range(len(rows)), names, fontsize=8)
-    for text, name in zip(axes.get_yticklabels(), names, strict=True):
-        if name == data.attrs.get("recommended"):
-            text.set_fontweight("bold")
-            axes.axhspan(names.index(name) - 0.45, names.index(name) + 0.45, color=RED, alpha=0.15, linewidth=0.0)
-    axes.set(xscale="log", ylim=(len(rows) - 0.4, -0.6), xlabel=f"static friction coefficient ${QUANTITIES[_RESULT].latex}$")
+    names = []
+    if prediction is not None:
+        low, middle, high = (float(prediction[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
+        _row(axes, 0, (low, middle, middle, high), RED, True)
+        axes.axvspan(low, high, color=RED, alpha=0.08, linewidth=0.0)
+        names.append("prediction")
+    families = list(dict.fromkeys(group.family for group in groups))
+    for group in groups:
+        colour = _COLOURS[min(families.index(group.family), 2)]
+        _row(axes, len(names), (group.least, group.low, group.high, group.most), colour, group.fits)
+        names.append(group.title)
+    axes.set_yticks(range(len(names)), names, fontsize=9)
+    if prediction is not None:
+        axes.get_yticklabels()[0].set_fontweight("bold")
+    plain = data["load"].attrs.get("units", "1") == "1"
+    load = data.attrs["working_load"]
+    text = f"P = {load:.4g}" if plain else show(load, "load", 3)
+    axes.set(xscale="log", ylim=(len(names) - 0.4, -0.6))
+    axes.set_xlabel(f"static friction coefficient ${QUANTITIES[_MU].latex}$ at {text}")
+    figure.suptitle(title, fontsize=11)
     finish(axes)
-    _legend(figure, families)
+    _sparse(axes)
+    handles = [Line2D([], [], color=_COLOURS[min(at, 2)], marker="o", label=name) for at, name in enumerate(families)]
+    if any(not group.fits for group in groups):
+        handles.append(Line2D([], [], color=GREY, marker="o", markerfacecolor="white", linestyle="", label="does not fit"))
+    figure.legend(handles=handles, loc="outside lower left", fontsize=8, frameon=False, ncols=3)
     return figure
 
 
-_RESULT = "friction_coefficient"
+def _row(axes: Axes, row: int, ends: tuple[float, float, float, float], colour: str, fits: bool) -> None:
+    """Draw a thin bar from end to end, a thick one over the values of the models, and a dot."""
+    least, low, high, most = ends
+    axes.plot([least, most], [row, row], color=colour, linewidth=1.2)
+    axes.plot([low, high], [row, row], color=colour, linewidth=4.0, alpha=0.6, solid_capstyle="butt")
+    axes.plot(np.sqrt(low * high), row, "o", color=colour, markerfacecolor=colour if fits else "white", markersize=7)
 
 
-def _bar(axes: Axes, data: "xarray.Dataset", at: int, row: int, colour: str, least: float) -> None:
-    """From the low to the high end of the band of one model, no lower than the axis reaches."""
-    if f"{_MU}_quantile" not in data:
-        return
-    low, high = (float(data[f"{_MU}_quantile"].isel(model=at, quantile=end)) for end in (0, -1))
-    if np.isfinite([low, high]).all() and low > 0.0:
-        axes.plot([max(low, least), high], [row, row], color=colour, linewidth=2.0, alpha=0.6)
+def _sparse(axes: Axes) -> None:
+    """Put plain numbers on the axis of mu, few enough to be read."""
+    from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
-
-def _legend(figure: Figure, families: list[str]) -> None:
-    handles = [Line2D([], [], color=_LOOKS[at % len(_LOOKS)][0], marker=_LOOKS[at % len(_LOOKS)][1], linestyle="")
-               for at in range(len(families))]  # fmt: skip
-    handles.append(Line2D([], [], color=GREY, marker="o", linestyle="", markerfacecolor="none"))
-    figure.legend(handles, [*families, "hollow: outside its range"], loc="outside upper left", fontsize=8, frameon=False)
+    low, high = axes.get_xlim()
+    subs = (1.0, 2.0, 5.0) if high < 200.0 * low else (1.0,)
+    axes.xaxis.set_major_locator(LogLocator(subs=subs))
+    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())

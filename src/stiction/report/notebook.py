@@ -39,7 +39,7 @@ def summary(result: "xarray.Dataset") -> Summary:
     result: as these give it. Returns a Summary, which a notebook shows as HTML, and `print` as text.
     """
     used = result.attrs
-    named = ("model", "asperity", "tangential", "film", "recommended", "reason", "roughness_method")
+    named = ("model", "asperity", "tangential", "film", "roughness_method")
     rows = [(name.replace("_", " "), str(used[name])) for name in named if used.get(name, "none") not in ("", "none")]
     if "grade" in used:
         rows.append(("grade", f"{used['grade']}: {GRADES.get(used['grade'], '')}"))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stiction.report.answer import at_working_load
 from stiction.report.inline_pictures import inline
 from stiction.report.pictures import panel_of_curve, panels
 from stiction.report.report_answer import value_in_words
@@ -58,7 +59,12 @@ def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
     """Friction, area and force against load, load against separation, and what bears them; of numbers that are several one
     picture of what varies."""
     # Doubts stand in words on the page, and not below every picture.
-    data = findings.answer.data.assign_attrs(doubts="[]", outside_validity="")
+    data = findings.data.assign_attrs(doubts="[]", outside_validity="")
+    if findings.prediction is not None:
+        from stiction.report.prediction_pictures import prediction_figure
+
+        yield _picture(lambda: prediction_figure(data), "prediction", "The friction coefficient with its interval.", wide=True)
+        return
     if findings.case.is_several:
         from stiction.report.several_pictures import several_figure
 
@@ -95,7 +101,9 @@ def all_of_one(findings: Findings) -> list[str]:
     """What a picture of shares would be of one colour for."""
     from stiction.report.share_pictures import part_in_words, stacks
 
-    data, lines = findings.answer.data, []
+    data, lines = findings.data, []
+    if findings.prediction is not None:
+        return []
     if not findings.case.is_several and not (np.asarray(data["load"].values) > 0.0).any():
         return ["Nothing presses at the points of the case, so that nothing is drawn against the load."]
     for what, (total, parts) in stacks(data).items() if not findings.case.is_several else ():
@@ -105,37 +113,26 @@ def all_of_one(findings: Findings) -> list[str]:
 
 
 def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
-    """Every model at the working load, and along the loads."""
-    told = findings.answer.told
+    """Models that say the same at the working load, below the prediction."""
+    told, data = findings.told, findings.prediction
     if told is None:
         return
-    from stiction.report.comparison_pictures import comparison_figure
+    from stiction.report.comparison_groups import groups_of
     from stiction.report.model_pictures import models_figure
 
-    best = told.attrs.get("recommended", "none")
-    words = f"Friction coefficient by each model at the working load; recommended: {best}. The table below has the numbers."
-    yield _picture(lambda: models_figure(told), "models", "Friction at the working load by every model; the recommended one "
-                   "shaded, its name bold.", words, wide=True)  # fmt: skip
-    families = dict.fromkeys(str(one) for one in told["family_of_curve"].values if one)
-    for at, family in enumerate(families):
-        mine = np.flatnonzero(told["family_of_curve"].values == family)
-        some = told.isel(model=mine).assign_attrs(reason="reason above")
-        caption = f"Friction against load by every model, {family}; faint where a model is outside its range."
-        yield _picture(partial(comparison_figure, some, " "), f"compared{at}", caption, wide=True)
+    here = None if data is None else at_working_load(data)
+    words = "Friction at the working load by models that say the same, with intervals. The table below has the numbers."
+    yield _picture(lambda: models_figure(told, groups_of(told), here), "models", words, wide=True)
 
 
 def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
-    """The band over the inputs, and what friction differs by: three colours."""
-    data = findings.answer.data
-    from stiction.report.uncertainty_pictures import spread_figure, uncertainty_figure
+    """The band of a named model over the inputs, and over the ways of finding asperities."""
+    data = findings.data
+    from stiction.report.uncertainty_pictures import uncertainty_figure
 
-    if "spread_factor" in data and np.isfinite(data["spread_factor"].values).any():
-        caption = "What friction at the working load differs by: inputs, methods and models, each by itself."
-        yield _picture(lambda: spread_figure(data, " "), "spread", caption)
     if "friction_coefficient_quantile" in data and not findings.case.is_several:
-        plain = data.drop_vars([name for name in data.variables if str(name).startswith("spread")])
         caption = "The friction coefficient with its band over what is uncertain of the inputs."
-        yield _picture(lambda: uncertainty_figure(plain), "band", caption)
+        yield _picture(lambda: uncertainty_figure(data), "band", caption)
     if "friction_coefficient_by_method" in data:
         from stiction.report.method_pictures import method_spread_figure
 

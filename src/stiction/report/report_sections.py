@@ -14,16 +14,16 @@ from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_DOUBT
 from stiction.records.sources import bibliography
-from stiction.report.answer import answer_lines
-from stiction.report.comparison_doubts import doubts_with_meanings, said_of_liquid
-from stiction.report.families import said_of_plastic_junctions
+from stiction.report.answer import PREDICTION_HEADS, answer_lines
+from stiction.report.comparison_groups import GROUP_HEADS, group_row, groups_of
 from stiction.report.html_tables import Table, of_printed
 from stiction.report.html_words import letters
 from stiction.report.model_line import grade_line, model_line
-from stiction.report.report_answer import Spread, best_of, doubts_here, spreads, value_in_words
+from stiction.report.report_answer import doubts_here, value_in_words
 from stiction.report.report_inputs import groups_of_inputs, with_powers
-from stiction.report.tables import comparison_table, curve_table, run_notes
+from stiction.report.tables import curve_table, run_notes
 from stiction.report.uncertainty_tables import draws_in_words, in_draws, with_meaning
+from stiction.solving.choice import RECOMMENDED
 from stiction.studies.findings import Findings
 
 if TYPE_CHECKING:
@@ -40,13 +40,14 @@ def _doubt_in_words(doubt: Doubt) -> str:
 
 def answer_table(findings: Findings) -> Table:
     """Return the rows of the prediction."""
+    assert findings.prediction is not None  # the template has looked
     return Table("What the number rests on", ["", ""], [list(row) for row in answer_lines(findings.prediction)])
 
 
 def here_table(findings: Findings) -> Table | None:
     """Results at the working load, each with the doubts that are of this quantity; those of no quantity in the list stand
     beside the first."""
-    here = findings.answer.here
+    here = findings.here
     if here is None:
         return None
     names = [name for name in _RESULTS if name in here]
@@ -62,14 +63,18 @@ def here_table(findings: Findings) -> Table | None:
 
 
 def model_lines(findings: Findings) -> list[str]:
-    """By which model and laws, and how well these are founded."""
-    used = findings.answer.data.attrs
+    """By which model and laws, and how well these are founded; nothing of a prediction, which says it in its rows."""
+    used = findings.data.attrs
+    if used.get("model", RECOMMENDED) == RECOMMENDED:
+        return []
     return [f"Model {model_line(used)}.", f"Grade {grade_line(used)}."]
 
 
 def curve_rows(findings: Findings) -> Table:
     """Some points of the curve, or of the numbers that are several."""
-    data = findings.answer.data
+    data = findings.data
+    if findings.prediction is not None:
+        return of_printed(curve_table(data, heads=PREDICTION_HEADS), "mu along the loads")
     if findings.case.is_several:
         from stiction.report.several_tables import several_table
 
@@ -80,64 +85,29 @@ def curve_rows(findings: Findings) -> Table:
 
 def compared(findings: Findings) -> Table | None:
     """Every model at the working load."""
-    told = findings.answer.told
-    if told is None:
+    if findings.told is None:
         return None
-    table = of_printed(comparison_table(told), "Every model at the working load, from the least friction up")
-    known = {"error": "measured error of the area", "plastic": "plastic junctions resist"}
-    return replace(table, heads=[known.get(head, head) for head in table.heads])
+    rows = [[letters(cell) for cell in group_row(one)] for one in groups_of(findings.told, every=True)]
+    return Table("Every model at the working load, those first which the contact fits", ["model", *GROUP_HEADS[1:]], rows,
+                 [False, True, True, False], stacked=True)  # fmt: skip
 
 
 def comparison_lines(findings: Findings) -> dict[str, Any]:
-    """What is recommended and why, what counts for nothing, what each doubt of the table is, what is left out."""
-    told, best = findings.answer.told, best_of(findings)
-    if told is None:
+    """What the criteria say, and which models are left out and why."""
+    if findings.told is None:
         return {}
-    used, lines = told.attrs, []
-    if best is not None:
-        low, high = used["recommended_range"]
-        mu = float(best["friction_coefficient_at_load"])
-        lines.append(f"Recommended: {best['model'].item()}, which says μ = {mu:.3g}.")
-        lines += [f"{one[0].upper()}{one[1:]}." for one in re.split(r"; (?![^()]*\))", used["reason"])]
-        lines.append(f"Two thirds of the weight of its family: μ = {low:.3g} to {high:.3g}." if low < high else
-                     "It is one opinion, and no range.")  # fmt: skip
-        words = str(best["measured_error_in_words"].item())
-        lines += [f"Its measured error: {words}."] if words and "measured error" not in used["reason"] else []
-    elif used.get("reason"):
-        lines.append(f"No model is recommended: {used['reason']}.")
-    lines += [f"{said[0].upper()}{said[1:]}." for said in (said_of_plastic_junctions(told), said_of_liquid(told)) if said]
-    lines += [f"What would have to change: {used['advice']}."] if used.get("advice") else []
-    lines += [f"{used['leap'][0].upper()}{used['leap'][1:]}."] if used.get("leap") else []
-    lines += [f"Set aside: {line}." for line in used.get("set_aside", "").splitlines()]
-    lines += [f"{line}." for line in used["criteria"].splitlines()]
-    return {
-        "lines": [letters(one) for one in lines],
-        "doubts": [letters(one) for one in doubts_with_meanings(told)],
-        "left_out": used["left_out"].splitlines(),
-    }
-
-
-def spread_table_of(findings: Findings) -> Table | None:
-    """What friction at the working load differs by, each by itself."""
-    found: list[Spread] = spreads(findings)
-    if not found:
-        return None
-    rows = [[one.words, *((f"{one.low:.3g}", f"{one.high:.3g}") if one.known else ("not known", "not known")),
-             _factor(one)] for one in found]  # fmt: skip
-    heads = ["μ differs by", "from", "to", "a factor of"]
-    return Table("What is known of the error of μ at the working load", heads, rows, [False, True, True, True], stacked=True)
-
-
-def _factor(one: Spread) -> str:
-    """What the two ends differ by; one model is no range."""
-    if not np.isfinite(one.factor):
-        return "not known"
-    return "one alone: no range" if one.name == "models" and one.high == one.low else f"{one.factor:.3g}"
+    used = findings.told.attrs
+    return {"lines": [letters(f"{line}.") for line in used["criteria"].splitlines()], "left_out": used["left_out"].splitlines()}
 
 
 def uncertainty_lines(findings: Findings) -> list[str]:
     """What is uncertain, how it was drawn, and what is not known."""
-    used = findings.answer.data.attrs
+    used = findings.data.attrs
+    if findings.prediction is not None:
+        return [
+            f"{name.replace('_', ' ').capitalize()}: {share:.0%} of the variance of ln mu."
+            for name, share in used["shares"].items()
+        ]
     if "uncertain_inputs" not in used:
         return ["No input of the case is uncertain, so that nothing is known of what their errors do to μ."]
     lines = [f"Uncertain: {_unknown(some)}." for some in findings.case.unknowns.values()]
@@ -159,7 +129,7 @@ def _unknown(some: "list[Uncertain]") -> str:
 
 def doubt_table(findings: Findings) -> Table | None:
     """Every doubt of the whole curve: the quantity, its value, what is claimed, and what that means."""
-    found = doubts_of(findings.answer.data)
+    found = doubts_of(findings.data)
     if not found:
         return None
     rows = [[letters(cell) for cell in _doubt_row(one)] for one in found]
@@ -182,7 +152,9 @@ def _doubt_row(doubt: Doubt) -> list[str]:
 def notes(findings: Findings) -> list[str]:
     """What else is to be known of the result: measured errors, inputs that change nothing, what mu means."""
     questioned = [f"Questioned: {one}" for one in findings.questions]
-    return [*questioned, *(letters(f"{one.rstrip('.')}.") for one in run_notes(findings.answer.data))]
+    if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
+        return [*questioned, *map(letters, findings.data.attrs.get("warnings", []))]
+    return [*questioned, *(letters(f"{one.rstrip('.')}.") for one in run_notes(findings.data))]
 
 
 def scan_parts(findings: Findings) -> list[tuple[str, list[tuple[str, str]], Table, list[str]]]:
@@ -223,7 +195,7 @@ def measured_table(findings: Findings) -> Table | None:
         return None
     from stiction.report.surface_tables import roughness_table
 
-    found = roughness_table(findings.case.measured, findings.answer.data)
+    found = roughness_table(findings.case.measured, findings.data)
     return of_printed(found, "The roughness of both bodies together by every method; the one taken is bold")
 
 
@@ -231,11 +203,11 @@ def sources_of(findings: Findings) -> tuple[list[str], list[str], list[str]]:
     """Keys of the bibliography: what the answer used, what the numbers of its materials are from, and what only the models
     compared with it did."""
     measured = findings.case.measured
-    own = dict.fromkeys(findings.answer.data.attrs["sources"].split())
+    own = dict.fromkeys(findings.data.attrs.get("sources", "").split())
     own |= dict.fromkeys([] if measured is None else measured.sources())
     known = bibliography()
     said = " ".join(str(row[-1]) for table in groups_of_inputs(findings) for row in table.rows)
     of_materials = [key for key in dict.fromkeys(re.findall(r"\[(\w+)\]", said)) if key in known and key not in own]
-    told = findings.answer.told
+    told = findings.told
     others = [] if told is None else [key for key in told.attrs["sources"].split() if key not in (*own, *of_materials)]
     return list(own), of_materials, others

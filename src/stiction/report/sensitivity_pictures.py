@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.answer import part_name
 from stiction.report.picture_style import along
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, finish, heading, label, say
 from stiction.report.sensitivity_tables import at_working_load, head_of, ranked, results_of, working_place
@@ -28,7 +29,12 @@ _COLOURS = (BLUE, ORANGE, GREEN, RED)
 def sensitivity_figure(data: "xarray.Dataset") -> Figure:
     """Ranked Sobol indices at the working load, the total ones over load, the effects of Morris, and the elasticities of all
     numbers; the last alone where nothing is uncertain."""
-    if "input" not in data.dims:
+    if "friction_coefficient_share" in data:
+        figure = Figure(figsize=(11.0, 4.8), layout="constrained")
+        panels = figure.subplots(1, 2)
+        _shares(panels[0], data)
+        _elasticities(panels[1], data)
+    elif "input" not in data.dims:
         figure = Figure(figsize=(7.5, 5.6), layout="constrained")
         _elasticities(figure.subplots(), data)
     else:
@@ -43,6 +49,15 @@ def sensitivity_figure(data: "xarray.Dataset") -> Figure:
         _elasticities(panels["slopes"], data)
     figure.suptitle(heading(data, data.attrs.get("case", "")), fontsize=11)
     return figure
+
+
+def _shares(axes: Axes, data: "xarray.Dataset") -> None:
+    """The share of each part in the variance of ln mu."""
+    names = [part_name(name) for name in data["input"].values.tolist()]
+    axes.barh(names, data["friction_coefficient_share"].values, color=BLUE)
+    axes.invert_yaxis()
+    axes.set(xlim=(0.0, 1.0), xlabel="share of the variance of ln mu")
+    finish(axes)
 
 
 def _symbol(name: str) -> str:

@@ -9,6 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.laws.validity import doubts_of
+from stiction.report.answer import part_name
 from stiction.report.model_line import model_line
 from stiction.report.number_table import number_table
 from stiction.report.several_tables import of_point, points_dimension
@@ -18,7 +19,15 @@ from stiction.solving.pointwise import WHY_NOT
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["at_working_load", "elasticities_table", "indices_table", "results_of", "sensitivity_notes", "working_place"]
+__all__ = [
+    "at_working_load",
+    "elasticities_table",
+    "indices_table",
+    "results_of",
+    "sensitivity_notes",
+    "share_tables",
+    "working_place",
+]
 
 _LEAST = 5e-5  # an elasticity that is less is none
 _HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", "pull_off_force": "pull-off"}
@@ -90,6 +99,18 @@ def _signed(value: float) -> str:
     if not np.isfinite(value):
         return "-"
     return "0" if abs(value) < _LEAST else f"{value:+.3g}"
+
+
+def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
+    """Yield the parts of the width of a prediction, and what one per cent more of the main numbers does to mu."""
+    shares = number_table(["share"], "mu varies with")
+    for name, share in zip(data["input"].values.tolist(), data["friction_coefficient_share"].values.tolist(), strict=True):
+        shares.add_row(part_name(name), f"{share:.0%}")
+    yield shares
+    slopes = number_table(["mu, %"], "1 % more of")
+    for at in ranked(data, "friction_coefficient", "elasticity", "number"):
+        slopes.add_row(str(data["number"].values[at]), _signed(float(data["friction_coefficient_elasticity"][at])))
+    yield slopes
 
 
 def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:

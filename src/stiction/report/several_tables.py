@@ -6,12 +6,13 @@ import numpy as np
 from rich.table import Table
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.answer import number
 from stiction.report.number_table import number_table, shown, some
 
 if TYPE_CHECKING:
     import xarray
 
-_ROWS, _POINTS = 16, 4
+_ROWS, _POINTS = 9, 4
 # What the points of a curve are called, as dimensions of a result.
 _POINT_NAMES = ("load", "mean_separation", "separation")
 _HEADS = {"friction_coefficient": "mu", "contact_area": "area"}
@@ -63,19 +64,26 @@ def _head(name: str) -> str:
 
 
 def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
-    """A row for each combination of what varies, at most about sixteen or all; a column for each of at most four points."""
+    """A row for each combination of what varies, at most about nine or all; a column for each of at most four points."""
     name, dims = shown_quantity(data), varied(data)
     points = points_dimension(data)
-    columns = some(data.sizes[points], _POINTS) if points else np.array([0])
+    with_ends = f"{name}_low" in data
+    columns = some(data.sizes[points], 2 if with_ends else _POINTS) if points else np.array([0])
     each = max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
     most = data[name].size if all_rows else _ROWS if len(dims) == 1 else each
     picked = [some(data.sizes[dim], most) for dim in dims]
     heads = [_head(one) for dim in dims for one in coordinates_along(data, dim)]
     table = number_table([*heads, *(f"{_HEADS[name]} at\n{of_point(data, at)}" for at in columns)])
-    values = data[name].transpose(*dims, *([points] if points else []))
+    order = [*dims, *([points] if points else [])]
+    values = data[name].transpose(*order).values
+    ends = [data[f"{name}_{end}"].transpose(*order).values for end in ("low", "high")] if with_ends else []
     for places in np.ndindex(*(len(one) for one in picked)):
         row = [int(one[at]) for one, at in zip(picked, places, strict=True)]
         cells = [of_value(data, one, at) for dim, at in zip(dims, row, strict=True) for one in coordinates_along(data, dim)]
-        found = np.atleast_1d(values.values[tuple(row)])[columns]
-        table.add_row(*cells, *(shown(float(one), name) for one in found))
+        found, *interval = (np.atleast_1d(table[tuple(row)])[columns] for table in (values, *ends))
+        texts = [shown(float(one), name, 2 if with_ends else 4) for one in found]
+        if with_ends:
+            spans = (f" ({number(float(low))} to {number(float(high))})" for low, high in zip(*interval, strict=True))
+            texts = [text + span for text, span in zip(texts, spans, strict=True)]
+        table.add_row(*cells, *texts)
     return table

@@ -15,9 +15,6 @@ from stiction.laws.validity import doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
-from stiction.report.comparison_doubts import doubts, doubts_of_model, doubts_with_meanings, over_models, said_of_liquid
-from stiction.report.comparison_rows import run_command
-from stiction.report.families import said_of_plastic_junctions
 from stiction.report.model_line import grade_line, model_line
 from stiction.report.number_table import number_table, prefix, short, shown, some
 from stiction.report.plain_formulas import as_text
@@ -216,99 +213,6 @@ def outside_validity(data: "xarray.Dataset") -> Text | None:
     if not lines:
         return None
     return Text("\n".join(["outside the range of validity", *(f"  {line}" for line in lines)]), style="bold yellow")
-
-
-def comparison_table(data: "xarray.Dataset") -> Table:
-    """What each model says at the working load, or along its curve if there is none, from the least friction up; the
-    recommended one is green; plastic: what its plastic junctions resist. Of a measured surface the spread of mu over the
-    methods of finding asperities stands in place of the contact area. The error is that of the contact area, measured on
-    solved surfaces near this contact. Doubts are numbered as in `doubts`."""
-    table = Table(box=SIMPLE_HEAD, header_style="bold", pad_edge=False, padding=(0, 1, 0, 0))
-    table.add_column("model", no_wrap=True)
-    with_range_over_methods = "friction_coefficient_at_load_low" in data
-    wet = ["liquid"] * bool((data["liquid"].values != "").any())
-    fourth = "over methods" if with_range_over_methods else "contact\narea"
-    for head in ("grade", "mu", fourth, "error", "plastic", *wet, "doubts"):
-        words = head in ("grade", "plastic", "liquid", "doubts")
-        table.add_column(head, justify="left" if words else "right", no_wrap=head != "doubts")
-    judged = "friction_coefficient_at_load" in data
-    known = doubts(data)
-    order = np.argsort(data["friction_coefficient_at_load"].values) if judged else range(data.sizes["model"])
-    for at in order:
-        one = data.isel(model=int(at))
-        mu, area = (float(one[f"{name}_at_load"]) if judged else np.nan for name in ("friction_coefficient", "contact_area"))
-        unit = one["contact_area"].attrs.get("units", "1")
-        size = short(area) if unit == "1" else shown(area, "contact_area", digits=3)
-        numbers = ", ".join(map(str, sorted(1 + known.index(line) for line in doubts_of_model(one))))
-        name = str(one["model"].item())
-        look = "bold green" if name == data.attrs.get("recommended") else ("dim" if numbers else "")
-        fourth = over_methods(one) if with_range_over_methods else size
-        error = float(one["measured_area_error"]) if judged else np.nan
-        wrong = f"{error:+.0%}" if np.isfinite(error) else "-"
-        resist = str(one["plastic_junctions_resist"].item()) or "-"
-        liquid = [one[column].item() for column in wet]
-        row = (name, one["grade"].item(), short(mu), fourth, wrong, resist, *liquid, numbers or "-")
-        table.add_row(*map(Text, row), style=look)
-    return table
-
-
-def over_methods(one: "xarray.Dataset") -> str:
-    """Lowest and highest mu at the working load of one model over the methods of finding asperities; theories of the whole
-    surface look for none, and have no spread."""
-    low, high = (float(one[f"friction_coefficient_at_load_{end}"]) for end in ("low", "high"))
-    if low == high:
-        return "no spread"
-    return f"{low:.3g} to {high:.3g}" if low < high else "-"
-
-
-def comparison_summary(data: "xarray.Dataset") -> list[Text]:
-    """The working load, the spread, the recommendation with its reason, and what is left out."""
-    used = data.attrs
-    lines = []
-    if "working_load" in used:
-        plain = data["load"].attrs.get("units", "1") == "1"
-        load = f"{used['working_load']:.4g}" if plain else shown(used["working_load"], "load")
-        lines.append(Text(f"working load {load}: mu {_range(used['spread'])} {over_models(data)}, {_within(data)}"))
-        lines += [Text(said) for said in (said_of_plastic_junctions(data), said_of_liquid(data)) if said]
-        lines.append(Text(f"recommended: {used['recommended']}; {used['reason']}", style="bold"))
-        if used["recommended"] in data["model"]:
-            low, high = used["recommended_range"]
-            weighed = f"mu {low:.3g} to {high:.3g}" if low < high else "one opinion, no range"
-            lines.append(Text(f"two thirds of the weight of the models: {weighed}", style="bold"))
-            command = f"to run it: {run_command(data, used['recommended'])}"
-            lines.append(Text(command, no_wrap=True))  # it is copied
-        lines += [Text(used["leap"], style="bold yellow")] if used.get("leap") else []
-        lines += [Text(f"set aside: {line}", style="dim") for line in used["set_aside"].splitlines()]
-        if used["advice"]:
-            lines.append(Text(f"what would have to change: {used['advice']}", style="bold yellow"))
-        if "friction_coefficient_at_load_low" in data and used["recommended"] in data["model"]:
-            best = data.sel(model=used["recommended"])
-            mu = short(float(best["friction_coefficient_at_load"]))
-            text = f"of it, mu {mu}, {over_methods(best)} over the methods of finding asperities"
-            lines.append(Text(f"{text} (taken: {used['roughness_method']})", style="bold"))
-    else:
-        lines.append(Text("without a working load, which is above 0, the models are not judged"))
-    lines += [Text(line) for line in used["criteria"].splitlines()]
-    lines += [Text(f"doubt {number}: {line}") for number, line in enumerate(doubts_with_meanings(data), start=1)]
-    lines += [Text(f"left out: {line}", style="dim") for line in used["left_out"].splitlines()]
-    return lines
-
-
-def _within(data: "xarray.Dataset") -> str:
-    """The spread of the models within their validity, and of how many: one is an opinion and no range."""
-    judged = np.isfinite(data["friction_coefficient_at_load"].values)
-    within = [one for one in np.flatnonzero(judged) if not data["outside_validity"].values[one]]
-    if not within:
-        return "none of them within its validity"
-    if len(within) == 1:
-        one = data.isel(model=int(within[0]))
-        mu = short(float(one["friction_coefficient_at_load"]))
-        return f"{mu} by the only one within its validity, {one['model'].item()} of grade {one['grade'].item()}: no range"
-    return f"{_range(data.attrs['spread_within_validity'])} of the {len(within)} within their validity"
-
-
-def _range(ends: list[float]) -> str:
-    return f"{ends[0]:.3g} to {ends[1]:.3g}" if len(ends) else "of none"
 
 
 def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:

@@ -1,4 +1,4 @@
-"""What the command line prints of what is uncertain: bands, and what friction differs by."""
+"""What the command line prints of what is uncertain: bands."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -17,17 +17,10 @@ if TYPE_CHECKING:
     import xarray
 
 __all__ = [
-    "MEANINGS", "band_lines", "band_table", "draws_in_words", "in_draws", "models_band_table", "spread_table",
-    "uncertain_notes", "with_meaning",
+    "band_lines", "band_table", "draws_in_words", "in_draws", "uncertain_notes", "with_meaning",
 ]  # fmt: skip
 
 _ROWS = 12
-# What a spread is due to, in words.
-MEANINGS = {
-    "inputs": "what is uncertain of the inputs",
-    "methods": "the ways of finding asperities",
-    "models": "the models",
-}
 
 
 def band_table(data: "xarray.Dataset") -> Table | Text:
@@ -81,31 +74,3 @@ def with_meaning(doubt: str) -> str:
 def in_draws(share: float, text: str) -> str:
     """How often something holds of what was drawn."""
     return f"in {share:.1%} of the random draws, each a possible set of the uncertain inputs: {text}"
-
-
-def spread_table(data: "xarray.Dataset") -> Table:
-    """What friction at the working load differs by, each apart."""
-    coverage = data.attrs.get("coverage", 0.9)
-    table = number_table(("from", "to", "a factor"), "mu differs by")
-    for name in data["spread"].values:
-        one = data.sel(spread=name)
-        cells = [short(float(one[f"spread_{end}"]), 3) for end in ("low", "high", "factor")]
-        if name == "models" and float(one["spread_factor"]) == 1.0:
-            cells[-1] = "one opinion"  # one of them has nearly all of the weight: that is no agreement
-        table.add_row(f"{MEANINGS[str(name)]}{'' if name == 'methods' else f', {coverage:.0%}'}", *cells)
-    return table
-
-
-def models_band_table(data: "xarray.Dataset") -> Table:
-    """Quantiles of every model over what is uncertain, at the working load."""
-    name = "friction_coefficient_at_load"
-    told = [0, data.sizes["quantile"] // 2, -1]  # the ends and the median
-    levels = (f"{share:.0%}" for share in data["quantile"].values[told])
-    table = number_table(("nominal", *levels, "sampling\nerror"), "over what is uncertain")
-    for at in np.argsort(data[name].values):
-        one = data.isel(model=int(at))
-        band, error = one[f"{name}_quantile"].values, one[f"{name}_quantile_error"].values
-        if np.isfinite(band).any():
-            cells = [short(value, 3) for value in (float(one[name]), *band[told])]
-            table.add_row(str(one["model"].item()), *cells, short(float(error.max()), 2))
-    return table

@@ -1,6 +1,6 @@
 """What one result shows, whoever shows it: paragraphs and tables, files, pictures and JSON."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from importlib import import_module
@@ -12,6 +12,32 @@ from stiction.report.files import write_folder, write_netcdf, write_picture
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
+
+MOST_LINES = 15  # that a command prints on a terminal of 80 columns, unless all of it is asked for
+_COLUMNS = 80
+
+
+def lines_of(part: Any, columns: int = _COLUMNS) -> int:
+    """Return how many lines a paragraph or a table takes on a terminal."""
+    from rich.console import Console
+    from rich.text import Text
+
+    console = Console(width=columns)
+    return len(console.render_lines(Text(part) if isinstance(part, str) else part, console.options, pad=False))
+
+
+def in_short(parts: Iterable[Any], columns: int = _COLUMNS) -> Iterator[Any]:
+    """Yield the parts that fit into MOST_LINES, and where any is left out a line that says how to see the rest."""
+    left, whole = MOST_LINES - 1, True
+    for part in parts:
+        lines = lines_of(part, columns)
+        if lines > left:
+            whole = False
+            continue
+        left -= lines
+        yield part
+    if not whole:
+        yield "Details: --details"
 
 
 class Picture(NamedTuple):

@@ -15,7 +15,7 @@ from stiction.records.registry import (
     friction_incompatibility,
     of_kind,
 )
-from stiction.solving.choice import LAWS, Choice
+from stiction.solving.choice import LAWS, RECOMMENDED, Choice
 
 # Greenwood & Williamson's sum takes any asperity law, and this film law any of them.
 _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
@@ -113,9 +113,8 @@ def choice_of(name: str | None, given: Mapping[str, str | None], subject: Subjec
         # A film or a sum may be left out of a name: the asperity law alone says enough.
         known |= {key: Choice(_SUM, asperity=key) for key in of_kind(AsperityLaw)} if name not in known else {}
         if name not in known:
-            if name == "recommended":
-                allowed = "the key of a model; `stiction compare` prints which it recommends"
-                raise InputError(error.field, name, allowed) from None
+            if name == RECOMMENDED:
+                raise InputError(error.field, name, "the key of a model here: `stiction compare --all` lists them") from None
             raise InputError(error.field, name, ", ".join(dict.fromkeys([*of_kind(RoughSurface), *known]))) from None
     asked = Choice.of(name, given)
     laws = {law: getattr(asked, law) for law in LAWS if law != "model"}

@@ -6,18 +6,20 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from stiction.case.read import Case
 from stiction.case.several import Address
 from stiction.laws.proportion import questions
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
-from stiction.solving.choice import DEFAULT_MODEL, Choice
-from stiction.studies.answered import Answered, answered
-from stiction.studies.case_results import RECOMMENDED
+from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
-from stiction.studies.prediction.predict import is_predicted, prediction_of
+from stiction.studies.prediction.predict import is_predicted, predict
 
 if TYPE_CHECKING:
+    import xarray
+
     from stiction.studies.scans.analysis import Analysis
 
 
@@ -25,24 +27,31 @@ if TYPE_CHECKING:
 class Findings:
     """What a report tells.
 
-    case. text: its file as it was written, "" where there was none. answer: the curve with its spreads, the result at the
-    working load, all models. prediction: what `predict` gives, None where a model is named or nothing is predicted.
-    not_compared: why models are not compared, "" if they are. analyses: body -> what is said of its scan. questions: about
-    numbers that were hardly meant.
+    case. text: its file as it was written, "" where there was none. data: its prediction, or the results of the model that is
+    named. load: the working load [N], or normalised; here: the results of a named model at it; told: all models at it; None
+    where nothing presses. not_compared: why models are not compared, "" if they are. analyses: body -> what is said of its
+    scan. questions: about numbers that were hardly meant.
     """
 
     case: Case
     text: str
-    answer: Answered
+    data: "xarray.Dataset"
+    load: float | None = None
+    here: "xarray.Dataset | None" = None
+    told: "xarray.Dataset | None" = None
     not_compared: str = ""
     analyses: "Mapping[str, Analysis]" = field(default_factory=dict)
     questions: tuple[str, ...] = ()
-    prediction: Any = None
+
+    @property
+    def prediction(self) -> "xarray.Dataset | None":
+        """The prediction of one contact; None where a model is named, or numbers are several."""
+        return self.data if "shares" in self.data.attrs else None
 
     @property
     def result(self) -> Any:
         """The result at the working load; where there is none, all of it."""
-        return self.answer.data if self.answer.here is None else self.answer.here
+        return self.data if self.here is None else self.here
 
 
 def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> Findings:
@@ -53,18 +62,16 @@ def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress
     at = None if case.is_several else working_load(case, load)
     why = "numbers of the case are several, and models are compared for one contact" if case.is_several else ""
     why = why or ("" if at is not None else "nothing presses at any of its points, and models are judged at a load above 0")
-    prediction = prediction_of(case, at) if is_predicted(case) else None
-    found = _answered(case, at, progress) if prediction is not None else answered(case, at, progress)
+    here = None
+    if is_predicted(case) and (at is not None or case.is_several):
+        data = predict(case) if load is None else predict(case, load=[at])
+    else:
+        data = solve_case(case, progress=progress)
+        if at is not None:
+            here = solve_case(replace(case, separation=None, load=np.array([at])), progress=progress).squeeze("load")
+    told = None if at is None else compare_case(case, at, progress)
     asked = tuple(str(one) for one in questions(case.subject))
-    return Findings(case, text, found, why, _analyses(case, progress), asked, prediction)
-
-
-def _answered(case: Case, load: float | None, progress: Progress) -> Answered:
-    """Return the case by the recommended model; where none is recommended, by the default one."""
-    try:
-        return answered(replace(case, choice=Choice(RECOMMENDED)), load, progress)
-    except InputError:
-        return answered(replace(case, choice=Choice(DEFAULT_MODEL)), load, progress)
+    return Findings(case, text, data, at, here, told, why, _analyses(case, progress), asked)
 
 
 def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":

@@ -3,7 +3,7 @@
 import numpy as np
 
 from stiction.case.read import Case
-from stiction.solving.choice import DEFAULT_MODEL
+from stiction.solving.choice import DEFAULT_MODEL, RECOMMENDED
 from stiction.solving.solve import solve
 
 
@@ -15,7 +15,7 @@ def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
     """
     loads = case.load
     if loads is None:
-        key = DEFAULT_MODEL if case.choice.model_key == "recommended" else case.choice.model_key
+        key = DEFAULT_MODEL if case.choice.model == RECOMMENDED else case.choice.model_key
         own = case.choice.arguments() | {"model": key}  # named: loads do not depend on what friction ignores
         loads = solve(case.subject.as_numbers(), separation=case.separation, **own)["load"].values
     pressing = np.flatnonzero(loads > 0.0)

@@ -31,18 +31,16 @@ class CompareTab:
         answer, load = self._explorer.good, self._explorer.load
         case, data, prediction = compared(answer.question, load if load > 0.0 else None, progress)
         few = Shown(list(comparison_view(case, data, prediction).parts()), [])
-        return answer, data, few, Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
+        return few, Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
 
     def _show(self, found: tuple[Any, ...]) -> None:
-        answer, data, few, every = found
+        few, every = found
         narrow = self._explorer.view.narrow
         self._body.clear()
         with self._body:
             few.show(narrow, _open)
             with ui.expansion("Every model").classes("w-full"):
                 every.show(narrow, _open)
-        if "spread_low" in data:
-            self._explorer.differ(answer, [float(data[f"spread_{end}"].sel(spread="models")) for end in ("low", "high")])
 
 
 def _open(name: str) -> None:

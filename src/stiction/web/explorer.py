@@ -41,7 +41,6 @@ class Explorer:
         self._opened = question.tables  # the case that has the title
         self.good = answer  # the newest without an error
         self.view = View()
-        self._models: tuple[Answer, list[float]] | None = None
         self.rebuild: Callable[[], None] = lambda: None  # makes the form anew, where the case gets other fields
         self._listeners: list[Callable[[], object]] = []
         self.on_wait: Callable[[], None] = lambda: None  # marks what is shown as old, while an answer is awaited
@@ -94,16 +93,10 @@ class Explorer:
         """Return the load of the point that is described in words, SI or normalised."""
         return float(self.good.at(self.here)["load"])
 
-    def differ(self, answer: Answer, ends: list[float]) -> None:
-        """Models differ between these ends on this answer: its number has fewer digits from now on."""
-        self._models = answer, ends
-        self.redraw()
-
     @property
     def headline(self) -> tuple[str, str]:
         """The number with the digits that its doubt leaves it, and where it holds."""
-        known = self._models[1] if self._models is not None and self._models[0] is self.good else []
-        return headline(self.good, self.here, known)
+        return headline(self.good, self.here)
 
     def upload(self, name: str, content: bytes) -> str:
         """Keep a file that was uploaded in a folder of this visitor, and say its name there: that of its ending only, so that

@@ -1,4 +1,4 @@
-"""The tab Studies: how sure, what to measure better, design for a wish, calibration; those that take less than a minute."""
+"""The tab Studies: what to measure better, design for a wish, calibration; those that take less than a minute."""
 
 import math
 from collections.abc import Callable
@@ -18,14 +18,6 @@ from stiction.web.pictures import Shown
 from stiction.web.studying import Study
 from stiction.web.uploading import upload_button
 from stiction.web.working import Progress
-
-
-def how_sure(question: Question, progress: Progress) -> View:
-    """The bands of what is uncertain, and what friction differs by. Raises InputError."""
-    from stiction.report.views.uncertainty import uncertainty_view
-    from stiction.studies.answered import uncertainty
-
-    return uncertainty_view(uncertainty(case_in(question.tables, question.folder), progress=progress))
 
 
 def what_matters(question: Question, progress: Progress) -> View:
@@ -96,7 +88,6 @@ class StudiesTab:
             varied = placed(question.tables, ("uncertainty", "ranges"), True)
             return question.with_tables(varied) if ranges.value else question
 
-        self._study("Uncertainty", lambda question, progress: how_sure(asked(question), progress))
         self._study("Sensitivity", lambda question, progress: what_matters(asked(question), progress))
 
     def _free_number(self) -> Callable[[], dict[str, Any]]:

@@ -1,7 +1,5 @@
 """What the page says in words: the answer in one sentence, and what else a user should know."""
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from stiction.report.answer import answer_lines
@@ -14,9 +12,9 @@ _MU = "friction_coefficient"
 _WHERE = {"load": "at a load of", "contact_area": "real contact area", "mean_separation": "mean separation"}
 
 
-def headline(answer: Answer, at: int, known: Sequence[float] = ()) -> tuple[str, str]:
+def headline(answer: Answer, at: int) -> tuple[str, str]:
     """Return the number and where it holds: of a prediction with its interval, of one model with as many digits as its doubt
-    leaves it. known: what it may be by models that were compared, beside what is uncertain of the inputs."""
+    leaves it."""
     if answer.prediction is not None:
         return answer_lines(answer.prediction)[0]
     here = answer.at(at)
@@ -27,7 +25,7 @@ def headline(answer: Answer, at: int, known: Sequence[float] = ()) -> tuple[str,
     if said[_MU] == "not defined":
         return "mu is not defined: the surfaces hold themselves together", where
     # What friction may be by the ways to find asperities, and by what is uncertain of the inputs.
-    ends = [*known, *(here[f"{_MU}{end}"].item() for end in ("_low", "_high") if f"{_MU}{end}" in here)]
+    ends = [here[f"{_MU}{end}"].item() for end in ("_low", "_high") if f"{_MU}{end}" in here]
     if f"{_MU}_quantile" in here:
         ends += here[f"{_MU}_quantile"].values[[0, -1]].tolist()
     number = rounded(float(here[_MU]), [end for end in ends if np.isfinite(end)])

@@ -6,13 +6,11 @@ from typing import TYPE_CHECKING, Any
 from rich.text import Text
 
 from stiction.report.answer import answer_lines, answer_record
-from stiction.report.comparison_groups import groups_table
-from stiction.report.comparison_rows import at_load_rows, comparison, comparison_rows, recommended_record
+from stiction.report.comparison_groups import groups_of, groups_table
+from stiction.report.comparison_rows import at_load_rows, comparison, comparison_rows
 from stiction.report.files import write_netcdf, write_rows
-from stiction.report.tables import comparison_summary, comparison_table, facts
-from stiction.report.uncertainty_tables import models_band_table, spread_table, uncertain_notes
-from stiction.report.view import Picture, View
-from stiction.report.whole_keys import WholeKeys
+from stiction.report.tables import facts
+from stiction.report.view import MOST_LINES, Picture, View, lines_of
 from stiction.studies.prediction.unused import refusal_of
 
 if TYPE_CHECKING:
@@ -30,52 +28,41 @@ def comparison_view(
     """Return what all models of a case show, below its prediction; every: each model in a row of its own, and all that is said
     of it."""
     measured = case.measured
+    groups = groups_of(data, every) if "working_load" in data.attrs else []
 
     def parts() -> Iterator[Any]:
-        if case.title:
-            yield Text(case.title, style="bold")
+        above: list[Any] = [Text(case.title, style="bold")] if case.title else []
         if prediction is not None:
-            yield facts([row for row in answer_lines(prediction) if row[0] in _OF_ANSWER or row[0].startswith("mu")])
+            above.append(facts([row for row in answer_lines(prediction) if row[0] in _OF_ANSWER or row[0].startswith("mu")]))
         elif (refusal := refusal_of(case)) is not None:
-            yield facts([("no prediction", str(refusal))])
-        yield from _every_model(case, data) if every or "working_load" not in data.attrs else groups_table(data)
+            above.append(facts([("no prediction", str(refusal))]))
+        if not groups:
+            above.append(Text("no model says anything of friction at a load above 0 here"))
+        yield from above
+        yield from groups_table(groups, None if every else MOST_LINES - sum(map(lines_of, above)))
+        if every:
+            yield from (Text(line) for line in data.attrs["criteria"].splitlines())
+            yield from (Text(f"left out: {line}", style="dim") for line in data.attrs["left_out"].splitlines())
+            if measured is not None:
+                from stiction.report.surface_tables import roughness_notes, roughness_table
+
+                yield from (roughness_table(measured), *roughness_notes(measured))
 
     def record() -> dict[str, Any]:
-        answer = recommended_record(data) if prediction is None else answer_record(prediction)
+        answer = None if prediction is None else answer_record(prediction)
         return {"answer": answer} | comparison(data) | ({} if measured is None else {"measured": measured.record()})
 
     def compared() -> Any:
-        from stiction.report.comparison_pictures import comparison_figure
+        from stiction.report.model_pictures import models_figure
 
-        return comparison_figure(data, case.title)
-
-    def spread() -> Any:
-        from stiction.report.uncertainty_pictures import spread_figure
-
-        return spread_figure(data, case.title)
+        return models_figure(data, groups, prediction, case.title)
 
     files = {
         "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),
         "compare.nc": lambda path: write_netcdf(data, path),
     }
+    pictures = {}
     if "working_load" in data.attrs:
         files["compare_at_load.csv"] = lambda path: write_rows(path, *at_load_rows(data))
-    pictures = {"compare.png": Picture("friction against load by every model", compared)}
-    if "spread_factor" in data:
-        pictures["spread.png"] = Picture("what friction differs by: inputs, methods, models", spread)
+        pictures["compare.png"] = Picture("friction at the working load by models that say the same", compared)
     return View("compare", None, parts, record, files, pictures)
-
-
-def _every_model(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield a row for each model, and all that is said of them."""
-    measured = case.measured
-    yield from (WholeKeys(comparison_table(data)), *comparison_summary(data))
-    if "spread_factor" in data:
-        yield spread_table(data)
-        if "uncertain_inputs" in data.attrs:
-            yield from (WholeKeys(models_band_table(data)), *uncertain_notes(data))
-    if measured is not None:
-        from stiction.report.surface_tables import roughness_notes, roughness_table
-
-        yield from (roughness_table(measured), *roughness_notes(measured))
-        yield from (Text(f"doubtful: {doubt}", style="bold yellow") for doubt in measured.doubts)

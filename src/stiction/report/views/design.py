@@ -39,6 +39,5 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
     if folder is not None:
         files["designed.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
     missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
-    notes = tuple(filter(None, [*missed, data.attrs["other_model"]]))
     pictures = {"design.png": Picture("designs by how near they come to the wish", drawn)}
-    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, notes)
+    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, tuple(missed))

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from stiction.report.answer import answer_lines, answer_record
-from stiction.report.files import write_csv
+from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record
+from stiction.report.files import record, write_csv
+from stiction.report.several_tables import several_table
 from stiction.report.tables import curve_table, facts
 from stiction.report.view import View, picture
 
@@ -20,14 +21,6 @@ if TYPE_CHECKING:
 
 _RESULTS = ("friction_coefficient", "friction_force", "contact_area")
 _COLUMNS = [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")]
-_HEADS = {
-    "load": "load",
-    "friction_coefficient_low": "mu low",
-    "friction_coefficient": "mu",
-    "friction_coefficient_high": "mu high",
-    "friction_force": "friction force",
-    "contact_area": "contact area",
-}
 
 
 def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bool = False) -> View:
@@ -45,15 +38,32 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
         curve = {name: data[name].values.ravel().tolist() for name in ("load", *_COLUMNS)}
         return {"answer": answer_record(data), "curve": curve}
 
+    if case.is_several:
+        return _several_view(case, data, details)
     files = {"curve.csv": partial(write_csv, data[_COLUMNS])}
     drawn = picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)
-    return View("curve", _plain(data), parts, found, files, {"curve.png": drawn})
+    return View("curve", plain(data), parts, found, files, {"curve.png": drawn})
+
+
+def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
+    """Return what predictions of a case whose numbers are several show."""
+
+    def parts() -> Iterator[Any]:
+        if case.title:
+            yield Text(case.title, style="bold")
+        refused = f"; {data.attrs['refused']} refused" if data.attrs["refused"] else ""
+        yield f"mu with its {data.attrs['level']:.0%} interval; {data.attrs['draws']} draws of each contact{refused}"
+        yield several_table(data, details)
+
+    files = {"curve.csv": partial(write_csv, data)}
+    drawn = picture("mu against what varies", "several_pictures.several_figure", data, case.title)
+    return View("curve", data, parts, lambda: {"curve": record(data, {})}, files, {"curve.png": drawn})
 
 
 def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     """Yield what is left out of the answer: the curve, every warning, what the interface rests on."""
     if data["load"].size > 1:
-        yield from ("", curve_table(data, heads=_HEADS))
+        yield from ("", curve_table(data, heads=PREDICTION_HEADS))
     yield ""
     contact: Any = case.subject
     inputs = [f"{name} = {text}" for name, text in contact.inputs()]
@@ -66,7 +76,7 @@ def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     yield facts(rows)
 
 
-def _plain(data: "xarray.Dataset") -> "xarray.Dataset":
+def plain(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return the dataset with attributes that a file takes: tables and lists as JSON."""
     texts = {
         name: json.dumps(value, ensure_ascii=False) for name, value in data.attrs.items() if isinstance(value, dict | list)

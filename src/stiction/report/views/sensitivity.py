@@ -4,14 +4,19 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from rich.text import Text
+
+from stiction.report.answer import answer_record, headline
 from stiction.report.files import record, write_csv
-from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes
+from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes, share_tables
 from stiction.report.view import Picture, View
+from stiction.report.views.prediction import plain
 from stiction.report.whole_keys import WholeKeys
 
 if TYPE_CHECKING:
     import xarray
 
+_SHARE = "friction_coefficient_share"
 # Table -> dimension of its rows.
 _TABLES = {"sensitivity.csv": "input", "elasticities.csv": "number"}
 
@@ -20,6 +25,9 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
     """Return what a sensitivity study shows."""
 
     def parts() -> Iterator[Any]:
+        if _SHARE in data:
+            yield from (Text(f"{data.attrs['case']}: {headline(data)}".removeprefix(": "), style="bold"), *share_tables(data))
+            return
         if "input" in data.dims:
             yield from (WholeKeys(indices_table(data)), "")
         yield from (elasticities_table(data), "", *sensitivity_notes(data))
@@ -29,10 +37,16 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
 
         return sensitivity_figure(data)
 
+    def found() -> dict[str, Any]:
+        if _SHARE not in data:
+            return record(data, groups or {})
+        slopes = dict(zip(data["number"].values.tolist(), data["friction_coefficient_elasticity"].values.tolist(), strict=True))
+        return {"answer": answer_record(data), "elasticities": slopes}
+
     files = {
         name: partial(write_csv, data[[one for one in data.data_vars if dim in data[one].dims]])
         for name, dim in _TABLES.items()
         if dim in data.dims
     }
     pictures = {"sensitivity.png": Picture("inputs by what they change", drawn)}
-    return View("sensitivity", data, parts, lambda: record(data, groups or {}), files, pictures)
+    return View("sensitivity", plain(data), parts, found, files, pictures)

@@ -6,7 +6,6 @@ the mean contact, or the shortest wave, over the thickness of a film.
 """
 
 import json
-import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -71,8 +70,8 @@ def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
     return row | errors | ({"outside": outside} if outside else {})
 
 
-def _on_maps(problem: Problem, law: str, beyond: bool = False) -> tuple[OnMaps | None, dict[str, Any]]:
-    """What was measured, and near what; beyond: where nothing was measured, the nearest."""
+def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, Any]]:
+    """What was measured, and near what."""
     groups = problem.groups.resolved()
     if groups.roughness_parameter is None or groups.film_aspect is None:
         return None, {}
@@ -80,10 +79,7 @@ def _on_maps(problem: Problem, law: str, beyond: bool = False) -> tuple[OnMaps |
 
     thickness = thickness_over_wave(groups)
     near = {"n_E": _ends(groups.n_E), "thickness_over_shortest_wave": _ends(thickness)}
-    n_E = groups.n_E
-    if beyond:
-        n_E, thickness = (np.clip(one, *ends) for one, ends in zip((n_E, thickness), MEASURED_ON_MAPS.values(), strict=True))
-    return on_maps(law, problem.options, n_E, thickness), near
+    return on_maps(law, problem.options, groups.n_E, thickness), near
 
 
 # What errors are looked up by, in words.
@@ -140,26 +136,6 @@ def _over_radius(problem: Problem) -> np.ndarray:
     with np.errstate(divide="ignore", invalid="ignore"):
         found = problem.groups.film_aspect**2 / problem.groups.tau
     return np.where(np.isfinite(found) & (found > 0.0), found, 1.0)[:, None]
-
-
-def off_by(problem: Problem, results: Mapping[str, np.ndarray]) -> float:
-    """By how many factors of two the film law is off in area near these results, as far as they are elastic: the worst, 0 where
-    nothing was measured. Beyond what was measured the nearest counts."""
-    law = _law(problem)
-    if law is None:
-        return 0.0
-    width = a_over_t(problem, results)
-    if width is None:
-        found, _ = _on_maps(problem, law, beyond=True)
-        return 0.0 if found is None else float(np.nanmax(found.rms)) / math.log(2.0)
-    n_E = np.broadcast_to(np.clip(problem.groups.n_E, *MEASURED["n_E"])[:, None], width.shape)
-    sphere = on_a_sphere(law, problem.options, n_E, np.clip(width, *MEASURED["a_over_t"]), _over_radius(problem))
-    if sphere is None or "load_elastic" not in results:
-        return 0.0
-    load, elastic = (np.asarray(results[name]).reshape(width.shape) for name in ("load", "load_elastic"))
-    share = np.clip(np.divide(elastic, load, out=np.ones_like(load), where=load > 0.0), 0.0, 1.0)
-    doublings = np.abs(np.log2(sphere.area)) * share
-    return 0.0 if np.isnan(doublings).all() else float(np.nanmax(doublings))
 
 
 def _ends(values: np.ndarray) -> list[float]:

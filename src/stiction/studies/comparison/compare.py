@@ -1,8 +1,8 @@
-"""Every model that applies, on one contact: what they say of its friction, how far they differ, and which to trust."""
+"""Every model that applies, on one contact: what each says of its friction, and whether the contact fits it."""
 
 import json
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,26 +10,24 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.summation import FARTHEST
-from stiction.laws.validity import as_attributes
+from stiction.laws.validity import Doubt, as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import reason_of, several_in_words
-from stiction.records.registry import Criterion, RoughSurface, find, of_kind
+from stiction.records.registry import Criterion, of_kind
 from stiction.solving.accuracy import film_errors
-from stiction.solving.accuracy.measured_error import measured_errors
+from stiction.solving.accuracy.measured_error import MeasuredErrors, measured_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding, leaves_out_liquid
+from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding
 from stiction.solving.inversion import Unreachable
 from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.points import points_of, solve_points
 from stiction.solving.problem import Problem, make_problem, problem_of
 from stiction.solving.results import labelled
 from stiction.solving.state import state_of
-from stiction.studies.comparison.leaps import leap_near
-from stiction.studies.comparison.recommendation import FAMILIES, LIQUID, TOO_MUCH, Answer, recommend
 from stiction.studies.pressing_loads import pressing_loads
 
 if TYPE_CHECKING:
@@ -60,59 +58,31 @@ def compare(
     Where a model has no tangential law of its own and the contact states an interfacial shear strength, that law of the
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
     contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
-    working load, with grade, `outside_validity` in words, `doubts` as JSON, `family_of_curve`, what its friction rests on, and
-    `plastic_junctions_resist`, a word of stiction.records.registry.YIELDED; `measured_area_error` (and `_rms`) and
-    `measured_friction_error`, how far it is from solved surfaces near this contact (docs/truth.md), relative, not a number
-    where none was solved near; `measured_error` as JSON, `measured_error_in_words`; `liquid`, "taken" or "left out" where the
-    contact has one, and `liquid_pull_left_out`, its pull over the load. A theory that knows no separation has
-    none (not a number) and is computed at the loads of Greenwood & Williamson. Attributes: `spread`, lowest and highest mu at
-    the working load, `spread_within_validity`, the same of the models within their validity, `recommended` and `reason`, with
-    `recommended_range`, where two thirds of the weight of its family are, `family`, what its friction rests on, `set_aside`,
-    which of the family count for nothing and why, `advice` where none is recommended, and `leap`, where another
-    model is recommended at half or twice the load and says another mu; `cost` of each model is over `model`;
-    `solved`, whether it is the contact of the map itself, converged; `doubtful` says of every point whether it is within what
-    its model claims, outside of it, or impossible (0, 1, 2);
-    `criteria` (is it sticky?), and `left_out`: model: why. Where the roughness was measured, there are also
-    friction_coefficient_at_load_by_method (asperity_method, model),
-    friction_coefficient_at_load_low and _high. Raises InputError for bad input.
+    working load, with `status` in words: whether the contact fits the model, and why not; grade, `outside_validity` in words,
+    `doubts` as JSON, `family_of_curve`, what its friction rests on, and `plastic_junctions_resist`, a word of
+    stiction.records.registry.YIELDED; `measured_area_error` (and `_rms`) and `measured_friction_error`, how far it is from
+    solved surfaces near this contact (docs/truth.md), relative, not a number where none was solved near; `measured_error` as
+    JSON, `measured_error_in_words`. A theory that knows no separation has none (not a number) and is computed at the loads of
+    Greenwood & Williamson. `doubtful` says of every point whether it is within what its model claims, outside of it, or
+    impossible (0, 1, 2). Attributes: `working_load`, `criteria` (is it sticky?), and `left_out`: model: why. Where the
+    roughness was measured, there are also friction_coefficient_at_load_by_method (asperity_method, model),
+    friction_coefficient_at_load_low and _high. What of all this is the answer, `predict` says. Raises InputError for bad input.
     """
     _refuse_arrays(as_subject(contact))
-    data = _with_leap(_compared(contact, load, separations, progress), contact)
+    data = _compared(contact, load, separations, progress)
     if contact.measured is None:
         return data
     return as_measured(_over_methods(data, contact, load, progress), contact.measured)
 
 
-def _with_leap(data: "xarray.Dataset", contact: Subject) -> "xarray.Dataset":
-    """The comparison with what it says of loads near the working load; maps are not solved again for that."""
-    if "working_load" not in data.attrs:
-        return data
-    quick = [one for one in candidates(contact) if find(one.choice.model_key, RoughSurface).of_map is None]
-
-    def ask(load: float) -> "xarray.Dataset":
-        return _compared(contact, load, [0.0], iter, quick)
-
-    return data.assign_attrs(leap=leap_near(data, ask, lambda load: contact.show(load, "load", 3)))
-
-
-def _compared(
-    contact: Subject,
-    load: Any,
-    separations: Any,
-    progress: Steps,
-    asked: Iterable[Candidate] | None = None,
-) -> "xarray.Dataset":
-    """What `compare` gives, without the spread over the methods of finding asperities and loads near; asked: some of the
-    models."""
+def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) -> "xarray.Dataset":
+    """What `compare` gives, without the range over the methods of finding asperities."""
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", meniscus="none"))  # which never pull
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
-    answers = [_ask(situation, one) for one in progress(candidates(contact) if asked is None else asked)]
-    known = max((one.trust for one in answers), default=0.0)
-    for one in answers:
-        one.beside_measured = known
+    answers = [_ask(situation, one) for one in progress(candidates(contact))]
     return _dataset(contact, answers, target)
 
 
@@ -158,9 +128,53 @@ class _Situation:
     target: float | None
 
 
-def _ask(situation: _Situation, candidate: Candidate) -> Answer:
+# What the friction of a model rests on, by whether it is the strength of the interface.
+FAMILIES = {
+    True: "strength of the interface",
+    False: "strength of the bodies",
+}
+
+
+@dataclass
+class _Answer:
+    """What one candidate says, in the units of the contact.
+
+    curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
+    carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. of_interface: its
+    friction is the shear strength that the contact states; yielded: what its plastic junctions resist, of registry.YIELDED, ""
+    for contact only. measured: its error on solved surfaces near this contact and load; film_errors: that of its film law, as
+    JSON. why_not: why it says nothing, or nothing of friction.
+    """
+
+    candidate: Candidate
+    grade: str = ""
+    curve: dict[str, np.ndarray] = field(default_factory=dict)
+    doubtful: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
+    at_load: dict[str, float] | None = None
+    outside: list[Doubt] = field(default_factory=list)
+    of_interface: bool = False
+    yielded: str = ""
+    measured: MeasuredErrors | None = None
+    film_errors: str = "[]"
+    sources: list[str] = field(default_factory=list)
+    why_not: str = ""
+
+    @property
+    def status(self) -> str:
+        """Whether the contact fits the model, and why it does not."""
+        if self.why_not:
+            return f"no answer: {self.why_not}"
+        if not self.outside:
+            return "fits"
+        worst = [one for one in self.outside if one.kind == "impossible"]
+        told = list(dict.fromkeys(one.in_brief for one in worst or self.outside))
+        more = f" and {len(told) - 2} more" if len(told) > 2 else ""
+        return f"{'cannot be right' if worst else 'does not fit'}: {', '.join(told[:2])}{more}"
+
+
+def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
     """What one candidate says, or why it does not."""
-    answer = Answer(candidate)
+    answer = _Answer(candidate)
     try:
         problem = make_problem(situation.contact, candidate.choice)
         curve = _curve(problem, situation)
@@ -169,7 +183,6 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
         return answer
     records = problem.records()
     answer.grade = max(record.grade for record in records)
-    answer.title = problem.record.title
     answer.sources = list(dict.fromkeys(source.key for record in records for source in record.sources))
     if not problem.friction:
         answer.why_not = "of contact only: it needs an interfacial_shear_strength to say anything of friction"
@@ -179,17 +192,9 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     if at_load or situation.target is None:  # of a load that is not carried there is nothing to doubt
         judged = at_load or {name: table[None, :] for name, table in curve.items()}
         answer.outside = answer.outside + doubts_of_results(problem, judged)
-        answer.film_off = film_errors.off_by(problem, judged)
         answer.film_errors = film_errors.as_attributes(problem, judged)["measured_film_error"]
         if at_load:
-            state = state_of(problem, at_load)
-            answer.adhesion = _largest(state.get("adhesion_share"))
-            answer.pull_left_out = _largest(state.get("meniscus_share")) if leaves_out_liquid(problem) else np.nan
             answer.measured = measured_errors(problem, at_load)
-    if problem.groups.meniscus_index is not None:
-        answer.liquid = LIQUID[leaves_out_liquid(problem)]
-    answer.effects = problem.effects
-    answer.of_map = problem.record.of_map is not None
     answer.of_interface = problem.chosen.tangential is not None and "shear_strength" in problem.chosen.tangential.needs
     answer.yielded = problem.chosen.yielded
     answer.curve = _in_units(problem, curve)
@@ -197,11 +202,6 @@ def _ask(situation: _Situation, candidate: Candidate) -> Answer:
     if at_load:
         answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
     return answer
-
-
-def _largest(values: np.ndarray | None) -> float:
-    """The largest that is a number; infinite where nothing is known."""
-    return np.inf if values is None or np.isnan(values).all() else float(np.nanmax(values))
 
 
 def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -218,7 +218,7 @@ def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
     return {"mean_separation": situation.h} | {name: table[0] for name, table in problem.on_grid(situation.h).items()}
 
 
-def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[str, np.ndarray] | None:
+def _at_working_load(problem: Problem, target: float, answer: _Answer) -> dict[str, np.ndarray] | None:
     """Normalised results (1, 1) at the working load; where it is not carried, nothing, and the answer says why."""
     points = points_of(problem, target)
     try:
@@ -229,13 +229,13 @@ def _at_working_load(problem: Problem, target: float, answer: Answer) -> dict[st
     except Unreachable as error:
         unit = points.factors["N"]
         high, low = (problem.subject.show(load * unit, "load", 4) for load in (error.high, error.low))
-        answer.why_not = f"{TOO_MUCH} {high}" if points.wanted.item() > error.high else f"carries loads above {low}"
+        answer.why_not = f"carries loads up to {high}" if points.wanted.item() > error.high else f"carries loads above {low}"
     except InputError as error:
         answer.why_not = reason_of(error)
     return None
 
 
-def _sensible(problem: Problem, results: dict[str, np.ndarray], answer: Answer) -> dict[str, np.ndarray] | None:
+def _sensible(problem: Problem, results: dict[str, np.ndarray], answer: _Answer) -> dict[str, np.ndarray] | None:
     """Return the results, or None where their area is outside all sense; the answer then says why."""
     fraction = state_of(problem, results).get("area_fraction")
     if fraction is None or not fraction.item() > _MOST_AREA:
@@ -244,7 +244,7 @@ def _sensible(problem: Problem, results: dict[str, np.ndarray], answer: Answer) 
     return None
 
 
-def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Dataset":
+def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.Dataset":
     """Answers as a dataset over model and point; those that say nothing at all are left out, with the reason."""
     shown = [one for one in answers if one.curve]
     dims = {"model": len(shown), "point": max((one.curve["load"].size for one in shown), default=0)}
@@ -260,7 +260,7 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
         "measured_film_error": [one.film_errors for one in shown],
-        "liquid": [one.liquid for one in shown],
+        "status": [one.status for one in shown],
         "why_not": [one.why_not for one in shown],
         "plastic_junctions_resist": [one.yielded if "friction_coefficient" in one.curve else "" for one in shown],
         "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
@@ -271,17 +271,11 @@ def _dataset(contact, answers: list[Answer], target: float | None) -> "xarray.Da
     for row, one in zip(doubtful, shown, strict=True):
         row[: one.doubtful.size] = one.doubtful
     data = data.assign(doubtful=(("model", "point"), doubtful))
-    data = data.assign(solved=("model", np.array([one.solved for one in shown], dtype=bool)))
     data = data.assign({name: ("model", values) for name, values in _measured(shown).items()})
-    pull = np.array([one.pull_left_out for one in shown])
-    data = data.assign(
-        liquid_pull_left_out=("model", pull, {"long_name": "pull of the liquid that is left out, over the load"})
-    )
-    data = data.assign(cost=("model", np.array([one.cost for one in shown]), {"long_name": "how ill founded a model is here"}))
     return data.assign_attrs(_attributes(contact, answers, target))
 
 
-def _measured(answers: list[Answer]) -> dict[str, np.ndarray]:
+def _measured(answers: list[_Answer]) -> dict[str, np.ndarray]:
     """Of each model its measured error at the working load: of the area and of mu on average, root mean square of the area's,
     relative, not a number where it was not measured near; and in words, and as JSON."""
     every = [one.measured for one in answers]
@@ -304,30 +298,14 @@ def _or_nothing(values: np.ndarray | None, points: int) -> np.ndarray:
     return np.concatenate([given, np.full(points - given.size, np.nan)])
 
 
-def _attributes(contact, answers: list[Answer], target: float | None) -> dict[str, Any]:
+def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[str, Any]:
     """What goes with the dataset as a whole."""
     used = dict.fromkeys(key for one in answers for key in one.sources)
     left_out = [f"{one.candidate.name}: {one.why_not}" for one in answers if not one.curve]
     attributes: dict[str, Any] = {
         "sources": " ".join(used), "left_out": "\n".join(left_out), "criteria": "\n".join(criteria_of(contact)),
     }  # fmt: skip
-    if target is None:
-        return attributes
-    found = recommend(answers)
-    inside = [one.mu for one in answers if not one.outside]
-    attributes |= {
-        "working_load": target,
-        "spread": _spread([one.mu for one in answers if not one.impossible]),
-        "impossible_models": sum(bool(one.impossible) for one in answers if np.isfinite(one.mu)),
-        "spread_within_validity": _spread(inside),
-        "recommended": found.best.candidate.name if found.best else "none",
-        "recommended_range": _spread([found.low, found.high]),
-        "reason": found.reason,
-        "family": found.family,
-        "advice": found.advice,
-        "set_aside": found.set_aside,
-    }
-    return attributes
+    return attributes if target is None else attributes | {"working_load": target}
 
 
 def criteria_of(contact: Subject) -> list[str]:
@@ -340,12 +318,6 @@ def criteria_of(contact: Subject) -> list[str]:
             ratio = float(one.ratio(groups)[0])
             lines.append(f"{one.key}: {one.below if ratio < 1.0 else one.above} (ratio {ratio:.3g}, the border is 1)")
     return lines
-
-
-def _spread(values: list[float]) -> list[float]:
-    """Lowest and highest of those that are numbers; empty if none is."""
-    numbers = [one for one in values if np.isfinite(one)]
-    return [min(numbers), max(numbers)] if numbers else []
 
 
 def working_load(case: "Case", given: str | None) -> float | None:

@@ -1,12 +1,10 @@
-"""A designed case, and the model that is recommended for it."""
+"""A designed case."""
 
 from collections.abc import Mapping
 from typing import Any
 
-from stiction.case.read import Case
 from stiction.case.text import show_exactly, with_written
 from stiction.quantities.table import QUANTITIES
-from stiction.studies.comparison.compare import compare, working_load
 from stiction.studies.design.plan import LOAD
 
 
@@ -22,17 +20,6 @@ def with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
         else:
             content = _placed(content, path, entry)
     return content
-
-
-def other_recommended(case: Case, model: str) -> str:
-    """Return a sentence with both mu where another model than this one is recommended for a designed case; else ""."""
-    data = compare(case.subject, load=working_load(case, None))
-    best = data.attrs.get("recommended", "none")
-    if best in (model, "none"):
-        return ""
-    mu = dict(zip(data["model"].values.tolist(), data["friction_coefficient_at_load"].values.tolist(), strict=True))
-    searched = f"mu {mu[model]:.3g}" if model in mu else "no mu"
-    return f"at this design {best} is recommended, with mu {mu[best]:.3g}; {model}, which was searched with, gives {searched}"
 
 
 def _placed(content: Any, path: tuple[str, ...], entry: Any) -> Any:

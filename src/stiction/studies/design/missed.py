@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from stiction.quantities.units import show
-from stiction.studies.design.plan import DesignPlan
+from stiction.studies.design.plan import DesignPlan, quantity_of
 
 _NEAR = 0.01  # of a target: nearer than this counts as met
 
@@ -23,6 +23,6 @@ def missed_objectives(plan: DesignPlan, known: Mapping[str, np.ndarray], row: in
     found = []
     for name, off in off_targets(plan, known):
         if abs(off[row]) > _NEAR:
-            value, target = (show(one, name, 4) for one in (float(known[name][row]), targets[name]))
+            value, target = (show(one, quantity_of(name), 4) for one in (float(known[name][row]), targets[name]))
             found.append(f"{name} = {value}, {abs(100.0 * off[row]):.3g} % {'above' if off[row] > 0.0 else 'below'} {target}")
     return found

@@ -52,7 +52,7 @@ class Limit:
 
     @property
     def words(self) -> str:
-        low, high = (show(end, self.quantity) for end in (self.low, self.high))
+        low, high = (show(end, quantity_of(self.quantity)) for end in (self.low, self.high))
         if not np.isfinite(self.low):
             return f"{self.quantity} {high} at most"
         return f"{self.quantity} {low} at least" if not np.isfinite(self.high) else f"{self.quantity} {low} to {high}"
@@ -80,6 +80,11 @@ class DesignPlan:
     @property
     def unknowns(self) -> tuple[Free | Options, ...]:
         return (*self.options, *self.free)
+
+
+def quantity_of(name: str) -> str:
+    """Return the quantity of a result: of an end of an interval, that of its median."""
+    return name if name in QUANTITIES else name.removesuffix("_low").removesuffix("_high")
 
 
 def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> DesignPlan:
@@ -180,12 +185,12 @@ def _wishes(design: Design) -> tuple[tuple[Wish, ...], tuple[float, ...]]:
             wish = Wish(**one)
         _check_quantity(wish.quantity, where)
         wishes.append(wish)
-        targets.append(number_of(wish.value, wish.quantity, f"{where}.value") if wish.target else float("nan"))
+        targets.append(number_of(wish.value, quantity_of(wish.quantity), f"{where}.value") if wish.target else float("nan"))
     return tuple(wishes), tuple(targets)
 
 
 def _check_quantity(name: str, where: str) -> None:
-    if name not in QUANTITIES or (name in Contact.model_fields):
+    if quantity_of(name) not in QUANTITIES or (name in Contact.model_fields):
         results = [one.name for one in QUANTITIES.values() if not one.example or one.name in ("load", "mean_separation")]
         raise InputError(where, name, "a result or a group of the contact: " + nearest(name, results))
 
@@ -194,11 +199,13 @@ def _limit(name: str, entry: Any) -> Limit:
     where = f"design.limits.{name}"
     _check_quantity(name, where)
     if not isinstance(entry, Mapping) or not entry or entry.keys() - {"low", "high"}:
-        unit = QUANTITIES[name].unit
+        unit = QUANTITIES[quantity_of(name)].unit
         raise InputError(
             where, entry, f'a table with low, high or both, e.g. {{ high = "1 {unit}" }}' if unit else "low, high or both"
         )
-    low, high = (number_of(entry[end], name, f"{where}.{end}") if end in entry else np.nan for end in ("low", "high"))
+    low, high = (
+        number_of(entry[end], quantity_of(name), f"{where}.{end}") if end in entry else np.nan for end in ("low", "high")
+    )
     if np.isfinite(low) and np.isfinite(high) and low > high:
         raise InputError(where, [entry["low"], entry["high"]], "the low end first")
     return Limit(name, -np.inf if np.isnan(low) else low, np.inf if np.isnan(high) else high)

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
-from stiction.case.read import case_of, read_content, wants_ranges, without_studies
+from stiction.case.read import read_content, wants_ranges, without_studies
 from stiction.case.text import case_text
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.table import QUANTITIES
-from stiction.studies.case_results import with_recommended
-from stiction.studies.design.designed import other_recommended, with_numbers
+from stiction.solving.choice import RECOMMENDED
+from stiction.studies.design.designed import with_numbers
 from stiction.studies.design.missed import missed_objectives, off_targets
-from stiction.studies.design.plan import LOAD, DesignPlan, Options, make_design_plan
+from stiction.studies.design.plan import LOAD, DesignPlan, Options, make_design_plan, quantity_of
 from stiction.studies.design.space import TOLERANCE, Answers, Space
 
 if TYPE_CHECKING:
@@ -26,7 +26,8 @@ Tell = Callable[[int, str], None]
 _FRONT = 12  # designs between the two ends of a front that are searched
 _POPULATION = 24
 _WAYS = 12  # ways to choose from lists that are searched
-_QUIET, _ALIKE = 8, 1e-10  # generations without gain, and spread of a population, at which a search ends
+_QUIET, _ALIKE = 8, 1e-10  # generations without gain, and range of a population, at which a search ends
+_GAIN, _GAIN_OF_DRAWS = 1e-9, 2e-3  # over the cost, of a model and of a prediction
 _BEYOND_ALL = 1e100  # more than any wish: the cost of a design that breaks its limits
 _SHOWN = 200  # designs of a front at most
 _REFINED = 3  # ways to choose from lists whose numbers are refined
@@ -54,15 +55,13 @@ class Archive:
 class Designing:
     """A search as far as it is done.
 
-    stopped: whether it was interrupted. other_model: what another model says that is recommended at the best design,
-    else "".
+    stopped: whether it was interrupted.
     """
 
     plan: DesignPlan
     space: Space
     archive: Archive = field(default_factory=Archive)
     stopped: bool = False
-    other_model: str = ""
 
     def best(self) -> np.ndarray:
         """Numbers in the archive of the designs worth showing: of each way to choose from lists the one that is nearest to the
@@ -109,7 +108,6 @@ def plan_of_design(case: Any) -> DesignPlan:
 
 def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> Designing:
     """As `design`; where it is interrupted, with what is done by then."""
-    asked, plan = plan, with_recommended(plan, case_of(plan.content, {}))
     found = Designing(plan, Space(plan))
     try:
         _ask(found, _drawn(found), tell)
@@ -122,9 +120,6 @@ def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> 
         if not keep_on_interrupt or not found.archive.count:
             raise
         found.stopped = True
-    if asked is not plan and not found.stopped:
-        numbers = found.space.numbers(found.archive.table()[0][found.best()[0]])
-        found.other_model = other_recommended(case_of(with_numbers(plan.content, numbers), {}), found.space.choice.name)
     return found
 
 
@@ -180,7 +175,7 @@ def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) 
             mutation=(0.4, 0.9),
             recombination=0.8,
             rng=rng,
-            callback=_Quiet(),
+            callback=_Quiet(_GAIN_OF_DRAWS if found.space.is_predicted else _GAIN),
             polish=False,
             init=members,
             updating="deferred",
@@ -190,14 +185,15 @@ def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) 
 
 @dataclass
 class _Quiet:
-    """Whether no member of a population has gained for some generations."""
+    """Whether no member of a population has gained for some generations; least: what counts as a gain, over the cost."""
 
+    least: float
     costs: Any = np.inf
     generations: int = 0
 
     def __call__(self, intermediate_result: Any) -> bool:
         now = np.sort(intermediate_result.population_energies)
-        gain = (now < self.costs - 1e-9 * np.abs(now)).any()
+        gain = (now < self.costs - self.least * np.abs(now)).any()
         self.costs, self.generations = now, 0 if gain else self.generations + 1
         return self.generations > _QUIET
 
@@ -234,7 +230,7 @@ def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.
 def _refined(found: Designing, number: int, tell: Tell) -> None:
     """The numbers between ends of the best designs, by a model of their neighbourhood (COBYQA: Ragonneau 2022): where a
     limit or an end decides, to its last digit."""
-    if not found.plan.free:
+    if not found.plan.free or found.space.is_predicted:  # draws are known to two digits
         return
     shares = found.archive.table()[0]
     for at in _best_ways(found, number)[:_REFINED]:
@@ -331,7 +327,7 @@ def _columns(found: Designing, rows: np.ndarray, along: str) -> dict[str, tuple]
         columns[name] = (along, values, said)
     for name, values in known.items():
         if name not in columns:
-            columns[name] = (along, values[rows], dict(QUANTITIES[name].attributes))
+            columns[name] = (along, values[rows], dict(QUANTITIES[quantity_of(name)].attributes))
     for name, off in off_targets(found.plan, known):
         columns[f"{name}_off_target"] = (along, off[rows], {"long_name": "distance from the target, over its size"})
     columns["broken"] = (along, worst, {"long_name": "how far beyond its limits, over their size"})
@@ -352,7 +348,7 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
     return {
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",
-        "model": found.space.choice.name,
+        "model": RECOMMENDED if found.space.is_predicted else found.space.choice.name,
         "wishes": "\n".join(one.words for one in plan.wishes),
         "chosen": unknown,
         "limits": "\n".join(one.words for one in plan.limits),
@@ -362,7 +358,6 @@ def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
         "uncertain": _uncertain(plan),
         "verdict": "" if worst[best[0]] <= TOLERANCE else "no design keeps the limits; the nearest is shown",
         "missed": "\n".join(missed_objectives(plan, known, int(best[0]))),
-        "other_model": found.other_model,
         "stopped": int(found.stopped),
     }
 

@@ -1,6 +1,6 @@
 """Many designs at once: what is wished of each, and by how much it breaks what it must keep."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -9,19 +9,21 @@ import numpy as np
 from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of, wants_ranges
 from stiction.case.several import Address
-from stiction.case.uncertain import with_ranges
+from stiction.case.uncertain import Uncertain, with_ranges
 from stiction.laws.validity import Doubt
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import reason_of, show
 from stiction.records.claims import Validity
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import Choice
-from stiction.solving.pointwise import WHY_NOT, Pointwise, solve_pointwise
+from stiction.solving.choice import RECOMMENDED, Choice
+from stiction.solving.pointwise import WHY_NOT, Pointwise, Region, solve_pointwise
 from stiction.solving.problem import make_problem
 from stiction.solving.yielded import YIELDED, require_states, yielded_shares
-from stiction.studies.design.plan import LOAD, DesignPlan
-from stiction.studies.evaluate_many import evaluate_many, evaluate_together
+from stiction.studies.design.plan import LOAD, DesignPlan, quantity_of
+from stiction.studies.evaluate_many import evaluate_many
+from stiction.studies.prediction.many import PREDICTED, predict_many
+from stiction.studies.prediction.predict import is_predicted
 
 TOLERANCE = 1e-6  # of a limit: by so much, times its size, it may be broken
 _REFUSED = 1e6  # how far beyond all limits a design is that is refused
@@ -53,11 +55,16 @@ class Space:
     case: Case = field(init=False)
     choice: Choice = field(init=False)
     names: list[str] = field(init=False)
+    is_predicted: bool = field(init=False)
 
     def __post_init__(self):
         wanted = [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]
         self.names = list(dict.fromkeys([*wanted, "friction_coefficient"]))
         self.case = case_of(self.plan.content, {})
+        self.is_predicted = is_predicted(self.case)
+        if self.is_predicted:
+            ends = ("friction_coefficient_low", "friction_coefficient_high")
+            self.names = list(dict.fromkeys([*self.names, *ends]))
         if self.case.load is None and LOAD not in (one.path for one in self.plan.unknowns):
             raise InputError("solve.separation", self.case.separation, "a load in its place, or one that is chosen")
         self.choice = self._choice()
@@ -70,6 +77,8 @@ class Space:
         """The model, asked for the first design. Raises InputError where it does not know what is wished or limited."""
         shares = np.full((1, self.dimension), 0.5)
         content, numbers, points = self._contacts(shares, np.arange(1))
+        if self.is_predicted:
+            return self._prediction(content, numbers, points)
         subject = case_of(with_numbers(content, numbers), {}).subject
         given = {name: value for name, value in self.case.choice.arguments().items() if name != "model"}
         choice = choice_of(self.case.choice.model, given, subject)
@@ -80,6 +89,27 @@ class Space:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
                 raise InputError("design", name, f"a result that {choice.model_key} gives here, or a group of the contact")
         return choice
+
+    def _prediction(self, content: Mapping, numbers: Mapping, points: Mapping) -> Choice:
+        """Refuse what no prediction knows of the first design."""
+        subject = case_of(with_numbers(content, numbers), {}).subject
+        for name in self.names:
+            if name not in PREDICTED and name not in subject.all_groups():
+                allowed = f"{', '.join(PREDICTED)}, a group of the contact; or a named model, whose results may be wished"
+                raise InputError("design", name, allowed)
+        return Choice(RECOMMENDED)
+
+    def _evaluated(self, content: Mapping, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
+        """Yield regions of designs with case and results: of a model, or of the prediction."""
+        if not self.is_predicted:
+            return evaluate_many(content, numbers, points, self.choice, self._kept, along=(_DESIGN,))
+        return predict_many(content, numbers, points["load"], self._uncertain(list(numbers)))
+
+    def _uncertain(self, chosen: list[tuple[str, ...]]) -> list[Uncertain]:
+        """Return the uncertain numbers of the case that are not chosen, nor of a material that is."""
+        replaced = [one.path for one in self.plan.options if not one.is_number]
+        kept = [one for one in self.plan.uncertain if not any(one.path[: len(path)] == path for path in replaced)]
+        return [one for one in kept if one.path not in chosen]
 
     def words(self, shares: np.ndarray) -> list[str]:
         """Of one design (d,) what is chosen, as text."""
@@ -119,7 +149,7 @@ class Space:
                 content, numbers, points = self._contacts(shares, some)
             except InputError:
                 continue  # what is taken together makes no contact
-            for region, case, solved in evaluate_many(content, numbers, points, self.choice, self._kept, along=(_DESIGN,)):
+            for region, case, solved in self._taken(content, numbers, points):
                 if solved is None or case is None:
                     continue
                 rows = some[region.get(_DESIGN, slice(None))]
@@ -128,6 +158,13 @@ class Space:
                 for name, values in part.known.items():
                     known[name][rows] = values
         return Answers(wishes, broken, known)
+
+    def _taken(self, content: Mapping, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
+        """Yield the same, nothing where all are refused."""
+        try:
+            yield from self._evaluated(content, numbers, points)
+        except (InputError, ArithmeticError):
+            return
 
     @property
     def _kept(self) -> list[str]:
@@ -138,7 +175,7 @@ class Space:
         """Return what one design (d,) breaks, in words: limits with the value found, and ranges of validity."""
         try:
             content, numbers, points = self._contacts(shares[None, :], np.arange(1))
-            case, solved = evaluate_together(content, numbers, points, self.choice, self._kept)
+            case, solved = next((case, solved) for _, case, solved in self._evaluated(content, numbers, points))
         except InputError as error:
             return [reason_of(error)]
         except ArithmeticError as error:
@@ -150,9 +187,10 @@ class Space:
             beyond = _beyond(limit.low, limit.high, tables[limit.quantity])
             if _worst(beyond)[0] > TOLERANCE:
                 value = float(tables[limit.quantity][_place_of_worst(beyond)][0])
-                found.append(f"{limit.words}, found {show(value, limit.quantity, 3)}")
+                found.append(f"{limit.words}, found {show(value, quantity_of(limit.quantity), 3)}")
         counted = _as_table(solved.doubts[0], _outside(solved, self.plan.validity), shape)
-        bits = _as_table(*solved.doubts, shape)[_place_of_worst(counted)][0]
+        have, values = solved.doubts
+        bits = _as_table(have, values, shape)[_place_of_worst(counted)][0]
         return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
@@ -186,11 +224,11 @@ class Space:
         that is chosen its own ranges count."""
         from scipy.stats import qmc
 
-        replaced = [one.path for one in self.plan.options if not one.is_number]
-        kept = [one for one in self.plan.uncertain if not any(one.path[: len(path)] == path for path in replaced)]
+        if self.is_predicted:  # which draws for itself
+            return {}
+        kept = self._uncertain(chosen)
         if wants_ranges(self.plan.given):
             kept += [one for one in with_ranges(content, [*chosen, *(one.path for one in kept)])]
-        kept = [one for one in kept if one.path not in chosen]
         together = list(dict.fromkeys(one.dimension for one in kept))
         if not kept:
             return {}

@@ -14,11 +14,10 @@ from stiction.quantities.inputs import require_callable
 from stiction.quantities.progress import Progress, silent
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.studies.case_results import with_recommended
 from stiction.studies.fit.answer import Fitted, fitted, verdicts
 from stiction.studies.fit.bands import Bands, check_predicted, predicted
 from stiction.studies.fit.evidence import Rival, rank, rival
-from stiction.studies.fit.model import case_between_the_ends, check_models, forward_of
+from stiction.studies.fit.model import check_models, forward_of
 from stiction.studies.fit.plan import RESISTANCE, FitPlan, make_fit_plan
 from stiction.studies.fit.search import CONFIDENCE
 
@@ -78,7 +77,6 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
 
 def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -> Fitting:
     """As `fit`; where it is interrupted, with what is done by then if the model of the case is fitted."""
-    plan = with_recommended(plan, case_between_the_ends(plan, plan.data))
     name = forward_of(plan).choice.model_key
     for _ in progress("Fitting")([name]):
         found = Fitting(plan, fitted("", forward_of(plan)))

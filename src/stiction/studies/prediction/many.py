@@ -23,12 +23,16 @@ from stiction.studies.prediction.unused import refusal_of
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["predict_many", "predict_several"]
+__all__ = ["PREDICTED", "count_of", "predict_many", "predict_several"]
 
+# Names of what is predicted.
+PREDICTED = tuple(
+    f"{name}{end}" for name in ("friction_coefficient", "friction_force", "contact_area") for end in ("", "_low", "_high")
+)
 _AT_ONCE = 128  # points: bounds the memory; and the errors of laws on solved surfaces are known for so many at once
 
 
-def _count(points: int) -> int:
+def count_of(points: int) -> int:
     """Return the number of draws of each of so many points: all where they are computed at once, else half."""
     return COUNT if points <= _AT_ONCE else COUNT // 2
 
@@ -139,7 +143,7 @@ def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
         raise InputError("solve.separation", "given", "load in its place: a prediction is at loads; a named model takes both")
     loads = xarray.DataArray(case.load, dims=("load",))
     sizes = dimensions([*case.several.values(), loads])
-    count = _count(math.prod(sizes.values()))
+    count = count_of(math.prod(sizes.values()))
     found: dict[str, tuple] = {}
     refused = 0
     for region, _, solved in predict_many(case.tables, case.several, loads, case.uncertain, level=level, count=count):

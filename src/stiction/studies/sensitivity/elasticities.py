@@ -13,12 +13,13 @@ import numpy as np
 from stiction.case.distribution import Distribution
 from stiction.case.read import Case
 from stiction.case.several import Address
-from stiction.case.uncertain import Uncertain, named
+from stiction.case.uncertain import SAMPLE, Uncertain, named
 from stiction.contact.subject import Subject
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
-from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw
+from stiction.studies.prediction.many import predict_many
+from stiction.studies.uncertainty.drawing import OUTPUTS, Variant, draw
 
 # Half the width of the wider difference, in ln x.
 _WIDTH = 0.02
@@ -89,21 +90,36 @@ def _given(record: Input, name: str) -> bool:
 
 def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> Elasticities:
     """The elasticities of results of a case for every number of its contact. Raises InputError."""
+    inputs, stepped, steps = _stepped_case(case)
+    found = draw(stepped, steps, [Variant(choice)], names=names, progress=progress)
+    each = {name: _slopes(found.tables[name], len(inputs)) for name in found.tables}
+    tables, errors = ({name: pair[at] for name, pair in each.items()} for at in (0, 1))
+    return Elasticities(inputs, tables, errors, found.dims)
+
+
+def elasticities_of_prediction(case: Case, load: float) -> dict[str, float]:
+    """Return d ln mu/d ln x of the median of a prediction at a load [N], by name of the number."""
+    inputs, stepped, steps = _stepped_case(case)
+    numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
+    for region, _, solved in predict_many(case.tables, numbers, np.array([load])):
+        if solved is not None:
+            mu[region[SAMPLE]] = solved.variables["friction_coefficient"][1].ravel()
+    return dict(zip(inputs, _slopes(mu, len(inputs))[0].tolist(), strict=True))
+
+
+def _stepped_case(case: Case) -> tuple[list[str], Case, np.ndarray]:
+    """Return names of the numbers (k,), the case in which each of them is stepped, and the steps (4 k, k)."""
     inputs = numbers_of(case)
     steps = np.zeros((len(inputs), len(_STENCIL), len(inputs)))
     for at in range(len(inputs)):
         steps[at, :, at] = _STENCIL
     stepped = replace(case, uncertain=tuple(one for group in inputs.values() for one in group))
     assert list(stepped.unknowns) == list(inputs)
-    found = draw(stepped, steps.reshape(-1, len(inputs)), [Variant(choice)], names=names, progress=progress)
-    each = {name: _slopes(found, name, len(inputs)) for name in found.tables}
-    tables, errors = ({name: pair[at] for name, pair in each.items()} for at in (0, 1))
-    return Elasticities(list(inputs), tables, errors, found.dims)
+    return list(inputs), stepped, steps.reshape(-1, len(inputs))
 
 
-def _slopes(found: Draws, name: str, inputs: int) -> tuple[np.ndarray, np.ndarray]:
+def _slopes(table: np.ndarray, inputs: int) -> tuple[np.ndarray, np.ndarray]:
     """Extrapolated slope of ln y over ln x (inputs, *shape), and how far that is from the narrower difference."""
-    table = found.tables[name]
     y = table.reshape(inputs, len(_STENCIL), *table.shape[1:])
     positive = np.asarray(np.all(y > 0.0, axis=1))
     logs = np.log(np.where(positive[:, None], y, 1.0))

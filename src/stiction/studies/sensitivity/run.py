@@ -14,21 +14,21 @@ from stiction.quantities.inputs import require_callable
 from stiction.quantities.progress import Progress, silent
 from stiction.quantities.units import several_in_words
 from stiction.solving.candidates import choice_of
+from stiction.solving.choice import RECOMMENDED
 from stiction.solving.solve import solve
 from stiction.studies.case_results import choice_of_case
-from stiction.studies.comparison.compare import compare, working_load
-from stiction.studies.sensitivity.elasticities import Elasticities, elasticities
+from stiction.studies.comparison.compare import working_load
+from stiction.studies.prediction.predict import is_predicted, predict
+from stiction.studies.sensitivity.elasticities import Elasticities, elasticities, elasticities_of_prediction
 from stiction.studies.sensitivity.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
 from stiction.studies.uncertainty.bands import words
 from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw, shares_of_points
-from stiction.studies.uncertainty.spreads import weights_of_models
 
 if TYPE_CHECKING:
     import xarray
 
 METHOD_INPUT, MODEL_INPUT = "asperity_method", "model"
 _LOADS = 9  # at most so many of the loads of a case
-_LITTLE = 0.05  # models with less of the weight are not drawn
 _ENDS = (0.025, 0.975)  # shares of a distribution between which effects are taken
 _PER_TRAJECTORY = 16  # points of the indices for each trajectory
 
@@ -41,12 +41,15 @@ def sensitivity(
     ranges: bool | None = None,
     progress: Progress = silent,
 ) -> "xarray.Dataset":
-    """Which input should be measured better, at nine of the loads of a case at most.
+    """Which input should be measured better.
+
+    Of a prediction, where neither the case nor `models` name a model: over `input`, friction_coefficient_share, the share of
+    the variance of ln mu at the working load that comes from it; over `number`, friction_coefficient_elasticity, d ln mu/d ln x
+    of the median at the nominal numbers. Of models, at nine of the loads of a case at most, what follows.
 
     case: path of a case file, its tables as a dict, or a Case. load: only at this one. models: names of models as `compare`
-    shows them, among which is drawn evenly, none for that of the case alone; by default those of the family that `compare`
-    recommends at the working load, by their weights. ranges: whether numbers of materials vary within their ranges, in place of
-    what the case says. progress: from a text, what wraps a list of steps.
+    shows them, among which is drawn evenly; none for that of the case alone. ranges: whether numbers of materials vary within
+    their ranges, in place of what the case says. progress: from a text, what wraps a list of steps.
 
     Returns, for y of friction_coefficient, contact_area, load (at separations) and pull_off_force, over `input`, which is what
     is uncertain, with the way of finding asperities where scans say the roughness and the model:
@@ -64,10 +67,11 @@ def sensitivity(
         raise InputError(where, several_in_words(array, where), "one number, or an uncertain one, for sensitivity")
     case = case if load is None else case.at_load(load)
     at = working_load(case, None)
+    if models is None and at is not None and is_predicted(case):
+        return _of_prediction(case, at)
     case = _at_few_loads(case, at)
     choice = choice_of_case(case, case.choice)
-    with_models = bool(case.uncertain) or len(case.by_method) > 1
-    variation = _variation(case, choice, models, at if with_models else None, progress)
+    variation = _variation(case, choice, models)
     slopes = elasticities(case, choice, progress=progress("Elasticities"))
     said = solve(case.subject.as_numbers(), separation=case.separation, load=case.load, **choice.arguments())
     found = _with_elasticities(said, slopes)
@@ -75,6 +79,23 @@ def sensitivity(
         found = _with_indices(found, case, variation, progress)
     attributes = {} if at is None else {"working_load": at}
     return found.assign_attrs(said.attrs | attributes, case=case.title).assign_attrs(_told(case, variation))
+
+
+def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
+    """Return the shares of the variance of ln mu and the elasticities of a prediction at a load [N]."""
+    import xarray
+
+    answer, slopes = predict(case, load=load), elasticities_of_prediction(case, load)
+    shares = answer.attrs["shares"]
+    said = {"units": "1", "long_name": "share of the variance of ln mu"}
+    slope = {"units": "1", "long_name": "elasticity of the friction coefficient, d ln mu/d ln x"}
+    variables = {
+        "friction_coefficient_share": ("input", list(shares.values()), said),
+        "friction_coefficient_elasticity": ("number", list(slopes.values()), slope),
+    }
+    found = xarray.Dataset(variables, coords={"input": list(shares), "number": list(slopes), "load": answer["load"]})
+    found = found.assign({name: answer[name] for name in answer if answer[name].ndim == 0})
+    return found.assign_attrs(answer.attrs | {"case": case.title, "model": RECOMMENDED})
 
 
 def _at_few_loads(case: Case, working: float | None) -> Case:
@@ -117,7 +138,7 @@ class _Variation:
         return rows
 
 
-def _variation(case: Case, choice: Any, models: Sequence[str] | None, at: float | None, progress: Progress) -> _Variation:
+def _variation(case: Case, choice: Any, models: Sequence[str] | None) -> _Variation:
     by_method = case.measured.by_method if case.measured is not None and case.by_method else {}
     own = choice.name
     names, weights = [own], np.ones(1)
@@ -127,12 +148,6 @@ def _variation(case: Case, choice: Any, models: Sequence[str] | None, at: float 
     if models:
         names = list(dict.fromkeys(models))
         choices, weights = [choice_of(name, {}, case.subject) for name in names], np.full(len(names), 1.0 / len(names))
-    elif models is None and at is not None:
-        told = compare(case.subject.as_numbers(), load=at, separations=[0.0], progress=progress("Asking the models"))
-        names, weights = weights_of_models(told, _LITTLE)
-        names = names or [own]
-        choices = [choice_of(name, {}, case.subject) for name in names] if len(weights) else [choice]
-        weights = weights if len(weights) else np.ones(1)
     surfaces: list[Any] = [*by_method.values()] or [None]
     variants = [Variant(one, surface) for surface, one in product(surfaces, choices)]
     return _Variation(list(case.unknowns), list(by_method), names, weights, variants)

@@ -9,9 +9,10 @@ import numpy as np
 
 from stiction.quantities.dimensions import arranged
 from stiction.records.claims import Validity
-from stiction.solving.choice import Choice
+from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.pointwise import Pointwise, Region
 from stiction.studies.evaluate_many import evaluate_many
+from stiction.studies.prediction.many import count_of, predict_many
 from stiction.studies.sweep.plan import Plan
 from stiction.studies.sweep.table import MOMENTS
 
@@ -47,9 +48,20 @@ def _solved(plan: Plan, choice: Choice, block: Region, keep: list[str]) -> Itera
     """Places within a block that can be solved, with their results."""
     for piece in plan.pieces(block):
         starts = {dim: some.start - block[dim].start for dim, some in piece.items()}
-        for region, _, solved in evaluate_many(plan.content, plan.arrays(piece), None, choice, keep, along=tuple(piece)):
+        for region, solved in solved_of(plan, choice, piece, keep):
             if solved is not None:
-                yield {dim: slice(some.start + starts[dim], some.stop + starts[dim]) for dim, some in region.items()}, solved
+                moved = {dim: (some, starts.get(dim, 0)) for dim, some in region.items()}
+                yield {dim: slice(some.start + start, some.stop + start) for dim, (some, start) in moved.items()}, solved
+
+
+def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None) -> Iterator[tuple[Region, Pointwise | None]]:
+    """Yield regions within a piece with their results: of a model, or of the prediction."""
+    arrays = plan.arrays(piece)
+    if choice.model == RECOMMENDED:
+        found = predict_many(plan.content, arrays, plan.load, plan.uncertain, count=count_of(plan.size))
+    else:
+        found = evaluate_many(plan.content, arrays, None, choice, keep, along=tuple(piece))
+    yield from ((region, solved) for region, _, solved in found)
 
 
 def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:

@@ -16,6 +16,7 @@ from stiction.case.study_tables import study_table
 from stiction.case.uncertain import SAMPLE, Uncertain, expanded
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.inputs import Input, require_names
+from stiction.studies.prediction.predict import is_predicted
 from stiction.studies.sweep.table import LARGEST_BLOCK, Sample, Sweep
 from stiction.surfaces.roughness import Roughness
 
@@ -30,7 +31,9 @@ class Plan:
 
     content: the tables of the case without [sweep], several: its numbers that are several, sweep: what is computed and kept.
     dims: name -> length of the dimensions of the contacts, in the order of results; tile: of the contacts of a block along each
-    of them; points: of a contact. scans: what was done to those that say the roughness, if any do. Only `make_plan` makes one.
+    of them; points: of a contact; load: loads of every contact, None for separations. uncertain: numbers that a
+    prediction draws for every contact. scans: what was done to those that say the roughness, if any do. Only `make_plan` makes
+    one.
     """
 
     content: Mapping[str, Any]
@@ -39,6 +42,8 @@ class Plan:
     dims: Mapping[str, int] = field(default_factory=dict)
     tile: Mapping[str, int] = field(default_factory=dict)
     points: int = 1
+    load: Any = None
+    uncertain: tuple[Uncertain, ...] = ()
     scans: Mapping[str, str] = field(default_factory=dict)
 
     @property
@@ -132,13 +137,17 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     if any(isinstance(one, Uncertain) for one in several.values()):
         plain = expanded(plain)
     plain, scans = _without_scans(plain)
-    plan = Plan(plain, several, sweep, scans=scans)
+    uncertain: tuple[Uncertain, ...] = ()
+    if not sweep.sample.is_drawn and is_predicted(case_of(plain, {})):
+        uncertain = tuple(one for one in several.values() if isinstance(one, Uncertain))
+        several = {path: one for path, one in several.items() if not isinstance(one, Uncertain)}
+    plan = Plan(plain, several, sweep, scans=scans, uncertain=uncertain)
     lengths = _lengths(plan)
     first = case_of(plain, replace(plan, dims=lengths).arrays({dim: slice(0, 1) for dim in lengths}))
     case_of(plain, {path: one.array(one.values[:1]) for path, one in several.items()})
     points: Any = first.load if first.load is not None else first.separation
     size = int(np.size(points)) if not hasattr(points, "dims") else points.sizes["separation"]
-    return _cut(replace(plan, points=size), lengths)
+    return _cut(replace(plan, points=size, load=first.load), lengths)
 
 
 def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[str, str]]:

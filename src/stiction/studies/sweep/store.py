@@ -22,10 +22,11 @@ from stiction.case.read import case_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.paths import require_place
 from stiction.quantities.uninterrupted import uninterrupted
-from stiction.solving.choice import LAWS, Choice
+from stiction.solving.choice import LAWS, RECOMMENDED, Choice
 from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
-from stiction.studies.evaluate_many import evaluate_together
-from stiction.studies.sweep.blocks import merged, rules_as_data, solve_block, statistics_of
+from stiction.studies.prediction.many import count_of
+from stiction.studies.prediction.predict import is_predicted
+from stiction.studies.sweep.blocks import merged, rules_as_data, solve_block, solved_of, statistics_of
 from stiction.studies.sweep.plan import SAMPLE, Plan, check_kept
 from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of
 
@@ -239,8 +240,11 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
             }
             try:
                 case = case_of(plan.content, plan.arrays(one))
-                choice = choice_of_case(case, case.choice)
-                return choice, evaluate_together(plan.content, plan.arrays(one), None, choice)
+                choice = Choice(RECOMMENDED) if is_predicted(case) else choice_of_case(case, case.choice)
+                if choice.model == RECOMMENDED and case.load is None:
+                    raise InputError("solve.separation", "given", "load in its place, or a named model, which takes both")
+                (solved,) = (solved for _, solved in solved_of(plan, choice, one, None))
+                return choice, (case, solved)
             except (InputError, ArithmeticError) as error:
                 refused = error
     raise refused
@@ -260,7 +264,9 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     if len(solved.rules) > _MOST_RULES:
         raise InputError("model", case.choice.model_key, f"laws with {_MOST_RULES} ranges of validity at most, for a sweep")
     group = zarr.create_group(str(path), zarr_format=3)
-    said = {name: solved.attributes[name] for name in (*_LAWS, *solved.attributes["options"].split())}
+    said: dict[str, Any] = {"model": RECOMMENDED, "draws": count_of(plan.size)}
+    if solved.attributes:
+        said = {name: solved.attributes[name] for name in (*_LAWS, *solved.attributes["options"].split())}
     more = {"results": json.dumps(layout), "points": json.dumps(points), "identity": plan.identity()}
     versions = {name: version(name) for name in _PACKAGES}
     group.attrs.update(

@@ -1,16 +1,13 @@
 """Bands over what is uncertain, with the error that their own sampling leaves them."""
 
 import json
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stiction.case.read import Case
 from stiction.laws.validity import Doubt, with_doubts
-from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Steps
-from stiction.solving.candidates import candidates
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT
 from stiction.studies.uncertainty.drawing import (
@@ -32,8 +29,6 @@ _PARTS = 8
 _QUANTILE, _ERROR = "_quantile", "_quantile_error"
 _LEAST_KNOWN = 0.5  # the share of the points that must be known for a quantile of them
 _MANY = 0.05  # the share of impossible draws from which on a warning says so
-_MU = "friction_coefficient"
-_IMPOSSIBLE = {"units": "1", "long_name": "share of the draws that are impossible, and not in the quantiles"}
 
 
 def levels(coverage: float) -> np.ndarray:
@@ -121,44 +116,6 @@ def _of_impossible(share: float) -> str:
 def words(case: Case, name: str) -> str:
     """What is known of an uncertain input."""
     return case.unknowns[name][0].distribution.words
-
-
-def with_bands_of_models(data: "xarray.Dataset", case: Case, load: float, progress: Steps = iter) -> "xarray.Dataset":
-    """A comparison at a working load with the band of every model over what is uncertain: friction_coefficient_at_load_quantile
-    (quantile, model), and its error."""
-    if not case.uncertain:
-        return data
-    shares, wanted = levels(case.uncertainty.coverage), case.uncertainty
-    points = scrambled(len(case.unknowns), wanted.count, wanted.seed, _PARTS).reshape(wanted.count, -1)
-    at_load = replace(case, separation=None, load=np.array([load]))
-    choices = {one.name: one.choice for one in candidates(case.subject)}
-    rows = [_band_of(at_load, choices[one], points, shares) for one in progress(data["model"].values.tolist())]
-    values, errors = np.moveaxis(np.array([band for band, _ in rows]), 0, -1)
-    name, dims = f"{_MU}_at_load", ("quantile", "model")
-    meaning = {"units": "1", "symbol": "mu", "long_name": "friction, quantiles over what is uncertain"}
-    data = data.assign_coords(quantile=("quantile", shares, {"long_name": "share of the points below"}))
-    data = data.assign(
-        {
-            f"{name}{_QUANTILE}": (dims, values, meaning),
-            f"{name}{_ERROR}": (dims, errors, meaning | {"long_name": "standard error of the quantiles"}),
-            "impossible_draws": ("model", np.array([share for _, share in rows]), _IMPOSSIBLE),
-        }
-    )
-    return data.assign_attrs(
-        uncertain_inputs="\n".join(f"{one}: {words(case, one)}" for one in case.unknowns), coverage=wanted.coverage
-    )
-
-
-def _band_of(case: Case, choice: Choice, points: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, float]:
-    """Quantiles and their errors (2, shares) of mu at the one load of a case, and the share of impossible draws; NaN where the
-    model says nothing."""
-    try:
-        found = draw(case, points, [Variant(choice)], names=(_MU,))
-    except (InputError, ArithmeticError):
-        found = Draws()
-    if _MU not in found.tables:
-        return np.full((2, shares.size), np.nan), np.nan
-    return np.array(quantiles(found.tables[_MU].reshape(_PARTS, -1), shares)), impossible_share(found)
 
 
 def as_columns(data: "xarray.Dataset") -> "xarray.Dataset":
