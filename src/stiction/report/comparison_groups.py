@@ -14,6 +14,7 @@ from stiction.report.answer import number
 from stiction.report.number_table import number_table
 from stiction.report.view import lines_of
 from stiction.report.whole_keys import WholeKeys
+from stiction.studies.comparison.compare import FAMILIES
 
 if TYPE_CHECKING:
     import xarray
@@ -66,7 +67,7 @@ def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
     """
     models = [data.isel(model=at) for at in range(data.sizes["model"])]
     alone = [_group([one]) for one in models if np.isfinite(one[_MU].item())]
-    alone.sort(key=lambda one: (not one.fits, not one.possible, one.family, one.low))
+    alone.sort(key=lambda one: (not one.fits, not one.possible, one.family == FAMILIES[False], one.low))
     if every:
         return alone
     by_name = {str(one["model"].item()): one for one in models}
