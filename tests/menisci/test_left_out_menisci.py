@@ -9,6 +9,7 @@ from scipy.stats import norm
 import stiction as st
 from cases import SILICON_ON_SILICON
 from stiction.laws.validity import doubts_of
+from stiction.report.comparison_groups import groups_of
 
 
 def humid(humidity):
@@ -47,6 +48,19 @@ def test_a_comparison_says_it_of_every_theory_in_closed_form():
     for model in ("bush_gibson_thomas_1975", "greenwood_2006"):
         assert "the liquid is left out" in data["outside_validity"].sel(model=model).item()
     assert "the liquid is left out" not in data["outside_validity"].sel(model="greenwood_williamson_1966").item()
+
+
+@pytest.mark.parametrize("humidity", [0.3, 0.9])
+def test_every_row_of_a_comparison_says_that_a_model_leaves_out_the_liquid(humidity):
+    data = st.compare(humid(humidity), load="1 mN")
+    told = {
+        name for name, text in zip(data["model"].values, data["status"].values, strict=True) if "without the liquid" in text
+    }
+    assert told == DRY & set(data["model"].values) and len(told) < data.sizes["model"]
+    for group in groups_of(data):
+        assert len({name in DRY for name in group.names}) == 1 or not group.fits
+    dry = st.compare(SILICON_ON_SILICON, load="1 mN")
+    assert not any("liquid" in text for text in dry["status"].values)
 
 
 # Theories of the whole surface: they have no single asperities for a liquid to bridge.

@@ -1,5 +1,7 @@
 """What stands beside a prediction: bare metal, and what it was checked against."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -51,3 +53,13 @@ def test_the_record_has_both():
 def test_states_that_were_checked_are_states():
     assert printed_contacts().keys() <= set(interface_names())
     assert all(0 <= one["held"] <= one["contacts"] for one in printed_contacts().values())
+
+
+def test_the_checked_area_is_as_wide_as_its_draws():
+    """Pointed, elastic and of no kind: the area comes from the model alone, and its interval is the printed factor."""
+    body = {"youngs_modulus": 2e9, "poissons_ratio": 0.35, "hardness": 1.2e9, "material_class": "polymer"}
+    rough = {"asperity_height_deviation": 1.5e-7, "asperity_radius": 5e-7, "asperity_density": 5e11}
+    contact = st.Contact(first=body, second=body, roughness=rough, nominal_area=1e-6, interfacial_shear_strength=1.2e7)
+    found = st.predict(contact, load="5 N")
+    said = re.search(r"area within a factor of ([0-9.]+)\)", found.attrs["checked_against"])
+    assert float(said[1]) == pytest.approx((found.contact_area_high / found.contact_area_low).item() ** 0.5, rel=0.2)

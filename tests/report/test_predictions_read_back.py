@@ -81,3 +81,15 @@ def test_files(called, tmp_path):
         read = [float(row[f"friction_force{end} [N]"]) for end in ("", "_low", "_high")]
         assert read == pytest.approx(FORCE, rel=WITHIN)
         assert float(row["contact_area [m^2]"]) == pytest.approx(AREA, rel=1e-6)
+
+
+def test_a_written_curve_says_what_made_it(called, tmp_path):
+    """Models, inputs in their units and what the columns are, as comments before the heads."""
+    called("run", "--out", tmp_path / "out")
+    lines = (tmp_path / "out" / "curve.csv").read_text(encoding="utf-8").splitlines()
+    said = [line[2:] for line in lines if line.startswith("# ")]
+    assert len(said) > 9 and lines[len(said)].startswith("load [N],")
+    shares = re.findall(r"\w+ (\d+)%", next(line for line in said if line.startswith("model: ")))
+    assert sum(map(int, shares)) == pytest.approx(100, abs=1)
+    assert {"input: nominal_area = 100 mm^2", "input: first.youngs_modulus = 2 MPa"} <= set(said)
+    assert any(line.startswith("column: friction_force_low: ") and line.endswith("[N]") for line in said)

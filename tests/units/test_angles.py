@@ -42,7 +42,10 @@ def test_an_angle_is_shown_in_degrees(degrees):
         assert show(to_si(text, name), name) == text == show_exactly(to_si(text, name), name)
 
 
-@pytest.mark.parametrize(("first", "second", "worse"), [("30 deg", "160 deg", "second"), ("160 deg", "30 deg", "first")])
+@pytest.mark.parametrize(
+    ("first", "second", "worse"),
+    [("30 deg", "160 deg", "second"), ("160 deg", "30 deg", "first"), ("20 deg", "160 deg", "second")],
+)
 def test_angles_that_do_not_wet_are_refused_in_degrees(first, second, worse):
     with pytest.raises(InputError) as caught:
         Liquid(contact_angle_first=first, contact_angle_second=second, **WATER)

@@ -17,6 +17,8 @@ CONFIRMED, CONFIRMED_OF_WATER = 4e-9, 9e-9
 # Critical temperature of water, and between which temperatures it is a liquid [K] (IAPWS R1-76, revised 2014).
 _CRITICAL, _LIQUID = 647.096, (248.15, 647.096)
 
+_LEAST_WETTING = 1e-6  # mean cosine; below, what is left of angles that add up to 180 deg is rounding
+
 
 class Liquid(Input):
     """The vapour of a liquid in equilibrium around a contact, such as that of water in humid air.
@@ -37,7 +39,7 @@ class Liquid(Input):
     @model_validator(mode="after")
     def _wets(self):
         self.check_dimensions()
-        if not np.all(np.asarray(self.wetting) > 0.0):
+        if not np.all(np.asarray(self.wetting) > _LEAST_WETTING):
             allowed = "angles whose cosines add up to more than 0: this liquid does not condense between the bodies"
             angles = {name: float(np.max(getattr(self, name))) for name in ("contact_angle_second", "contact_angle_first")}
             name = max(angles, key=lambda name: angles[name])

@@ -52,7 +52,12 @@ class Group:
     @property
     def fits(self) -> bool:
         """Return whether the contact fits the models."""
-        return self.status == "fits"
+        return self.status.startswith("fits")
+
+    @property
+    def kind(self) -> tuple[str, bool, str]:
+        """Return what models of one row have in common beside mu."""
+        return self.family, self.possible, self.status if self.fits else ""
 
     @property
     def possible(self) -> bool:
@@ -74,7 +79,7 @@ def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
     found: list[list[Group]] = []
     for one in alone:
         last = found[-1][0] if found else None
-        alike = last is not None and (last.family, last.fits, last.possible) == (one.family, one.fits, one.possible)
+        alike = last is not None and last.kind == one.kind
         if last is not None and alike and one.high <= _ALIKE * max(last.low, 1e-300):
             found[-1].append(one)
         else:

@@ -78,7 +78,7 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
     """What a table of a result has to say before its first row: what was computed, by which model, with what doubts, from which
     inputs, and what the columns are."""
     used = data.attrs
-    said = {
+    said: dict[str, Any] = {
         "title": used.get("case") or used.get("title"),
         "program": used.get("program"),
         "model": model_line(used),
@@ -91,9 +91,14 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
         "sources": used.get("sources"),
         "input": used.get("inputs", "").splitlines(),
         "scan": used.get("scans", "").splitlines(),
-        "column": [_column_said(data[name]) for name in _names(data)],
-        "read with": 'pandas.read_csv(path, comment="#")',
     }
+    return comment_lines(said, data)
+
+
+def comment_lines(said: Mapping[str, Any], data: "xarray.Dataset") -> list[str]:
+    """Return texts, or lists of them, by what they are of, a line each; then what the columns of the table are."""
+    columns = [_column_said(data[name]) for name in _names(data)]
+    said = {**said, "column": columns, "read with": 'pandas.read_csv(path, comment="#")'}
     lines = [(head, text) for head, texts in said.items() for text in (texts if isinstance(texts, list) else [texts]) if text]
     return [" ".join(f"{head}: {text}".split()) for head, text in lines]
 

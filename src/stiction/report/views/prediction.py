@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from rich.text import Text
 
 from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record
-from stiction.report.files import record, write_csv
+from stiction.report.files import comment_lines, record, write_csv
 from stiction.report.several_tables import several_table
 from stiction.report.tables import curve_table, facts
 from stiction.report.view import View, picture
@@ -40,7 +40,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
     if case.is_several:
         return _several_view(case, data, details)
-    files = {"curve.csv": partial(write_csv, data[_COLUMNS])}
+    files = {"curve.csv": partial(write_csv, data[_COLUMNS], comments=_comments(case, data[_COLUMNS]))}
     drawn = picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)
     return View("curve", plain(data), parts, found, files, {"curve.png": drawn})
 
@@ -55,7 +55,7 @@ def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
         yield f"mu with its {data.attrs['level']:.0%} interval; {data.attrs['draws']} draws of each contact{refused}"
         yield several_table(data, details)
 
-    files = {"curve.csv": partial(write_csv, data)}
+    files = {"curve.csv": partial(write_csv, data, comments=_comments(case, data))}
     drawn = picture("mu against what varies", "several_pictures.several_figure", data, case.title)
     return View("curve", data, parts, lambda: {"curve": record(data, {})}, files, {"curve.png": drawn})
 
@@ -66,14 +66,29 @@ def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
         yield from ("", curve_table(data, heads=PREDICTION_HEADS))
     yield ""
     contact: Any = case.subject
-    inputs = [f"{name} = {text}" for name, text in contact.inputs()]
     rows = [(("warning", "")[at > 0], text) for at, text in enumerate(data.attrs["warnings"])]
-    rows += [("models", ", ".join(f"{name} {share:.0%}" for name, share in data.attrs["models"].items()))]
+    rows += [("models", _models(data))]
     rows += [("draws", f"{data.sizes['sample']}; {data.attrs['excluded']:.1%} of them are impossible and excluded")]
-    rows += [("inputs", "\n".join(inputs))]
+    rows += [("inputs", "\n".join(_inputs(contact)))]
     if contact.interface is not None:
         rows += [("interface", "\n".join([contact.interface.name, *contact.interface.notes()]))]
     yield facts(rows)
+
+
+def _inputs(contact: Any) -> list[str]:
+    return [f"{name} = {text}" for name, text in contact.inputs()]
+
+
+def _models(data: "xarray.Dataset") -> str:
+    return ", ".join(f"{name} {share:.0%}" for name, share in data.attrs["models"].items())
+
+
+def _comments(case: "Case", data: "xarray.Dataset") -> list[str]:
+    """Return what the table of a prediction has to say before its first row."""
+    used = data.attrs
+    told = {"warning": used.get("warnings"), "not used": used.get("inputs_not_used"), "input": _inputs(case.subject)}
+    models = _models(data) if "models" in used else ""
+    return comment_lines({"title": case.title, "model": models and f"{models}, combined by prediction"} | told, data)
 
 
 def plain(data: "xarray.Dataset") -> "xarray.Dataset":

@@ -21,7 +21,7 @@ from stiction.solving.accuracy import film_errors
 from stiction.solving.accuracy.measured_error import MeasuredErrors, measured_errors
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding
+from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding, leaves_out_liquid
 from stiction.solving.inversion import Unreachable
 from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.points import points_of, solve_points
@@ -142,8 +142,8 @@ class _Answer:
     curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
     carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. of_interface: its
     friction is the shear strength that the contact states; yielded: what its plastic junctions resist, of registry.YIELDED, ""
-    for contact only. measured: its error on solved surfaces near this contact and load; film_errors: that of its film law, as
-    JSON. why_not: why it says nothing, or nothing of friction.
+    for contact only. dry: leaves out the liquid of the contact. measured: its error on solved surfaces near this contact and
+    load; film_errors: that of its film law, as JSON. why_not: why it says nothing, or nothing of friction.
     """
 
     candidate: Candidate
@@ -154,6 +154,7 @@ class _Answer:
     outside: list[Doubt] = field(default_factory=list)
     of_interface: bool = False
     yielded: str = ""
+    dry: bool = False
     measured: MeasuredErrors | None = None
     film_errors: str = "[]"
     sources: list[str] = field(default_factory=list)
@@ -164,12 +165,13 @@ class _Answer:
         """Whether the contact fits the model, and why it does not."""
         if self.why_not:
             return f"no answer: {self.why_not}"
+        dry = ", without the liquid" if self.dry else ""
         if not self.outside:
-            return "fits"
+            return f"fits{dry}"
         worst = [one for one in self.outside if one.kind == "impossible"]
         told = list(dict.fromkeys(one.in_brief for one in worst or self.outside))
         more = f" and {len(told) - 2} more" if len(told) > 2 else ""
-        return f"{'cannot be right' if worst else 'does not fit'}: {', '.join(told[:2])}{more}"
+        return f"{'cannot be right' if worst else 'does not fit'}: {', '.join(told[:2])}{more}{dry}"
 
 
 def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
@@ -197,6 +199,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
             answer.measured = measured_errors(problem, at_load)
     answer.of_interface = problem.chosen.tangential is not None and "shear_strength" in problem.chosen.tangential.needs
     answer.yielded = problem.chosen.yielded
+    answer.dry = leaves_out_liquid(problem)
     answer.curve = _in_units(problem, curve)
     answer.doubtful = doubtful_points(problem, {name: table[None, :] for name, table in curve.items()})
     if at_load:

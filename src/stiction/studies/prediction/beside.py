@@ -1,6 +1,7 @@
 """What stands beside a prediction: mu where metals touch bare, and what the prediction was checked against."""
 
 import json
+import math
 from functools import cache
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import numpy as np
 from stiction.contact.interfaces import interface
 from stiction.contact.materials import class_of
 from stiction.contact.pair import pair_of
+from stiction.studies.prediction.area import AreaLaw
 from stiction.studies.prediction.junctions import grown
 from stiction.studies.prediction.levels import draw_levels
 from stiction.studies.prediction.mixture import Mixture
@@ -17,6 +19,7 @@ FILE = Path(__file__).parent / "checked.json"  # made by validation/contacts/sco
 
 _BARE, _METALS = "clean metal", ("metal", "soft metal")
 _DRAWS = 256
+_WIDE = 1.5  # factor of the area from which on it is no percentage
 
 
 def bare_metal(mixture: Mixture, level: float) -> list[float]:
@@ -43,8 +46,12 @@ def checked_against(mixture: Mixture, at: int) -> str:
     near = [law for law in mixture.laws if law.far[at] < 1.0]
     share = sum(law.weight for law in near)
     if share > 0.5:
-        spread = sum(law.weight * float(np.ptp(law.levels[at])) for law in near) / share
-        area = f"solved surfaces (area +-{np.expm1(0.5 * spread):.0%})"
+        times = math.exp(sum(law.weight * _half_width(mixture, law, at) for law in near) / share)
+        area = (
+            f"solved surfaces (area +-{times - 1.0:.0%})"
+            if times < _WIDE
+            else f"solved surfaces (area within a factor of {times:.2g})"
+        )
     else:
         area = "no solved surface near it"
     stated = mixture.asked.contact.interface
@@ -52,6 +59,15 @@ def checked_against(mixture: Mixture, at: int) -> str:
     if not printed:
         return f"{area}, never against measured friction"
     return f"{area}, {printed['held']} of {printed['contacts']} printed friction values"
+
+
+def _half_width(mixture: Mixture, law: AreaLaw, at: int) -> float:
+    """Return half the width of ln of the area, 90 % of it, that the error of a law on solved surfaces leaves: spots that flow
+    and the nominal area bound it."""
+    asked, rows = mixture.asked, np.arange(len(law.log_area))
+    nominal = np.broadcast_to(asked.column(asked.drawn.nominal_area), (len(rows), 1))
+    low, high = (law.corrected(rows, asked.loads, np.full(len(rows), level), nominal)[:, at] for level in (0.95, 0.05))
+    return 0.5 * float(np.nanmedian(np.abs(np.log(high / low))))
 
 
 @cache
