@@ -1,6 +1,8 @@
 """The answer as commands print it: short, whole, and the same number everywhere."""
 
 import json
+import re
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -47,6 +49,106 @@ def test_an_answer_has_at_most_15_lines_and_nothing_is_cut_off(command, width, c
     assert len(lines) <= 15 and max(map(len, lines)) <= width
     assert not any("…" in line for line in lines)
     assert lines[0].startswith("Copper on copper") and lines[1].startswith("mu = 0.")
+
+
+SILVER = """
+title = "Silver film on steel"
+[contact]
+first = "hardened_steel_52100"
+second = "hardened_steel_52100"
+nominal_area = "1 mm^2"
+interface = "soft-metal film"
+[contact.roughness]
+asperity_height_deviation = "50 nm"
+asperity_radius = "20 um"
+asperity_density = "1e10 1/m^2"
+[contact.coating]
+material = "silver"
+bodies = "second"
+thickness = "1 um"
+[solve]
+load = ["0.5 N", "1 N", "2 N"]
+"""
+DESIGN = """
+[design]
+wish = { minimise = "friction_coefficient" }
+limits = { friction_coefficient_high = { high = 0.5 } }
+effort = 2
+[design.choose]
+coating.thickness = { low = "0.5 um", high = "4 um" }
+"""
+FIT = """
+[fit.free]
+interfacial_shear_strength = { low = "1 MPa", high = "1 GPa" }
+"""
+STATED = SILVER.replace('interface = "soft-metal film"', 'interfacial_shear_strength = "20 MPa"').replace("1e10", "2e10")
+STICKY = STATED.replace("nominal_area", 'work_of_adhesion = "50 mJ/m^2"\nnominal_area')
+SEVERAL = CASE.replace('"0.2 um"', '["0.1 um", "0.2 um", "0.3 um"]')
+NAMED = 'model = "greenwood_williamson_1966"\n'
+# Command -> text of its case, and its words; CASE stands for the file, OUT for a new folder, DATA for measured friction.
+PRINTING = {
+    "run": (CASE, "run CASE"),
+    "run of a film": (SILVER, "run CASE"),
+    "run of several": (SEVERAL, "run CASE"),
+    "run of a model": (STATED + 'model = "rough_on_film"\n', "run CASE"),
+    "run with uncertain numbers": (STATED.replace('"20 MPa"', '"20 +/- 4 MPa"') + 'model = "rough_on_film"\n', "run CASE"),
+    "sliding": (
+        CASE.replace('interface = "oxidised metal"', 'interfacial_shear_strength = "100 MPa"') + NAMED,
+        "run CASE --sliding",
+    ),
+    "compare": (CASE, "compare CASE"),
+    "compare of a film": (STATED, "compare CASE"),
+    "sensitivity": (SILVER, "sensitivity CASE"),
+    "sweep": (SEVERAL, "sweep CASE --out OUT"),
+    "design": (SILVER + DESIGN, "design CASE"),
+    "film": (STICKY + 'model = "soft_coating_2015"\n', "film CASE"),
+    "fit of a prediction": (CASE, "fit CASE --data DATA"),
+    "fit": (
+        CASE.replace('interface = "oxidised metal"', 'interfacial_shear_strength = "100 MPa"') + NAMED + FIT,
+        "fit CASE --data DATA",
+    ),
+    "report": (SILVER, "report CASE --out OUT.html"),
+}
+
+
+@pytest.mark.parametrize("which", PRINTING)
+def test_no_result_is_longer_than_15_lines_or_cut_off_or_of_ten_digits(which, tmp_path):
+    text, words = PRINTING[which]
+    places = {
+        "CASE": tmp_path / "case.toml",
+        "OUT": tmp_path / "out",
+        "OUT.html": tmp_path / "out.html",
+        "DATA": tmp_path / "mu.csv",
+    }
+    places["CASE"].write_text(text, encoding="utf-8")
+    places["DATA"].write_text("load [N],friction_coefficient\n1,0.31\n10,0.30\n100,0.32\n", encoding="utf-8")
+    lines = run(*(places.get(word, word) for word in words.split())).rstrip().splitlines()
+    assert 0 < len(lines) <= 15, lines
+    said = [line for line in lines if str(tmp_path) not in line]
+    assert max(map(len, said)) <= 80 and not any("…" in line for line in lines)
+    assert not re.search(r"\d\.?\d{9}", "\n".join(said))
+
+
+def test_the_same_mu_to_two_digits_everywhere(tmp_path):
+    """From run, compare, sweep (one row of it), report, Python and the page's export."""
+    from stiction.web.asked import Question, solved
+
+    path, page = tmp_path / "case.toml", tmp_path / "report.html"
+    path.write_text(SILVER.replace('load = ["0.5 N", "1 N", "2 N"]', 'load = ["1 N"]'), encoding="utf-8")
+    expected = f"{st.predict(path, load='1 N').friction_coefficient.item():.2g}"
+    for command in ("run", "compare"):
+        answer = json.loads(run(command, path, "--json"))["answer"]
+        assert f"{answer['friction_coefficient']:.2g}" == expected
+    run("report", path, "--out", page)
+    assert f"μ = {expected}," in page.read_text(encoding="utf-8")
+    exported = solved(Question(tomllib.loads(path.read_text(encoding="utf-8")))).data
+    assert f"{exported['friction_coefficient'].item():.2g}" == expected
+    several = tmp_path / "several.toml"
+    several.write_text(path.read_text(encoding="utf-8").replace('"1 um"', '["1 um", "2 um"]'), encoding="utf-8")
+    swept = st.sweep(several, tmp_path / "store")
+    assert f"{swept['friction_coefficient'].values[0, 0]:.2g}" == expected
+    low, high = (swept[f"friction_coefficient_{end}"].values for end in ("low", "high"))
+    assert (low < swept["friction_coefficient"].values).all() and (swept["friction_coefficient"].values < high).all()
 
 
 def test_the_same_number_from_run_compare_and_predict(case):

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from stiction.cli.program import Json, Out, app, busy, present, telling_how_far
+from stiction.cli.program import Details, Json, Out, app, busy, present, telling_how_far
 
 
 @app.command()
@@ -14,6 +14,7 @@ def design(
         Path, typer.Argument(metavar="CASE.toml", help="Case file with a table [design]: choices, wishes, limits.")
     ],
     out: Out = None,
+    details: Details = False,
     json: Json = False,
 ) -> None:
     """Choose materials, thickness, roughness or load so that a wish comes true and limits are kept.
@@ -30,6 +31,6 @@ def design(
         found = run_design(plan, lambda count, text: tell(f"Designing: {count} designs asked"))
     from stiction.report.views.design import design_view
 
-    present(design_view(found, out), out, json)
+    present(design_view(found, out), out, json, details)
     if found.stopped:
         raise KeyboardInterrupt

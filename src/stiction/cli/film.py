@@ -8,6 +8,7 @@ import typer
 from stiction.cli.program import (
     AllRows,
     Asperity,
+    Details,
     Json,
     Load,
     Out,
@@ -34,6 +35,7 @@ def film(
     tangential: Tangential = None,
     all_rows: AllRows = False,
     out: Out = None,
+    details: Details = False,
     json: Json = False,
 ) -> None:
     """Stresses in a film: where film, interface or body yields first, and what peels the film off.
@@ -55,4 +57,4 @@ def film(
         data = film_of_case(chosen, chosen.choice.with_changes(laws, options_of_records(context)))
     from stiction.report.views.film import film_view
 
-    present(film_view(chosen, data, all_rows, out is not None), out, json)
+    present(film_view(chosen, data, all_rows, out is not None), out, json, details)

@@ -347,8 +347,11 @@ def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
         yield
 
 
-def present(view: "View", out: Path | None, json: bool) -> None:
-    """Write what a result shows into a folder, if one is given, and print it, as JSON if that is asked for."""
+def present(view: "View", out: Path | None, json: bool, details: bool = True) -> None:
+    """Write what a result shows into a folder, if one is given, and print it, as JSON if that is asked for.
+
+    details: print all parts, and not only those that fit into the lines of an answer.
+    """
     names = []
     if out is not None:
         with writing():
@@ -356,7 +359,9 @@ def present(view: "View", out: Path | None, json: bool) -> None:
     if json:
         print_json(view.record())
         return
-    show(view.parts())
+    from stiction.report.view import in_short
+
+    show(view.parts() if details else in_short((view.short or view.parts)(), console().width, out is not None))
     if out is not None:
         written(out, names)
 

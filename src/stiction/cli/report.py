@@ -29,5 +29,5 @@ def report(
         print_json(found | {"file": str(out)})
         return
     terminal = console()
-    for text in (found["answer_in_words"], f"written to {out}"):
-        terminal.print(text, highlight=False, markup=False, soft_wrap=True)
+    terminal.print(found["answer_in_words"], highlight=False, markup=False)
+    terminal.print(f"written to {out}", highlight=False, markup=False, soft_wrap=True)

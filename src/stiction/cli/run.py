@@ -111,7 +111,7 @@ def run(
     if sliding:
         from stiction.report.views.sliding import sliding_view
 
-        present(sliding_view(chosen, _slide(chosen, laws, options_of_records(context), kept)), out, json)
+        present(sliding_view(chosen, _slide(chosen, laws, options_of_records(context), kept)), out, json, details)
         return
     options = options_of_records(context)
     if _is_predicted(chosen, laws, options):
@@ -121,7 +121,7 @@ def run(
     chosen = chosen.with_surface_moments(data.attrs["model"])
     from stiction.report.views.run import run_view
 
-    present(run_view(chosen, data, all_rows), out, json)
+    present(run_view(chosen, data, all_rows), out, json, details or all_rows)
 
 
 def _is_predicted(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str]) -> bool:

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from stiction.cli.program import Json, Out, Ranges, app, bar, busy, present
+from stiction.cli.program import Details, Json, Out, Ranges, app, bar, busy, present
 
 
 @app.command()
@@ -22,6 +22,7 @@ def sensitivity(
     ] = None,
     ranges: Ranges = None,
     out: Out = None,
+    details: Details = False,
     json: Json = False,
 ) -> None:
     """Which of the inputs should be measured better: of friction, area, load and pull-off.
@@ -40,4 +41,4 @@ def sensitivity(
     data = studied(chosen, load=load, models=names, progress=bar)
     from stiction.report.views.sensitivity import sensitivity_view
 
-    present(sensitivity_view(data, chosen.subject.groups()), out, json)
+    present(sensitivity_view(data, chosen.subject.groups()), out, json, details)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from stiction.cli.program import Json, app, busy, folder, present
+from stiction.cli.program import Details, Json, app, busy, folder, present
 
 
 @app.command()
@@ -22,6 +22,7 @@ def sweep(
             metavar="ADDRESS", help="Scheduler of a dask.distributed cluster that does the work, e.g. tcp://host:8786."
         ),
     ] = None,
+    details: Details = False,
     json: Json = False,
 ) -> None:
     """Solve many contacts, into a labelled store on disk (zarr 3).
@@ -47,7 +48,7 @@ def sweep(
     seconds = perf_counter() - begun
     from stiction.report.views.sweep import sweep_view
 
-    present(sweep_view(store, out, shown.computed, seconds), None, json)
+    present(sweep_view(store, out, shown.computed, seconds), None, json, details)
 
 
 class _Shown:

@@ -2,6 +2,8 @@
 
 import math
 from collections.abc import Iterable
+from copy import copy
+from dataclasses import replace
 
 import numpy as np
 from rich.box import SIMPLE_HEAD
@@ -27,6 +29,15 @@ def ruled_table(*heads: str) -> Table:
     for at, head in enumerate(heads):
         table.add_column(head, no_wrap=at == 0, overflow="fold")
     return table
+
+
+def few_rows(table: Table, most: int, spaced: bool = True) -> Table:
+    """Return a table with at most so many of its rows: evenly spaced ones with both ends, or the first ones."""
+    chosen = some(len(table.rows), most) if spaced else np.arange(min(len(table.rows), most))
+    fewer = copy(table)
+    fewer.columns = [replace(column, _cells=[column._cells[at] for at in chosen]) for column in table.columns]
+    fewer.rows = [table.rows[at] for at in chosen]
+    return fewer
 
 
 def some(count: int, most: int) -> np.ndarray:

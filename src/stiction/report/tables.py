@@ -1,7 +1,7 @@
 """What the command line prints: rich tables and text, made from results and records."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from stiction.laws.validity import doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
+from stiction.report.answer import model_record, number
 from stiction.report.model_line import grade_line, model_line
 from stiction.report.number_table import number_table, prefix, short, shown, some
 from stiction.report.plain_formulas import as_text
@@ -129,6 +130,21 @@ def _number(value: Any, name: str) -> str:
     ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
     text = " to ".join(show(float(end), name).replace("m^2", "m²") for end in ends)
     return f"{text} ({value.size} values)" if hasattr(value, "dims") else text
+
+
+def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
+    """Yield title, model, friction at the middle load with its interval, and how far the contact fits the model."""
+    if case.title:
+        yield Text(case.title, style="bold")
+    doubts = [str(one) for one in doubts_of(data)]
+    more = f"; and {len(doubts) - 1} more" if len(doubts) > 1 else ""
+    rows = [("model", f"{model_line(data.attrs)}; grade {data.attrs['grade']}")]
+    if not case.is_several:
+        answer = model_record(data)
+        mu, ends = answer["friction_coefficient"], answer["interval"]
+        band = "" if ends is None else f", {answer['level']:.0%} interval {number(ends[0])} to {number(ends[1])}"
+        rows.insert(0, ("mu", f"{number(mu)}{band}" if mu is not None and np.isfinite(mu) else "not defined here"))
+    yield facts([*rows, ("outside", f"{doubts[0]}{more}" if doubts else "")])
 
 
 # Of a contact whose materials are told, what is of these alone.

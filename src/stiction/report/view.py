@@ -26,18 +26,18 @@ def lines_of(part: Any, columns: int = _COLUMNS) -> int:
     return len(console.render_lines(Text(part) if isinstance(part, str) else part, console.options, pad=False))
 
 
-def in_short(parts: Iterable[Any], columns: int = _COLUMNS) -> Iterator[Any]:
-    """Yield the parts that fit into MOST_LINES, and where any is left out a line that says how to see the rest."""
-    left, whole = MOST_LINES - 1, True
+def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = False) -> Iterator[Any]:
+    """Yield the parts that fit into MOST_LINES, and a line that says how to see the rest; written: whether a line follows that
+    says where files are."""
+    left = MOST_LINES - 1 - 2 * written
     for part in parts:
-        lines = lines_of(part, columns)
-        if lines > left:
-            whole = False
+        if isinstance(part, str) and not part:
             continue
-        left -= lines
-        yield part
-    if not whole:
-        yield "Details: --details"
+        lines = lines_of(part, columns)
+        if lines <= left:
+            left -= lines
+            yield part
+    yield "Details: --details"
 
 
 class Picture(NamedTuple):
@@ -65,7 +65,7 @@ class View:
 
     data: the dataset, written as `name`.nc; None where there is none. parts: makes what a terminal prints, in order. record:
     makes what JSON has. files: name of a file -> function that writes to a path. pictures: name of a file -> picture. warnings:
-    what is wrong with it, in sentences.
+    what is wrong with it, in sentences. short: makes the parts of a short answer, the most important first; by default all.
     """
 
     name: str
@@ -75,6 +75,7 @@ class View:
     files: Mapping[str, Callable[[Path], None]] = field(default_factory=dict)
     pictures: Mapping[str, Picture] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
+    short: Callable[[], Iterable[Any]] | None = None
 
     def writers(self) -> dict[str, Callable[[Path], None]]:
         """Return what writes each table, the dataset and each picture to a path, by the name of the file."""

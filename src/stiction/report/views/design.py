@@ -8,6 +8,7 @@ from rich.text import Text
 
 from stiction.report.design_tables import design_notes, design_rows, design_table
 from stiction.report.files import record, write_rows
+from stiction.report.number_table import few_rows
 from stiction.report.view import Picture, View
 
 if TYPE_CHECKING:
@@ -28,6 +29,15 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
             yield from ("none is better in both wishes than any of these", design_table(data, "front"), "")
         yield from design_notes(data)
 
+    def short() -> Iterator[Any]:
+        if "case" in data.attrs:
+            yield Text(data.attrs["case"], style="bold")
+        yield f"model {data.attrs['model']}; {data.attrs['asked']} designs asked"
+        yield few_rows(design_table(data, "design"), 4, spaced=False)
+        yield from design_notes(data)
+        if data.sizes.get("front"):
+            yield few_rows(design_table(data, "front"), 4)
+
     def drawn() -> Any:
         from stiction.report.design_pictures import design_figure
 
@@ -40,4 +50,4 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
         files["designed.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
     missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
     pictures = {"design.png": Picture("designs by how near they come to the wish", drawn)}
-    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, tuple(missed))
+    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, tuple(missed), short)

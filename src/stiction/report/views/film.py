@@ -7,7 +7,8 @@ from rich.text import Text
 
 from stiction.report.files import comments_of, record, write_csv, write_netcdf
 from stiction.report.film_tables import MEANINGS, film_table
-from stiction.report.tables import outside_validity, run_summary
+from stiction.report.number_table import few_rows
+from stiction.report.tables import in_brief, outside_validity, run_summary
 from stiction.report.view import View, picture
 from stiction.studies.stresses.film_section import film_section
 from stiction.studies.stresses.film_stress import middle_point
@@ -29,6 +30,9 @@ def film_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with
         if (beyond := outside_validity(data)) is not None:
             yield beyond
 
+    def short() -> Iterator[Any]:
+        yield from (*in_brief(case, data), few_rows(film_table(data), 4), *(Text(one, style="dim") for one in MEANINGS))
+
     files: dict[str, Any] = {"film.csv": lambda path: write_csv(data, path, comments_of(data))}
     pictures = {}
     if with_section:
@@ -37,4 +41,4 @@ def film_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with
 
         files["section.nc"] = lambda path: write_netcdf(section, path)
         pictures["film.png"] = picture("stresses under the asperity", "film_pictures.film_figure", point, section, case.title)
-    return View("film", data, parts, lambda: record(data, case.subject.groups()), files, pictures)
+    return View("film", data, parts, lambda: record(data, case.subject.groups()), files, pictures, short=short)

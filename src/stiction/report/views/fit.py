@@ -8,10 +8,13 @@ from rich.text import Text
 
 from stiction.report.files import record, write_csv, write_rows
 from stiction.report.fit_tables import evidence_table, fit_notes, parameter_rows, parameter_table, prediction_names, row_rows
+from stiction.report.number_table import few_rows
 from stiction.report.view import Picture, View
 from stiction.report.whole_keys import WholeKeys
 
 if TYPE_CHECKING:
+    import xarray
+
     from stiction.studies.fit.run import Fitting
 
 _OTHERS = ("parameter", "other_parameter", "row", "model")
@@ -50,4 +53,13 @@ def fit_view(found: "Fitting", folder: Path | None = None) -> View:
         "fit.png": Picture("measured and fitted", fitted),
         "profiles.png": Picture("likelihood along each fitted number", profiles),
     }
-    return View("fit", data, parts, lambda: record(data, {}), files, pictures)
+    return View("fit", data, parts, lambda: record(data, {}), files, pictures, short=lambda: _short(found.plan.title, data))
+
+
+def _short(title: str, data: "xarray.Dataset") -> Iterator[Any]:
+    """Yield the fitted numbers, how good the fit is, and the best of the other models."""
+    if title:
+        yield Text(title, style="bold")
+    yield from (f"model {data.attrs['model']}", parameter_table(data), *list(fit_notes(data))[:3])
+    if "model" in data.dims:
+        yield WholeKeys(few_rows(evidence_table(data), 4, spaced=False))

@@ -12,7 +12,7 @@ from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record
 from stiction.report.files import comment_lines, record, write_csv
 from stiction.report.several_tables import several_table
 from stiction.report.tables import curve_table, facts
-from stiction.report.view import View, picture
+from stiction.report.view import MOST_LINES, View, lines_of, picture
 
 if TYPE_CHECKING:
     import xarray
@@ -30,9 +30,11 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
         if case.title:
             yield Text(case.title, style="bold")
         more = f"--details; all models: stiction compare {Path(file).name}; pictures: --out DIR"
-        yield facts([*answer_lines(data), *([] if details else [("details", more)])])
+        rows = answer_lines(data)
         if details:
-            yield from _details(case, data)
+            yield from (facts(rows), *_details(case, data))
+        else:
+            yield _in_short([*rows, ("details", more)], MOST_LINES - bool(case.title))
 
     def found() -> dict[str, Any]:
         curve = {name: data[name].values.ravel().tolist() for name in ("load", *_COLUMNS)}
@@ -43,6 +45,15 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
     files = {"curve.csv": partial(write_csv, data[_COLUMNS], comments=_comments(case, data[_COLUMNS]))}
     drawn = picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)
     return View("curve", plain(data), parts, found, files, {"curve.png": drawn})
+
+
+def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
+    """Return the rows of an answer without those that matter least, as far as needed to fit into so many lines."""
+    for name in ("along the load", "model", "not used", "uncertainty from", "warning"):
+        if lines_of(facts(rows)) <= most:
+            break
+        rows = [row for row in rows if row[0] != name]
+    return facts(rows)
 
 
 def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:

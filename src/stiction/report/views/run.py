@@ -7,8 +7,9 @@ from rich.text import Text
 
 from stiction.report.answer import model_record
 from stiction.report.files import comments_of, record, write_csv
+from stiction.report.number_table import few_rows
 from stiction.report.several_tables import several_table
-from stiction.report.tables import curve_table, outside_validity, rows_shown, run_notes, run_summary
+from stiction.report.tables import curve_table, in_brief, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.uncertainty_tables import band_lines
 from stiction.report.view import Picture, View, picture
 from stiction.solving.method_spread import as_columns
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from stiction.case.read import Case
 
 
+_FEW = 5  # rows of a short answer
+
+
 def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> View:
     """Return what a solved case shows."""
     files = {"curve.csv": lambda path: write_csv(with_quantiles(as_columns(data)), path, comments_of(data))}
@@ -29,7 +33,11 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
         measured = {} if case.measured is None else {"measured": case.measured.record()}
         return answer | record(data, case.subject.groups()) | measured
 
-    return View("curve", data, lambda: _parts(case, data, all_rows), found, files, _pictures(case, data))
+    def short() -> Iterator[Any]:
+        yield from in_brief(case, data)
+        yield few_rows(several_table(data) if case.is_several else curve_table(data), _FEW)
+
+    return View("curve", data, lambda: _parts(case, data, all_rows), found, files, _pictures(case, data), short=short)
 
 
 def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any]:

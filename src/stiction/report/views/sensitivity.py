@@ -4,10 +4,12 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from rich.table import Table
 from rich.text import Text
 
 from stiction.report.answer import answer_record, headline
 from stiction.report.files import record, write_csv
+from stiction.report.number_table import few_rows
 from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes, share_tables
 from stiction.report.view import Picture, View
 from stiction.report.views.prediction import plain
@@ -32,6 +34,11 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
             yield from (WholeKeys(indices_table(data)), "")
         yield from (elasticities_table(data), "", *sensitivity_notes(data))
 
+    def short() -> Iterator[Any]:
+        for part in parts():
+            table = part.table if isinstance(part, WholeKeys) else part
+            yield few_rows(table, 5, spaced=False) if isinstance(table, Table) else part
+
     def drawn() -> Any:
         from stiction.report.sensitivity_pictures import sensitivity_figure
 
@@ -49,4 +56,4 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
         if dim in data.dims
     }
     pictures = {"sensitivity.png": Picture("inputs by what they change", drawn)}
-    return View("sensitivity", plain(data), parts, found, files, pictures)
+    return View("sensitivity", plain(data), parts, found, files, pictures, short=short)

@@ -4,12 +4,17 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from rich.text import Text
 
+from stiction.report.answer import number
 from stiction.report.view import View
 
 if TYPE_CHECKING:
     from stiction.studies.sweep.store import Store
+
+
+_MOST = 1_000_000  # points of a store that are read to be told
 
 
 def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View:
@@ -19,11 +24,26 @@ def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View
     def parts() -> Iterator[Any]:
         rate = f", {computed / seconds:.3g} points/s" if computed else ""
         yield f"{size} points, {computed} of them computed now in {seconds:.3g} s{rate}"
-        yield from (Text(f"doubtful in {count} points: {text}", style="yellow") for text, count in doubts.items())
+        yield from _friction(store)
         yield Text(f"stored in {out}: xarray.open_zarr({str(out)!r}, consolidated=False)", no_wrap=True)
+        yield from (Text(f"doubtful in {count} points: {text}", style="yellow") for text, count in doubts.items())
 
     def record() -> dict[str, Any]:
         here = {"points": size, "computed_now": computed, "seconds": seconds, "doubts": doubts}
         return {"store": str(out), "dims": {**store.plan.dims}, "blocks": store.plan.blocks, **here}
 
     return View("sweep", None, parts, record)
+
+
+def _friction(store: "Store") -> Iterator[str]:
+    """Yield between which ends mu is over all points, of a store that keeps them."""
+    names = ("friction_coefficient", "friction_coefficient_low", "friction_coefficient_high")
+    known = {name: np.asarray(store.group[name]) for name in names if name in store.group} if store.plan.size <= _MOST else {}
+    if store.plan.sweep.statistics or names[0] not in known or not np.isfinite(known[names[0]]).any():
+        return
+    ends = f"{number(np.nanmin(known[names[0]]))} to {number(np.nanmax(known[names[0]]))}"
+    wide = ""
+    if len(known) == len(names):
+        low, high = number(np.nanmin(known[names[1]])), number(np.nanmax(known[names[2]]))
+        wide = f", intervals from {low} to {high}, {store.group.attrs['draws']} draws of each contact"
+    yield f"mu = {ends}{wide}"

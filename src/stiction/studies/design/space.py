@@ -103,7 +103,7 @@ class Space:
         """Yield regions of designs with case and results: of a model, or of the prediction."""
         if not self.is_predicted:
             return evaluate_many(content, numbers, points, self.choice, self._kept, along=(_DESIGN,))
-        return predict_many(content, numbers, points["load"], self._uncertain(list(numbers)))
+        return predict_many(content, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
 
     def _uncertain(self, chosen: list[tuple[str, ...]]) -> list[Uncertain]:
         """Return the uncertain numbers of the case that are not chosen, nor of a material that is."""

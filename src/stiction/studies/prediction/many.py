@@ -45,6 +45,7 @@ def predict_many(
     *,
     level: float = 0.9,
     count: int = COUNT,
+    along: Sequence[str] | None = None,
 ) -> Iterator[tuple[Region, Case | None, Pointwise | None]]:
     """Yield predictions of a case at many sets of numbers, as `evaluate_many` yields results of one model.
 
@@ -62,6 +63,8 @@ def predict_many(
         Share of the distribution within the intervals.
     count : int
         Number of draws, the same for every contact.
+    along : sequence of str, optional
+        Dimensions that may be divided; by default all, also that of the loads.
 
     Returns
     -------
@@ -79,7 +82,8 @@ def predict_many(
         return _together(tables, some, _part(load, region), tuple(uncertain), level, count)
 
     refusal, taken = None, False
-    for piece in _pieces(dimensions([*numbers.values(), load])):
+    sizes = dimensions([*numbers.values(), load])
+    for piece in _pieces({dim: size for dim, size in sizes.items() if along is None or dim in along}):
         for region, found in bisected(piece, predicted):
             if isinstance(found, Exception):
                 refusal = found

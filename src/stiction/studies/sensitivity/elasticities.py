@@ -77,7 +77,7 @@ def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
     """Where each number above 0 stands that was given, and the number."""
     for name in type(record).model_fields:
         value = getattr(record, name)
-        if isinstance(value, Input) and name != "surface":
+        if isinstance(value, Input) and name not in ("surface", "interface"):
             yield from _numbers(value, (*path, name))
         elif name in QUANTITIES and isinstance(value, float) and value > 0.0 and _given(record, name):
             yield (*path, name), value
