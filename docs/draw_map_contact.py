@@ -75,7 +75,7 @@ def draw_all(surface: HeightMap, words: str, out: Path) -> None:
     contact = contact_of(surface)
     load = float(loads_of(contact)[4])
     data = st.compare(contact, load=load)
-    recommended = data.attrs.get("recommended", "")
+    recommended = "boundary_elements"
     figure, axes = plt.subplots(figsize=(10.0, 6.0), layout="constrained")
     falling = np.argsort(-np.nan_to_num(data["friction_coefficient_at_load"].values))
     for at, name in enumerate(data["model"].values[falling]):
@@ -87,7 +87,7 @@ def draw_all(surface: HeightMap, words: str, out: Path) -> None:
             look.update(color="black", linestyle="-", marker="o", zorder=3)
         mu = float(one["friction_coefficient_at_load"])
         there = (one["load"] > 0.0) & (one["friction_coefficient"] > 0.0)
-        kind = " (recommended)" * (name == recommended) + " (the map itself)" * (name == SOLVED)
+        kind = " (the map itself)" * (name == SOLVED)
         outside = " *" if str(one["outside_validity"].values) else ""
         axes.plot(
             one["load"].where(there), one["friction_coefficient"].where(there), label=f"{mu:.3g}  {name}{kind}{outside}", **look

@@ -21,14 +21,6 @@ from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
-from stiction.studies.comparison.recommendation import (
-    COST_OF_A_DOUBLING,
-    COST_OF_ERROR,
-    COST_OF_FILM,
-    COST_OF_GRADE,
-    COST_UNIT,
-    NOT_MEASURED,
-)
 
 import stiction as st
 from stiction.contact.materials import material_names, symbols_of
@@ -259,19 +251,6 @@ def kinds_of_doubt() -> str:
     return table(("kind", "meaning"), list(KINDS_OF_DOUBT.items()))
 
 
-def costs() -> str:
-    """What a doubt and a grade cost in the recommendation."""
-    doubts = [(f"a doubling outside of a range, {kind}", f"{cost:g}") for kind, cost in COST_OF_A_DOUBLING.items()]
-    grades = [(f"grade {grade}", f"{cost:g}") for grade, cost in COST_OF_GRADE.items()]
-    errors = [
-        ("a film law off by a factor of two in area on a sphere, where no surfaces were solved near", f"{COST_OF_FILM:g}"),
-        ("a measured error of the contact area of 10 %, root mean square over the surfaces near", f"{0.1 * COST_OF_ERROR:g}"),
-        ("not measured near this contact, where others were", f"{NOT_MEASURED * COST_OF_ERROR:g}"),
-    ]
-    unit = ("c_0, the cost that divides the weight by e", f"{COST_UNIT:g}")
-    return table(("what", "cost"), [*doubts, *grades, *errors, unit])
-
-
 def film_errors_on_a_sphere() -> str:
     """What film laws make of an elastic sphere, against the exact solution."""
     rows = []
@@ -371,7 +350,7 @@ TABLES = {
     },
     "surfaces.md": {"formats": formats, "methods": ways},
     "which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},
-    "trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt, "costs": costs},
+    "trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt},
     "truth.md": truth_tables.TABLES,
     "what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},
     "materials.md": {"materials": materials, "sources of materials": material_sources},

@@ -2,8 +2,8 @@
 
 Every model that applies to two bearing steels with a boundary film, each with its friction over four decades of load: the
 same case, and the same numbers, as those of `stiction compare examples/compare_models.toml`. Grey
-lines are outside of what their authors claim at the working load; the thick black one is recommended, by the errors that were
-measured against solved surfaces (docs/trust.md).
+lines are outside of what their authors claim at the working load; the thick black one is the
+law of the area with the largest weight in the prediction of a surface of known kind (docs/prediction.md).
 """
 
 import matplotlib.pyplot as plt
@@ -17,12 +17,12 @@ order = everyone["friction_coefficient_at_load"].argsort()[::-1]
 for at, model in enumerate(everyone["model"].values[order]):
     one = everyone.sel(model=model)
     mu = float(one["friction_coefficient_at_load"])
-    recommended, doubtful = model == everyone.attrs["recommended"], bool(one["outside_validity"].item())
+    main, doubtful = model == "persson_widened", bool(one["outside_validity"].item())
     pressed = one["load"] > 1e-2
     look = {"color": "0.7"} if doubtful else {"color": f"C{at % 10}", "linestyle": ("-", "--", ":")[at // 10 % 3]}
-    look, width = ({"color": "black"}, 4.0) if recommended else (look, 1.5)
+    look, width = ({"color": "black"}, 4.0) if main else (look, 1.5)
     axes.loglog(one["load"].where(pressed), one["friction_coefficient"].where(pressed), linewidth=width, **look,
-                label=f"{mu:.3f}  {model}{' (recommended)' * recommended}{' *' * doubtful}")  # fmt: skip
+                label=f"{mu:.3f}  {model}{' *' * doubtful}")  # fmt: skip
 axes.axvline(1.0, color="black", linewidth=0.8)
 axes.set(xlabel="load [N]", ylabel="static friction coefficient", xlim=(1e-2, 100.0))
 axes.grid(alpha=0.3)

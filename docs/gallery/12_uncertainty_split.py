@@ -1,14 +1,13 @@
-"""What the answer is uncertain by: inputs, or models?
+"""What the answer is uncertain by: inputs, or the rest?
 
-Two bearing steels with three numbers that are known within factors. Above, the band of the inputs by one model; below, what
-is left by the inputs, and by the choice of the model, each as if the other were known; and which of the inputs to measure
-better.
+Two bearing steels with three numbers that are known within factors. The band of the inputs by one model, the shares of all
+parts of the prediction, and which of the inputs to measure better for that model.
 """
 
 import matplotlib.pyplot as plt
-import numpy as np
 
 import stiction as st
+from stiction.case.read import parse_case
 
 CASE = {
     "contact": {
@@ -26,7 +25,7 @@ CASE = {
     "solve": {"load": ["0.1 N", "0.3 N", "1 N", "3 N", "10 N"], "model": "greenwood_williamson_1966"},
     "uncertainty": {"count": 256},
 }
-data = st.uncertainty(CASE, load="1 N")
+data = st.solve_case(parse_case(CASE))
 shares = st.sensitivity(CASE, load="1 N", models=[]).squeeze()
 
 figure, (left, middle, right) = plt.subplots(1, 3, figsize=(11, 3.6), layout="constrained")
@@ -37,12 +36,9 @@ for low, high, alpha in ((0, -1, 0.2), (1, -2, 0.3)):
 left.set(
     xscale="log", xlabel="load [N]", ylabel="static friction coefficient", title="Half, and 90 %, of the draws", ylim=(0, None)
 )
-spreads = data.dropna("spread", subset=["spread_factor"]) if "methods" in data["spread"].values else data
-for at, name in enumerate(spreads["spread"].values):
-    one = spreads.sel(spread=name)
-    middle.plot([one["spread_low"], one["spread_high"]], [at, at], linewidth=14, solid_capstyle="butt")
-middle.set_yticks(np.arange(spreads.sizes["spread"]), spreads["spread"].values)
-middle.set(xlabel="static friction coefficient", title="At 1 N, each by itself", ylim=(-0.6, spreads.sizes["spread"] - 0.4))
+parts = st.predict({**CASE, "solve": {"load": "1 N"}}).attrs["shares"]
+middle.barh([name.replace("_", " ") for name in parts], list(parts.values()))
+middle.set(xlabel="share of the variance of ln mu", title="The prediction at 1 N", xlim=(0.0, 1.0))
 total = shares["friction_coefficient_total_order"]
 right.barh(shares["input"].values, total)
 right.set(xlabel="share of the variance of ln mu", title="Which input", xlim=(0.0, 1.0))

@@ -185,18 +185,11 @@ def unnamed(**tables):
     return found | tables
 
 
-RADIUS = {"roughness": {"asperity_radius": {"low": "20 um", "high": "80 um"}}}
-WISH = {"minimise": "friction_coefficient"}
 REFUSED = {
     "solve": lambda: st.solve(parse_case(unnamed()).subject, load="1 N"),
     "slide": lambda: st.slide(parse_case(unnamed()).subject, load="1 N", asperity="jkr"),
     "solve_case": lambda: st.solve_case(parse_case(unnamed())),
-    "sweep": lambda: st.sweep(
-        unnamed(contact=unnamed()["contact"] | {"nominal_area": ["1 mm^2", "2 mm^2"]}), "never_made.zarr"
-    ),
     "fit": lambda: st.fit(unnamed(fit={"free": {"work_of_adhesion": {"low": "1 mJ/m^2", "high": "1 J/m^2"}}}), SERIES),
-    "design": lambda: st.design(unnamed(design={"wish": WISH, "choose": RADIUS, "validity": "any"})),
-    "sensitivity": lambda: st.sensitivity(unnamed()),
 }
 SERIES = Path(__file__).parents[2] / "validation" / "synthetic_boundary_film.csv"
 
