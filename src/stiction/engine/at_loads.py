@@ -17,7 +17,7 @@ import numpy as np
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.heights import NEGLIGIBLE, gaussian_density, gaussian_window
 from stiction.engine.regime import Regime
-from stiction.engine.sum_kernels import LONGEST, SHORT, WIDEST
+from stiction.engine.sum_kernels import LONGEST, WIDEST, spanning
 from stiction.engine.summation import _COUNTS, _RULES, _arrays
 from stiction.engine.vectorised import exponential
 
@@ -48,34 +48,20 @@ def _placing(along: Callable, coordinate: Callable, parameters: int) -> Any:
             x[node] = state[0]
             load[node] = rule[1, node] * (high - low) * state[1] * state[2]
 
+    span = spanning(along, coordinate, gaussian_window)
+
     @kernel
     def place(reach, laws, gauss, nodes):
         """Append to the table of each law i the nodes of the regime.
 
-        reach: the displacements w_low and w_top between which they are, and the nearest separation: every piece ends where
-        the density there is negligible against its own left end. gauss: rules, and how many nodes each has. nodes: places[i],
-        displacements; held[i], the load there times the weight; used[i], how many there are.
+        reach: as of `sum_kernels.spanning`. gauss: rules, and how many nodes each has. nodes: places[i], displacements;
+        held[i], the load there times the weight; used[i], how many there are.
         """
-        w_low, w_top, nearest = reach
         (table, edges), (rules, counts), (places, held, used) = laws, gauss, nodes
         for i in range(edges.shape[0]):
             row = unpack(table[i], parameters)
             for piece in range(edges.shape[1] - 1):
-                left, right = edges[i, piece], edges[i, piece + 1]
-                if not right > left:
-                    continue
-                w_left, w_right = along(left, *row)[0], along(right, *row)[0]
-                if not (w_right > w_low and w_left < w_top):
-                    continue
-                w_left = max(w_left, w_low)
-                w_high = min(w_right, w_top, gaussian_window(nearest + w_left, np.inf, places[i])[1] - nearest)
-                low = left if w_left > w_low else max(left, coordinate(w_low, *row))
-                end = right if w_high == w_right else min(right, coordinate(w_high, *row))
-                if not end > low:
-                    continue
-                rule = 0 if w_high - w_left <= SHORT else 1
-                parts = 1 + int((w_high - w_left) / WIDEST)
-                step = (w_high - w_left) / parts
+                low, end, w_left, step, parts, rule = span(edges[i, piece], edges[i, piece + 1], row, reach, places[i])
                 for part in range(parts):
                     high = end if part == parts - 1 else coordinate(w_left + (part + 1) * step, *row)
                     first = used[i]

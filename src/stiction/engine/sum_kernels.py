@@ -142,38 +142,48 @@ def _putting(along: Callable, totals: bool) -> Any:
 
 
 @cache
+def spanning(along: Callable, coordinate: Callable, window: Callable) -> Any:
+    """The formula (left, right, row, reach, shape) -> where nodes are placed on a piece: the coordinates low and end, the
+    displacement at low, by how much that grows to each of the parts, how many parts there are, 0 for none, and of which rule.
+
+    reach: the displacements w_low and w_top between which nodes count, and the nearest separation: a piece ends where the
+    density is negligible against its own left end at the nearest separation, and so at all others.
+    """
+
+    @formula
+    def span(left, right, row, reach, shape):
+        w_low, w_top, nearest = reach
+        if not right > left:
+            return left, left, w_low, 0.0, 0, 0
+        w_left, w_right = along(left, *row)[0], along(right, *row)[0]
+        if not (w_right > w_low and w_left < w_top):
+            return left, left, w_low, 0.0, 0, 0
+        w_left = max(w_left, w_low)
+        w_high = min(w_right, w_top, window(nearest + w_left, np.inf, shape)[1] - nearest)
+        low = left if w_left > w_low else max(left, coordinate(w_low, *row))
+        end = right if w_high == w_right else min(right, coordinate(w_high, *row))
+        parts = 1 + int((w_high - w_left) / WIDEST) if end > low else 0
+        return low, end, w_left, (w_high - w_left) / max(parts, 1), parts, 0 if w_high - w_left <= SHORT else 1
+
+    return span
+
+
+@cache
 def placing(along: Callable, coordinate: Callable, window: Callable, parameters: int, totals: bool) -> Any:
     """The kernel that places the nodes of one regime; with what is to be summed: load, area and resistance, or, without
     `totals`, the five quantities."""
     put, rows = _putting(along, totals), 3 if totals else 5
+    span = spanning(along, coordinate, window)
 
     @kernel
     def place(w_low, nearest, shape, laws, rules, nodes):
-        """Append to the table of each law the nodes of the regime, from the displacement w_low on.
-
-        Every piece reaches to where the density is negligible against its own left end, at the nearest separation and so at
-        all others.
-        """
+        """Append to the table of each law the nodes of the regime, from the displacement w_low on."""
         (table, edges, branch, two_sided), (rule_table, counts), (places, values, used) = laws, rules, nodes
-        scratch = np.empty(6 * LONGEST)
+        scratch, reach = np.empty(6 * LONGEST), (w_low, np.inf, nearest)
         for i in range(edges.shape[0]):
             row = unpack(table[i], parameters)
             for piece in range(edges.shape[1] - 1):
-                left, right = edges[i, piece], edges[i, piece + 1]
-                if not right > left:
-                    continue
-                w_left, w_right = along(left, *row)[0], along(right, *row)[0]
-                if not w_right > w_low:
-                    continue
-                w_left = max(w_left, w_low)
-                w_high = min(w_right, window(nearest + w_left, np.inf, shape)[1] - nearest)
-                low = left if w_left > w_low else max(left, coordinate(w_low, *row))
-                high = right if w_high == w_right else min(right, coordinate(w_high, *row))
-                if not high > low:
-                    continue
-                rule = 0 if w_high - w_left <= SHORT else 1
-                parts = 1 + int((w_high - w_left) / WIDEST)
-                end, step = high, (w_high - w_left) / parts
+                low, end, w_left, step, parts, rule = span(edges[i, piece], edges[i, piece + 1], row, reach, shape)
                 for part in range(parts):
                     last = end if part == parts - 1 else coordinate(w_left + (part + 1) * step, *row)
                     linear, square = map_piece(low, last, branch[i], two_sided)
