@@ -20,11 +20,11 @@ none.
 """
 
 import math
-from functools import partial
 
 import numpy as np
 from scipy.special import erf
 
+from stiction.contact.indices import Groups
 from stiction.laws.rough_surface.shared.corrected_diffusion import GRADIENT, area_per_asperity
 from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.records.registry import RoughSurface
@@ -36,7 +36,9 @@ def area_share(pressure: np.ndarray) -> np.ndarray:
     return erf(math.sqrt(2.0) * pressure)
 
 
-area_at_load = partial(area_per_asperity, share=area_share)
+def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
+    return area_per_asperity(load, groups, area_share)
 
 
 RECORD = RoughSurface(

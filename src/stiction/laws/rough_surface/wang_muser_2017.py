@@ -19,10 +19,9 @@ within -10 to +5 %. The source is about surfaces that attract each other; here i
 knows no separation: results have none.
 """
 
-from functools import partial
-
 import numpy as np
 
+from stiction.contact.indices import Groups
 from stiction.laws.rough_surface.shared.corrected_diffusion import GRADIENT, area_per_asperity, area_share
 from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.records.registry import RoughSurface
@@ -35,7 +34,9 @@ def rate(share: np.ndarray) -> np.ndarray:
     return (5.0 - 2.0 * squared + 6.0 * squared**2) / 9.0
 
 
-area_at_load = partial(area_per_asperity, share=partial(area_share, rate=rate))
+def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
+    return area_per_asperity(load, groups, lambda pressure: area_share(pressure, rate))
 
 
 RECORD = RoughSurface(

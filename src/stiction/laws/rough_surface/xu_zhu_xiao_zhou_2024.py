@@ -21,11 +21,11 @@ within -3 to +5 %. It knows no separation: results have none.
 """
 
 import math
-from functools import partial
 
 import numpy as np
 from scipy.special import erf
 
+from stiction.contact.indices import Groups
 from stiction.laws.rough_surface.shared.corrected_diffusion import GRADIENT, area_per_asperity
 from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.records.registry import RoughSurface
@@ -53,7 +53,9 @@ def area_share(pressure: np.ndarray) -> np.ndarray:
     return np.where(pressure > 0.0, erf(np.exp(log_q)), 0.0)
 
 
-area_at_load = partial(area_per_asperity, share=area_share)
+def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
+    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
+    return area_per_asperity(load, groups, area_share)
 
 
 RECORD = RoughSurface(
