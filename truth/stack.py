@@ -85,15 +85,18 @@ def stacked(scores: np.ndarray, counts: np.ndarray) -> np.ndarray:
 
 
 def cases(known: SolvedSet, seen: str) -> tuple[list[str], np.ndarray, np.ndarray]:
-    """Return the laws that count once, ln of their densities (n, k) on the solved areas that all answer, and how much each
-    counts."""
+    """Return the laws that count once, ln of their densities (n, k) on the solved areas that all answer, and the kind of surface
+    (n,) of each."""
     laws = _laws(known, _METHODS[seen])
     tables = np.stack([densities(known, known.errors(law), seen) for law in laws], axis=-1)
     every = np.isfinite(tables).all(axis=-1)
-    kinds = _kinds(known)
-    of_kind = {kind: every[kinds == kind].sum() for kind in np.unique(kinds)}
-    counts = np.array([1.0 / of_kind[kinds[at]] for at in np.nonzero(every)[0]])
-    return laws, tables[every], counts
+    return laws, tables[every], _kinds(known)[np.nonzero(every)[0]]
+
+
+def alike(kinds: np.ndarray) -> np.ndarray:
+    """Return how much each case (n,) counts where every kind counts as much as another."""
+    names, which, number = np.unique(kinds, return_inverse=True, return_counts=True)
+    return 1.0 / (number[which] * len(names))
 
 
 def score(scores: np.ndarray, counts: np.ndarray, weights: np.ndarray) -> float:
@@ -175,8 +178,8 @@ def _others(known: SolvedSet) -> np.ndarray:
 def main() -> None:
     known, weights = solved_set(), {}
     for seen in _METHODS:
-        laws, scores, counts = cases(known, seen)
-        weights[seen] = weighed(laws, scores, counts)
+        laws, scores, kinds = cases(known, seen)
+        weights[seen] = weighed(laws, scores, alike(kinds))
         print(seen, len(laws), "laws", len(scores), "areas:", weights[seen], flush=True)
     Path(FILE).write_text(json.dumps(weights, indent=2) + "\n")
 

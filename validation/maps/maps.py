@@ -1,106 +1,312 @@
-"""Solve maps that are in no set of the package, to score predictions of the contact area against.
+"""Make maps and solve their contact, by means that share nothing with the package: to score predictions of the contact area.
 
-    python validation/maps/maps.py     # a minute on one core; goes on where it was stopped
+    python validation/maps/maps.py first     # about ten minutes on one core; goes on where it was stopped
 
-Kinds are those a contact may state; numbers of the transforms, Hurst exponents, roll-offs and seeds are others than those of
-the benchmark set (truth/surfaces.py), whose makers of surfaces are used. Each map is solved as an elastic body, at three
-hardnesses, and with two elastic films, by the boundary elements of the package, with twice as many points along each side as
-a prediction is given: what the width of points leaves is part of the error.
+A set of maps has a name, of which its seeds come: parameters of every map are drawn (Hurst exponent, roll-off, skewness, wear,
+lay, two scales), and so are hardnesses and films. Fields are filtered white noise; heights are transformed through quantiles
+of a gamma distribution, or worn; neither is a maker of the benchmark set (truth/surfaces.py). Contacts are solved by
+projected gradients with the steps of Barzilai and Borwein (Dai and Fletcher 2006, Math. Program. 106, 403), pressures between
+none and the hardness, with three times as many points along a side as a prediction is given; the compliance of a film is
+solved from the boundary conditions of each wave. Areas are counted and corrected for the width of points by theory (Yastrebov and others 2017), not by a fit.
 """
 
 import json
+import math
 import sys
-from dataclasses import replace
+import zlib
+from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
+import scipy.fft
+from scipy.interpolate import CubicSpline
+from scipy.stats import gamma, norm
+
 HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE.parents[1] / "truth"))
-
-import numpy as np  # noqa: E402
-
-from solve import _solved, described  # noqa: E402
-from stiction.solvers.boundary_elements.compliance import Compliance, Film  # noqa: E402
-from stiction.surfaces.heightmap import HeightMap  # noqa: E402
-from surfaces import Surface  # noqa: E402
-
-FILE = HERE / "solved.json"
-_BASES = ((0.7, 3.0), (0.9, 6.0), (0.45, 12.0), (0.75, 1.5), (0.55, 5.0))
-# Mean pressures over E* h', E* that which a shortest wave of pressure meets; hardnesses over E* h'.
-ELASTIC, HARDNESSES = (0.003, 0.015, 0.08), (0.02, 0.12, 0.7)
-FLOWING = (0.0005, 0.004, 0.015)
-# Modulus of the film over that of the substrate, thickness over the shortest wave.
-FILMS, ON_FILMS = ((0.2, 0.5), (5.0, 0.6)), (0.01, 0.1)
+GIVEN, FINER = 256, 3  # points along a side that a prediction is given; points of the solution over these
+SIDE, SLOPE = 20e-6, 0.08
+SHORTEST = (
+    SIDE / 32.0
+)  # wave of a Gaussian surface; of one that is transformed 4/3 of it before, as transforms make shorter ones
+KINDS = {"gaussian": 5, "skewed": 6, "worn": 6, "lay": 5, "two-scale": 4}  # number of maps of each in a set
+PRESSURES = (0.001, 0.004, 0.02, 0.1)  # of elastic bodies, over E* h'
+OF_HARDNESS = (0.04, 0.3)  # pressures of bodies that flow, over their hardness
 POISSON = 0.3
+_MOST_STEPS, _TOLERANCE = 1500, 1e-4  # of the solution; distance of faces that carry, over the rms height
+_EXCESS = (math.pi - 1.0 + math.log(2.0)) / 24.0  # of the area by its perimeter, over the width of a point
 
 
-def maps() -> dict[str, tuple[str, Surface]]:
-    """Return name -> kind of surface as a contact states it, and how it is made."""
+@dataclass(frozen=True)
+class Film:
+    """A film on the rough body. modulus: of plane strain over that of the body; thickness [m]; poisson."""
+
+    modulus: float
+    thickness: float
+    poisson: float
+
+
+@dataclass(frozen=True)
+class Map:
+    """A map and what it is solved with. kind: as a contact states it; heights [m] of the solution; states: hardness over E* h' or
+    None, film or None, mean pressures over E* h', E* that of the body; said: parameters that were drawn."""
+
+    kind: str
+    heights: np.ndarray = field(repr=False)
+    states: tuple[tuple[float | None, Film | None, tuple[float, ...]], ...]
+    said: str
+
+    @property
+    def given(self) -> np.ndarray:
+        """The heights that a prediction is given."""
+        return np.ascontiguousarray(self.heights[::FINER, ::FINER])
+
+
+def maps(name: str) -> dict[str, Map]:
+    """Return the maps of a set by name."""
     found = {}
-    for at, (hurst, ratio) in enumerate(_BASES):
-        base = Surface("held", 0, hurst, ratio, points=320, fineness=2.0)
-        of_kind = {
-            "gaussian": (base,),
-            "skewed": tuple(replace(base, change=("exp", s)) for s in (0.33, -0.33)),
-            "worn": (replace(base, change=("again", 0.4, 0.04)), replace(base, change=("smooth", 1.1, 0.15))),
-            "lay": (replace(base, stretch=5.0, angle=0.4),),
-            "two-scale": (replace(base, change=("bands", 1.0 + at)),),
-        }
-        for number, (kind, surfaces) in enumerate(of_kind.items()):
-            for more, one in enumerate(surfaces):
-                found[f"{kind} {at + 1}.{more + 1}"] = kind, replace(one, design=7000 + 100 * at + 10 * number + more, seed=1)
+    for kind, count in KINDS.items():
+        for number in range(1, count + 1):
+            rng = np.random.default_rng([zlib.crc32(name.encode()), zlib.crc32(kind.encode()), number])
+            heights, said = _MAKERS[kind](rng)
+            heights = heights - heights.mean()
+            heights *= SLOPE / rms_slope(heights)
+            found[f"{kind} {number}"] = Map(kind, heights, _states(rng), said)
     return found
 
 
-def substrate_modulus(shortest: float, film: tuple[float, float] | None) -> float:
-    """Return the modulus that a shortest wave of pressure meets over that of the substrate."""
-    return (
-        1.0 if film is None else 1.0 / float(compliance_of(shortest, film).times_half_k(np.array([2.0 * np.pi / shortest]))[0])
+def _states(rng: np.random.Generator):
+    hardnesses = [_between(rng, *ends) for ends in ((0.02, 0.15), (0.15, 1.2))]
+    films = [
+        Film(_between(rng, *ends), _between(rng, 0.15, 3.0) * SHORTEST, rng.uniform(0.2, 0.45))
+        for ends in ((0.12, 0.8), (1.3, 8.0))
+    ]
+    bare = [(None, None, PRESSURES), *((h, None, tuple(h * share for share in OF_HARDNESS)) for h in hardnesses)]
+    return *bare, *(
+        (None, film, tuple(p * _stiffness(film) for p in (_between(rng, 0.003, 0.02), _between(rng, 0.03, 0.2))))
+        for film in films
     )
 
 
-def compliance_of(shortest: float, film: tuple[float, float]) -> Compliance:
-    """Return the compliance of a substrate of plane-strain modulus 1 with a film under a rigid face."""
-    modulus, thickness = film
-    strain = 1.0 - POISSON**2
-    return Compliance(float("inf"), Film(thickness * shortest, modulus * strain, POISSON, strain, POISSON))
+def _stiffness(film: Film) -> float:
+    """Return the modulus that a shortest wave meets, over that of the body."""
+    k = 2.0 * math.pi / SHORTEST
+    return float(2.0 / k / compliance(np.array([k]), film)[0])
 
 
-def given(surface: HeightMap) -> HeightMap:
-    """Return the map with every second point, as a prediction is given it."""
-    return surface.with_heights(surface.heights[::2, ::2], "every second point")
+def _between(rng: np.random.Generator, low: float, high: float) -> float:
+    return float(np.exp(rng.uniform(math.log(low), math.log(high))))
 
 
-def solved(one: Surface) -> dict:
-    """Return rms slope and shortest wave [m] of a map, and its states: hardness, film, pressures, shares of the area.
+def noise(rng: np.random.Generator, hurst: float, rolloff: float, shortest: float, stretch: float = 1.0, angle: float = 0.0):
+    """Return filtered white noise of mean 0 and variance 1: a spectrum (1 + (k/k_r)^2)^-(1 + H) up to the shortest wave.
 
-    Pressures are means over E* h', E* that of the substrate.
+    rolloff, shortest: wavelengths [m]; stretch: of waves along a direction at this angle.
     """
-    surface = one.made()
-    record = described(surface)
-    slope, shortest = record["gradient"], record["shortest"]
-    states = [{"hardness": None, "film": None, **_areas(surface, slope, ELASTIC)}]
-    states += [{"hardness": h, "film": None, **_areas(surface, slope, FLOWING, hardness=h)} for h in HARDNESSES]
-    for film in FILMS:
-        pressures = [p * substrate_modulus(shortest, film) for p in ON_FILMS]
-        modulus = compliance_of(shortest, film)
-        found = _areas(surface, slope, pressures, film=modulus.film, modulus=float("inf"))
-        states.append({"hardness": None, "film": film, **found})
-    return {"slope": slope, "shortest": shortest, "states": states}
+    points = GIVEN * FINER
+    ky, kx = np.meshgrid(*(2.0 * np.pi * np.fft.fftfreq(points, SIDE / points),) * 2, indexing="ij")
+    along, across = kx * math.cos(angle) + ky * math.sin(angle), ky * math.cos(angle) - kx * math.sin(angle)
+    k = np.hypot(along * stretch, across)
+    power = (1.0 + (k * rolloff / (2.0 * np.pi)) ** 2) ** -(1.0 + hurst)
+    power[(k > 2.0 * np.pi / shortest) | (k == 0.0)] = 0.0
+    z = scipy.fft.ifft2(scipy.fft.fft2(rng.standard_normal((points, points))) * np.sqrt(power)).real
+    return (z - z.mean()) / z.std()
 
 
-def _areas(*given, **how) -> dict:
-    found = _solved(*given, **how)
-    return {name: [float(f"{one:.5g}") for one in found[name]] for name in ("pressure", "area")}
+def _base(rng: np.random.Generator, transformed: bool = False, **lay) -> tuple[np.ndarray, str]:
+    hurst, ratio = rng.uniform(0.3, 1.0), _between(rng, 1.3, 14.0)
+    shortest = SHORTEST * (4.0 / 3.0 if transformed else 1.0)
+    return noise(rng, hurst, ratio * shortest, shortest, **lay), f"H {hurst:.2f}, roll-off {ratio:.1f}"
 
 
-def main() -> None:
-    found = json.loads(FILE.read_text()) if FILE.exists() else {}
-    for name, (kind, one) in maps().items():
-        if name not in found:
-            found[name] = {"kind": kind, **solved(one)}
-            FILE.write_text(json.dumps(found, indent=1) + "\n")
-            print(name, flush=True)
+def _gaussian(rng):
+    return _base(rng)
+
+
+def _skewed(rng):
+    z, said = _base(rng, transformed=True)
+    skewness, up = _between(rng, 0.3, 1.8), rng.random() < 0.5
+    heights = gamma((2.0 / skewness) ** 2).ppf(np.clip(norm.cdf(z), 1e-12, 1.0 - 1e-12))
+    return (heights if up else -heights), f"{said}, gamma of skewness {skewness if up else -skewness:+.2f}"
+
+
+def _worn(rng):
+    """Heights above a level are pressed together to a part of them; of half the maps fine roughness is added."""
+    z, said = _base(rng, transformed=True)
+    level, part, fine = rng.uniform(0.0, 1.5), _between(rng, 0.02, 0.3), _between(rng, 0.01, 0.1) * (rng.random() < 0.5)
+    heights = np.where(z > level, level + part * (z - level), z)
+    if fine:
+        heights = heights + fine * noise(rng, 0.8, 2.0 * SHORTEST, SHORTEST)
+    return heights, f"{said}, worn to {part:.2f} above {level:.2f}, {fine:.3f} rough again"
+
+
+def _lay(rng):
+    stretch, angle = _between(rng, 1.5, 8.0), rng.uniform(0.0, math.pi)
+    z, said = _base(rng, stretch=stretch, angle=angle)
+    return z, f"{said}, {stretch:.1f} times longer at {math.degrees(angle):.0f} deg"
+
+
+def _two_scale(rng):
+    z, said = _base(rng)
+    times, waves = _between(rng, 0.5, 6.0), rng.uniform(3.0, 6.0)
+    long = noise(rng, 0.8, SIDE / waves, SIDE / (waves + 2.0))
+    return z + times * long, f"{said}, on waves of 1/{waves:.1f} side, {times:.1f} times as high"
+
+
+_MAKERS = {"gaussian": _gaussian, "skewed": _skewed, "worn": _worn, "lay": _lay, "two-scale": _two_scale}
+
+
+def rms_slope(heights: np.ndarray) -> float:
+    """Return the root mean square gradient, by the waves of the heights."""
+    k = 2.0 * np.pi * np.fft.fftfreq(len(heights), SIDE / len(heights))
+    squared = np.abs(scipy.fft.fft2(heights)) ** 2 * (k[:, None] ** 2 + k[None, :] ** 2)
+    return math.sqrt(squared.sum()) / heights.size
+
+
+def compliance(k: np.ndarray, film: Film | None) -> np.ndarray:
+    """Return displacement over pressure (n,) of waves of these wavevectors [1/m], with plane-strain modulus 1 of the body.
+
+    An Airy function f(z) cos(k x) has f = (A + B k z) e^(-k z) + (C + D k z) e^(k z) in the film and E, F in the body; the
+    surface carries pressure alone, and stresses and displacements are the same on both sides of the interface.
+    """
+    if film is None:
+        return 2.0 / k
+    s = k * film.thickness
+    rows = np.zeros((len(k), 6, 6))
+    decay = np.exp(-s)  # growing terms are e^(k (z - t))
+    # (f, f'/k, f''/k^2, f'''/k^3) of each term at depth z = x/k.
+    falling = lambda x, e: [[e, -e, e, -e], [x * e, (1 - x) * e, (x - 2) * e, (3 - x) * e]]  # noqa: E731
+    rising = lambda x, e: [[e, e, e, e], [x * e, (1 + x) * e, (x + 2) * e, (3 + x) * e]]  # noqa: E731
+    top = [*falling(0.0 * s, 1.0 + 0.0 * s), *rising(0.0 * s, decay)]
+    bottom = [*falling(s, decay), *rising(s, 1.0 + 0.0 * s)]
+    below = falling(0.0 * s, 1.0 + 0.0 * s)
+    bodies = (film.modulus, film.poisson / (1.0 - film.poisson)), (1.0, POISSON / (1.0 - POISSON))
+    for column, f in enumerate(top):
+        rows[:, 0, column], rows[:, 1, column] = f[0], f[1]
+    for terms, (modulus, nu), sign, first in ((bottom, bodies[0], 1.0, 0), (below, bodies[1], -1.0, 4)):
+        for column, f in enumerate(terms):
+            each = f[0], f[1], (f[2] + nu * f[0]) / modulus, (f[3] - (2.0 + nu) * f[1]) / modulus
+            for row, value in enumerate(each):
+                rows[:, 2 + row, first + column] = sign * value
+    right = np.zeros((len(k), 6, 1))
+    right[:, 0] = 1.0
+    terms = np.linalg.solve(rows, right)[..., 0]
+    nu = bodies[0][1]
+    return sum(terms[:, at] * (f[3] - (2.0 + nu) * f[1]) for at, f in enumerate(top)) / (film.modulus * k)
+
+
+class Contact:
+    """The contact of heights with a rigid flat face; modulus of plane strain 1."""
+
+    def __init__(self, heights: np.ndarray, film: Film | None = None):
+        self.heights = heights.astype(np.float32)
+        points = len(heights)
+        kx = 2.0 * np.pi * np.fft.rfftfreq(points, SIDE / points)
+        ky = 2.0 * np.pi * np.fft.fftfreq(points, SIDE / points)
+        k = np.hypot(ky[:, None], kx[None, :])
+        some = np.geomspace(2.0 * np.pi / SIDE, k.max(), 400)
+        k[0, 0] = some[0]
+        self.kernel = (CubicSpline(np.log(some), some * compliance(some, film))(np.log(k)) / k).astype(np.float32)
+        self.kernel[0, 0] = 0.0
+
+    def displaced(self, pressure: np.ndarray) -> np.ndarray:
+        return scipy.fft.irfft2(scipy.fft.rfft2(pressure) * self.kernel, s=pressure.shape)
+
+    def solved(self, mean: float, hardness: float, start: np.ndarray | None = None) -> np.ndarray:
+        """Return the pressure at every point: between 0 and the hardness, of this mean, with the least energy."""
+        p = _projected(np.full(self.heights.shape, mean) if start is None else start, mean, hardness)
+        gap = self.displaced(p) - self.heights
+        step, deviation = 0.5 * mean / float(self.heights.std()), float(self.heights.std())
+        for count in range(_MOST_STEPS):
+            new = _projected(p - np.float32(step) * gap, mean, hardness)
+            change = new - p
+            p, before = new, gap
+            gap = self.displaced(p) - self.heights
+            turned = float(np.vdot(change, gap - before))
+            square = float(np.vdot(change, change))
+            if count % 2:  # one Barzilai-Borwein step after the other
+                other = gap - before
+                step = turned / max(float(np.vdot(other, other)), 1e-300)
+            else:
+                step = square / max(turned, 1e-300)
+            if count % 5 == 4 and _misfit(p, gap, hardness) < _TOLERANCE * deviation:
+                return p
+        raise ArithmeticError(f"not converged: {_misfit(p, gap, hardness) / deviation:.1e}")
+
+
+def _projected(p: np.ndarray, mean: float, hardness: float) -> np.ndarray:
+    """Return the nearest pressure between 0 and the hardness that has this mean: all is shifted alike, then cut off."""
+    low, high = -float(p.max()), (mean if math.isinf(hardness) else hardness) - float(p.min())
+    shift = 0.0
+    for _ in range(60):
+        found = np.clip(p + np.float32(shift), 0.0, hardness)
+        error = float(found.mean(dtype=float)) - mean
+        if abs(error) < 1e-6 * mean:
+            break
+        low, high = (shift, high) if error < 0.0 else (low, shift)
+        free = np.count_nonzero((found > 0.0) & (found < hardness)) / found.size
+        newton = shift - error / free if free else math.inf
+        shift = newton if low < newton < high else 0.5 * (low + high)
+    return found.astype(np.float32)
+
+
+def _misfit(p: np.ndarray, gap: np.ndarray, hardness: float) -> float:
+    """Return the mean distance of faces where they carry, weighted with the pressure, and of what overlaps elsewhere [m]."""
+    free = (p > 0.0) & (p < hardness)
+    if not free.any():
+        return 0.0
+    gap = gap - np.average(gap[free], weights=p[free])
+    overlap = np.maximum(-gap[p <= 0.0], 0.0).sum() + np.maximum(gap[p >= hardness], 0.0).sum()
+    return float(np.sqrt(np.average(gap[free] ** 2, weights=p[free]))) + float(overlap) / np.count_nonzero(p)
+
+
+def share_of_area(p: np.ndarray, hardness: float) -> float:
+    """Return the area over the nominal one: points that carry, less what their width adds at the edges.
+
+    A point between one that flows and one that does not touch counts as far as it carries: such a spot ends in full pressure.
+    """
+    inside, flowing = p > 0.0, p >= np.float32(hardness)
+    by_flow, by_none = np.zeros_like(inside), np.zeros_like(inside)
+    for axis, way in ((0, 1), (0, -1), (1, 1), (1, -1)):
+        by_flow |= np.roll(flowing, way, axis)
+        by_none |= ~np.roll(inside, way, axis)
+    partial = inside & ~flowing & by_flow & by_none
+    edges = 0
+    for axis in (0, 1):
+        sharp = partial | flowing
+        edges += np.count_nonzero((inside != np.roll(inside, 1, axis)) & ~(sharp | np.roll(sharp, 1, axis)))
+    counted = np.count_nonzero(inside & ~partial) + float(p[partial].sum(dtype=float)) / (hardness if partial.any() else 1.0)
+    return max((counted - _EXCESS * edges) / inside.size, float(p.mean(dtype=float)) / hardness)
+
+
+def areas(one: Map, hardness: float | None, film: Film | None, pressures) -> list[float]:
+    """Return shares of the nominal area, of points without width: areas of wide and of narrow points, extended along a line."""
+    flow = math.inf if hardness is None else hardness * SLOPE
+    coarse, fine = Contact(one.given, film), Contact(one.heights, film)
+    found = []
+    for pressure in pressures:
+        p = coarse.solved(pressure * SLOPE, flow)
+        wide = share_of_area(p, flow)
+        start = np.repeat(np.repeat(p, FINER, axis=0), FINER, axis=1)
+        narrow = share_of_area(fine.solved(pressure * SLOPE, flow, start), flow)
+        area = max(narrow + (narrow - wide) / (FINER - 1.0), pressure * SLOPE / flow)
+        found.append(float(f"{min(area, 1.0):.5g}"))
+    return found
+
+
+def solved_file(name: str) -> Path:
+    """Return the file of the solved areas of a set."""
+    return HERE / f"solved-{name}.json"
+
+
+def main(name: str) -> None:
+    file = solved_file(name)
+    found = json.loads(file.read_text()) if file.exists() else {}
+    for key, one in maps(name).items():
+        if key not in found:
+            found[key] = {"said": one.said, "areas": [areas(one, *state) for state in one.states]}
+            file.write_text(json.dumps(found, indent=1) + "\n")
+            print(key, found[key], flush=True)
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1])

@@ -1,118 +1,179 @@
-"""Score predictions of the contact area, with tau_0 known, on the maps of maps.py.
+"""Score predictions of the contact area, with tau_0 known, on a set of maps of maps.py.
 
-    python validation/maps/score.py
+    python validation/maps/score.py first     # writes scored-first.csv, and prints what docs/calibration.md has as tables
 
-Each state of each map is predicted three times: with the map; by sigma, R and N with the kind of surface unknown; by them with
-the kind stated. A row is kept for each: the solved area, the level of the predictive distribution there, and its quantiles.
+Each state of each map is predicted four times: with the map; by sigma, R and N with the kind of surface stated; by them with
+the kind unknown; by Sq and the finish, the map stretched to a slope and height drawn from what that finish leaves open. A row
+is kept for each: the solved area, the level of the predictive distribution there, and its quantiles.
 """
 
 import csv
 import json
+import sys
+import zlib
 from pathlib import Path
 
 import numpy as np
-from maps import FILE, POISSON, given, maps
+from maps import POISSON, SIDE, SLOPE, Map, maps, solved_file
 
 import stiction as st
+from stiction.surfaces.finishes import finish
+from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.measured import MeasuredRoughness, measure
 
 HERE = Path(__file__).parent
-ROWS = HERE / "scored.csv"
 QUANTILES = ("q5", "q25", "q50", "q75", "q95")
-SOLVED = 0.005  # relative error of a solved area
-KNOWN = ("map", "numbers", "kind")
-_MODULUS, _TAU = 1e10, 1e3  # E* of the substrate; tau_0, far below any strength of a body
+ROUNDING = 0.001  # of a solved area, relative
+CERTAIN = 0.02  # width of a 90 % interval that is no wider than what solved areas are known to
+KNOWN = ("map", "kind", "numbers", "finish")
+FINISHES = {
+    "gaussian": ("polished", "lapped", "blasted", "wafer"), "skewed": ("as deposited",), "worn": ("worn",),
+    "lay": ("ground", "turned", "milled"),
+}  # fmt: skip
+_MODULUS, _TAU = 1e10, 1e3  # E* of the rough body; tau_0, far below any strength of a body
 _ELASTIC, _RIGID = 1e6, 1e30
 
 
-def contact_of(surface, roughness, state: dict, slope: float, shortest: float) -> st.Contact:
-    """Return the contact of a rigid flat face and a body of this roughness, with the hardness and the film of a state."""
-    strain, film = 1.0 - POISSON**2, state["film"]
-    hardness = (state["hardness"] or _ELASTIC) * _MODULUS * slope
-    soft = {"youngs_modulus": _MODULUS * strain, "poissons_ratio": POISSON, "hardness": hardness, "material_class": "polymer"}
+def contact_of(roughness, hardness, film, stretch: tuple[float, float]) -> st.Contact:
+    """Return the contact of a rigid flat face and a body of this roughness, with the hardness and the film of a state.
+
+    stretch: factors of lengths along and across the plane by which the solved map is stretched.
+    """
+    slope, strain = SLOPE * stretch[1] / stretch[0], 1.0 - POISSON**2
+    soft = {
+        "youngs_modulus": _MODULUS * strain, "poissons_ratio": POISSON, "hardness": (hardness or _ELASTIC) * _MODULUS * slope,
+        "material_class": "polymer",
+    }  # fmt: skip
     coating = None
     if film is not None:
-        body = st.Material(**{**soft, "youngs_modulus": film[0] * _MODULUS * strain})
-        coating = st.Coating(material=body, thickness=film[1] * shortest, bodies="first")
+        of_film = {"youngs_modulus": film.modulus * _MODULUS * (1.0 - film.poisson**2), "poissons_ratio": film.poisson}
+        coating = st.Coating(material=st.Material(**(soft | of_film)), thickness=film.thickness * stretch[0], bodies="first")
     rigid = {"youngs_modulus": _RIGID, "poissons_ratio": POISSON, "hardness": _RIGID, "material_class": "ceramic"}
     return st.Contact(
-        first=soft, second=rigid, roughness=roughness, nominal_area=surface.size[0] * surface.size[1], coating=coating,
+        first=soft, second=rigid, roughness=roughness, nominal_area=(SIDE * stretch[0]) ** 2, coating=coating,
         interfacial_shear_strength=_TAU,
     )  # fmt: skip
 
 
-def roughness_of(surface, kind: str, known: str):
-    """Return the roughness of a map as it is known: the map itself, or numbers, with the kind or without."""
+def surface_of(one: Map) -> HeightMap:
+    """Return the map that a prediction is given."""
+    return HeightMap(one.given, (SIDE, SIDE), periodic=True)
+
+
+def roughness_of(name: str, one: Map, known: str):
+    """Return the roughness of a map as it is known, and how the map is stretched; None where it has no finish."""
+    surface = surface_of(one)
     found = measure(MeasuredRoughness(first=surface))
     if known == "map":
-        return found.roughness()
+        return found.roughness(), (1.0, 1.0)
+    if known == "finish":
+        return _finished(name, one, surface)
     numbers = found.by_method["mccool"]
-    stated = {"kind": kind} if known == "kind" else {}
+    stated = {"kind": one.kind} if known == "kind" else {}
     return st.Roughness(
         asperity_height_deviation=numbers.asperity_height_deviation, asperity_radius=numbers.asperity_radius,
         asperity_density=numbers.asperity_density, **stated,
-    )  # fmt: skip
+    ), (1.0, 1.0)  # fmt: skip
 
 
-def scored() -> list[dict]:
+def _finished(name: str, one: Map, surface: HeightMap):
+    if one.kind not in FINISHES:
+        return None
+    rng = np.random.default_rng(zlib.crc32(name.encode()))
+    made = finish(str(rng.choice(FINISHES[one.kind])))
+    height, slope = (float(made.quantile(number, rng.uniform())) for number in ("rms_height", "rms_slope"))
+    upwards = height / float(surface.heights.std())
+    return {"finish": made.name, "rms_height": height}, (upwards * SLOPE / slope, upwards)
+
+
+def scored(name: str) -> list[dict]:
     """Return a row for each map, state, load and way of knowing the surface."""
-    solved, rows = json.loads(FILE.read_text()), []
-    for name, (kind, one) in maps().items():
-        surface, slope, shortest = given(one.made()), solved[name]["slope"], solved[name]["shortest"]
+    solved, rows = json.loads(solved_file(name).read_text()), []
+    for key, one in maps(name).items():
+        if key not in solved:
+            continue
         for known in KNOWN:
-            roughness = roughness_of(surface, kind, known)
-            for state in solved[name]["states"]:
-                contact = contact_of(surface, roughness, state, slope, shortest)
-                loads = np.array(state["pressure"]) * _MODULUS * slope * contact.nominal_area
+            given = roughness_of(key, one, known)
+            if given is None:
+                continue
+            for (hardness, film, pressures), areas in zip(one.states, solved[key]["areas"], strict=True):
+                contact = contact_of(given[0], hardness, film, given[1])
+                slope = SLOPE * given[1][1] / given[1][0]
+                loads = np.array(pressures) * _MODULUS * slope * contact.nominal_area
                 found = st.predict(contact, load=loads)
-                areas = found.friction_coefficient_samples.values * loads / _TAU / contact.nominal_area
-                for at, area in enumerate(state["area"]):
-                    rows.append(_row(name, kind, known, state, state["pressure"][at], area, areas[:, at]))
+                shares = found.friction_coefficient_samples.values * loads / _TAU / contact.nominal_area
+                state = {"map": key, "kind": one.kind, "known": known, "state": _state(hardness, film)}
+                rows += [_row(state, *each) for each in zip(pressures, areas, shares.T, strict=True)]
     return rows
 
 
-def _row(name, kind, known, state, pressure, area, samples) -> dict:
+def _state(hardness, film) -> str:
+    if film is not None:
+        return "soft film" if film.modulus < 1.0 else "stiff film"
+    return "elastic" if hardness is None else "plastic"
+
+
+def _row(state: dict, pressure: float, area: float, samples: np.ndarray) -> dict:
     samples = samples[np.isfinite(samples)]
     quantiles = dict(zip(QUANTILES, np.quantile(samples, [float(name[1:]) / 100.0 for name in QUANTILES]), strict=True))
     numbers = {"pressure": pressure, "area": area, "level": np.mean(samples < area), **quantiles}
-    film = "" if state["film"] is None else f"{state['film'][0]:g}"
-    named = {"map": name, "kind": kind, "known": known, "hardness": state["hardness"] or "", "film": film}
-    return named | {key: f"{value:.4g}" for key, value in numbers.items()}
+    return state | {key: f"{value:.5g}" for key, value in numbers.items()}
 
 
-def main() -> None:
-    rows = scored()
-    with ROWS.open("w", newline="") as file:
+def scored_file(name: str) -> Path:
+    """Return the file of the scores of a set."""
+    return HERE / f"scored-{name}.csv"
+
+
+def read_scored(name: str) -> list[dict[str, str]]:
+    """Return the rows of a set that was scored."""
+    with scored_file(name).open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def held(row: dict, low: str, high: str) -> bool:
+    """Return whether an interval holds the solved area."""
+    area = float(row["area"])
+    return float(row[low]) <= area * (1.0 + ROUNDING) and area * (1.0 - ROUNDING) <= float(row[high])
+
+
+def width(row: dict) -> float:
+    """Return the ratio of the ends of the 90 % interval."""
+    return float(row["q95"]) / float(row["q5"])
+
+
+def open_rows(rows: list[dict]) -> list[dict]:
+    """Return the rows where something is left to predict: not those where all flows and the area is load over hardness."""
+    return [row for row in rows if width(row) > 1.0 + CERTAIN]
+
+
+def coverage(rows: list[dict]) -> tuple[float, float, float, float]:
+    """Return how often the intervals of 50 and 90 % hold the truth, the median width, and the rms error of ln of the area."""
+    half, most = (float(np.mean([held(row, *ends) for row in rows])) for ends in (("q25", "q75"), ("q5", "q95")))
+    errors = np.log([float(row["q50"]) / float(row["area"]) for row in rows])
+    return half, most, float(np.median([width(row) for row in rows])), float(np.sqrt(np.mean(errors**2)))
+
+
+def main(name: str) -> None:
+    rows = scored(name)
+    with scored_file(name).open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, rows[0], lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
     for known in KNOWN:
         some = [row for row in rows if row["known"] == known]
-        said(known, some)
-        for name in sorted({_state(row) for row in some}):
-            said(f"  {name}", [row for row in some if _state(row) == name])
-        for kind in dict.fromkeys(row["kind"] for row in some):
-            said(f"  {kind}", [row for row in some if row["kind"] == kind])
+        _said(known, some)
+        for column in ("state", "kind"):
+            for value in dict.fromkeys(row[column] for row in some):
+                _said(f"  {value}", [row for row in some if row[column] == value])
 
 
-def _state(row: dict) -> str:
-    return f"film {row['film']}" if row["film"] else f"hardness {row['hardness']}"
-
-
-def held(row: dict, low: str, high: str) -> bool:
-    """Return whether an interval holds the solved area, which is known within half a percent."""
-    area = float(row["area"])
-    return float(row[low]) <= area * (1.0 + SOLVED) and area * (1.0 - SOLVED) <= float(row[high])
-
-
-def said(name: str, rows: list[dict]) -> None:
-    """Print how often the intervals of 50 and 90 % hold the truth, and the median width."""
-    width = np.array([float(row["q95"]) / float(row["q5"]) for row in rows])
-    errors = np.log([float(row["q50"]) / float(row["area"]) for row in rows])
-    half, most = (np.mean([held(row, *ends) for row in rows]) for ends in (("q25", "q75"), ("q5", "q95")))
-    rms = np.sqrt(np.mean(errors**2))
-    print(f"{name:16s} {len(rows):4d}  50 %: {half:.2f}  90 %: {most:.2f}  width {np.median(width):.3g}  rms {rms:.3f}")
+def _said(name: str, rows: list[dict]) -> None:
+    for which, some in (("", rows), (" (open)", open_rows(rows))):
+        if some:
+            half, most, wide, rms = coverage(some)
+            print(f"{name + which:22s} {len(some):4d}  50 %: {half:.2f}  90 %: {most:.2f}  width {wide:.3g}  rms {rms:.3f}")
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1])

@@ -21,9 +21,10 @@ $$
 $$
 
 *Spectrum*: of sigma, R and N only the moments are known; their surface is taken as self-affine, $S\propto k^{-2-2H}$ with
-$H=0.8$ between two waves that give it these moments. Where the contact names a scan, the spectrum is that of its map, and the
-bare area law is the solution of its own contact, as in [`persson_widened`](#persson_widened); `area_by` of the result says
-which it was.
+$H=0.8$ between two waves that give it these moments. Where the contact names a scan, the map is solved with its film, elastic,
+at up to five loads; between and beyond them the area follows the law with the spectrum of the map, and with the bare area of
+its slopes as in [`persson_widened`](#persson_widened). A map too large to be solved has the law alone. `area_by` of the result
+says which it was.
 
 *Limit*: the bare area law, for a film of no thickness with the modulus of the bodies, for one without end with the film's own.
 *Check*: where film and bodies are alike, $p=0.05\,E^*h'$ and $F=G$ of Nayak's $\alpha=6.93$ ($NR\sigma=0.05$) as `of_moments`
@@ -49,6 +50,7 @@ from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, requir
 from stiction.surfaces.theory.touching import expected_share
 
 if TYPE_CHECKING:
+    from stiction.solvers.boundary_elements.compliance import Compliance
     from stiction.surfaces.heightmap import HeightMap
 
 # a k, with the powers of area and modulus.
@@ -56,6 +58,8 @@ _SIZE, _BY_AREA, _BY_MODULUS = 2.06, 0.086, -0.047
 _HURST, _WAVES = 0.8, 24
 # Ratios of the shortest to the longest wave between which the bandwidth is looked up.
 _RATIOS = np.concatenate([[1.0], 1.0 + np.geomspace(1e-4, 1.0, 60), np.geomspace(2.0, 1e12, 600)[1:]])
+_SOLVED_LOADS, _NEARLY_FLAT = 5, 0.98  # of a map with its film; area from which on it is not solved
+_TO_A_FACTOR_OF_E = 2  # pressures of the bare area of a map
 _STEPS, _PER_POINT = 40, 10  # fixed-point steps; what a load takes, as a number of points: bounds the memory
 STIFF = 5.0  # over the modulus of the bodies: under such films, where they are thin, it is weak
 
@@ -177,32 +181,85 @@ def _thickness(groups: Groups) -> np.ndarray:
 
 
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
-    """As `area_at_load`, of the map itself: its spectrum, and as the bare area law the solution of its own contact; all
-    contacts have its surface."""
+    """As `area_at_load`, of the map itself: its elastic contact with the film solved at a few loads, between them and beyond by
+    its spectrum, with as the bare area law the solution of its own contact; all contacts have its surface."""
     whole, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     slopes = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
     found = np.zeros(load.shape)
     for at in range(len(load)):
-        one, p = whole[at : at + 1], pressure[at : at + 1]
-        bare = _bare_curve(surface, p, float(slopes[at]), float(one.n_E[0]))
-        found[at] = area_of_waves(p, bare, waves_of_map(surface, one), _thickness(one), one)[0]
+        found[at] = _elastic_on_map(pressure[at], whole[at : at + 1], surface, float(slopes[at]))
     return _flowing(found, pressure, whole) / (math.pi * density)
 
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
     """The spectrum of a map, in units of the sqrt(R sigma) that its moments give; groups: of one contact."""
-    from stiction.surfaces.asperity_method.mccool import mccool
     from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
 
     spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
     power = spectrum.wavevector**2 * spectrum.density * spectrum.waves
-    unit = math.sqrt(float(groups.roughness_parameter[0]) / mccool(surface, None).density)
-    return Waves(spectrum.wavevector * unit, power / power.sum())
+    return Waves(spectrum.wavevector * _unit(surface, groups), power / power.sum())
+
+
+def _unit(surface: "HeightMap", groups: Groups) -> float:
+    """sqrt(R sigma) by the moments of a map [m]."""
+    from stiction.surfaces.asperity_method.mccool import mccool  # slow to import
+
+    return math.sqrt(_single(groups.roughness_parameter) / mccool(surface, None).density)
+
+
+def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
+    """Return how film and bodies of one contact give way, with the modulus of both bodies without film 1."""
+    from stiction.solvers.boundary_elements.compliance import Compliance, Film  # slow to import
+
+    share, thickness = _single(groups.coated_share), _single(_thickness(groups)) * _unit(surface, groups)
+    film, nu = _single(groups.film_modulus), _single(groups.layer_nu)
+
+    def on(body: float, body_nu: float) -> Film:
+        modulus = math.inf if body <= 0.0 else (1.0 - body_nu**2) / body
+        return Film(thickness, film * (1.0 - nu**2), nu, modulus, body_nu)
+
+    first, second = on(share, _single(groups.coated_nu)), on(1.0 - share, _single(groups.counter_nu))
+    if _single(groups.films) == 2.0:
+        return Compliance(math.inf, first, second)
+    return Compliance(math.inf if share >= 1.0 else 1.0 / (1.0 - share), first)
+
+
+def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", slope: float) -> np.ndarray:
+    """Return the elastic area over the nominal one (H,) of one contact with a map of this rms slope.
+
+    A few loads are solved with the film. Between and beyond them the area follows the law: the ratio of both is read off over
+    the logarithm of the pressure. A load under which too few points touch has the ratio of one under which enough do.
+    """
+    from scipy.interpolate import PchipInterpolator
+
+    from stiction.solvers.boundary_elements.map_area import FEWEST_CONTACT, map_area  # slow to import
+
+    waves, thickness, n_E = waves_of_map(surface, groups), _thickness(groups), _single(groups.n_E)
+
+    def law(p: np.ndarray) -> np.ndarray:
+        return area_of_waves(p[None], _bare_curve(surface, p, slope, n_E), waves, thickness, groups)[0]
+
+    area, points = law(pressure), map_area(surface)
+    some = np.unique(np.log(pressure[(pressure > 0.0) & (area < _NEARLY_FLAT)]))
+    if not some.size or not points.solvable:
+        return area
+    nodes = np.exp(some if some.size <= _SOLVED_LOADS else np.linspace(some[0], some[-1], _SOLVED_LOADS))
+    touching = law(nodes) * points.heights.size
+    nodes = np.unique(nodes * np.maximum(2.0 * FEWEST_CONTACT / touching, 1.0))
+    of_law = law(nodes)
+    solved = points.solved_with(compliance_of(groups, surface), nodes * slope, of_law)
+    there = np.isfinite(solved)
+    if not there.any():
+        return area
+    x, y = np.log(nodes[there]), np.log(solved[there] / of_law[there])
+    at = np.clip(np.log(np.maximum(pressure, 1e-300)), x[0], x[-1])
+    return np.minimum(area * np.exp(PchipInterpolator(x, y)(at) if x.size > 1 else y[0]), 1.0)
 
 
 def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
-    """The bare area of a map against the pressure over E* h', for all that films of this modulus may make of the pressures."""
+    """The bare area of a map against the pressure over E* h', by a formula from its slopes, for all that films of this modulus
+    may make of the pressures."""
     from scipy.interpolate import PchipInterpolator
 
     from stiction.solvers.boundary_elements.map_area import map_area  # slow to import
@@ -210,9 +267,11 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
     some = pressure[pressure > 0.0]
     if not some.size:
         return np.zeros_like
+    area = map_area(surface)
     low, high = 0.5 * float(some.min()) / max(n_E, 1.0), 2.0 * float(some.max()) / min(n_E, 1.0)
-    at = np.linspace(math.log(low), math.log(high), 6 * math.ceil(math.log(high / low)) + 13)
-    curve = PchipInterpolator(at, np.log(map_area(surface).share(np.exp(at) * slope, math.inf)))
+    at = np.linspace(math.log(low), math.log(high), _TO_A_FACTOR_OF_E * math.ceil(math.log(high / low)) + 5)
+    of_map = slope / area.slopes.gradient
+    curve = PchipInterpolator(at, np.log([area.by_formula(p * of_map, math.inf) for p in np.exp(at)]))
 
     def bare(p: np.ndarray) -> np.ndarray:
         return np.where(p > 0.0, np.exp(curve(np.log(np.clip(p, low, high)))), 0.0)
@@ -220,9 +279,14 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
     return bare
 
 
+def _single(value: np.ndarray) -> float:
+    """Return a group of one contact."""
+    return float(np.ravel(value)[0])
+
+
 WAYS = (
     "formula from the moments of the surface, which is taken for Gaussian, isotropic and self-affine",
-    "solution of the contact of the map without a film, or a formula from its slopes if it is too large, and its spectrum",
+    "solution of the contact of the map with its film, or, if it is too large, a formula from its slopes and its spectrum",
 )
 
 

@@ -17,6 +17,7 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 
 from stiction.solvers.boundary_elements.area_estimates import MapSlopes, by_ranks, by_top_slopes, map_slopes
+from stiction.solvers.boundary_elements.compliance import Compliance
 from stiction.solvers.boundary_elements.limits import LEAST_IN_WAVE
 from stiction.solvers.boundary_elements.measures import Waves, waves
 from stiction.solvers.boundary_elements.solve import solve_map
@@ -128,6 +129,39 @@ class MapArea:
         flat = np.ravel(np.asarray(pressure, dtype=float)) / h
         return self._curves[hardness](flat).reshape(np.shape(pressure))
 
+    def solved_with(self, compliance: Compliance, pressure: np.ndarray, expected: np.ndarray) -> np.ndarray:
+        """Solved elastic A/A0 (n,) where films give way as well, NaN where too few points touch or the map is too large.
+
+        pressure: mean, in the unit of the compliance, (n,) rising; expected: about the area that is found.
+        """
+        found = np.full(len(pressure), np.nan)
+        if not self.solvable:
+            return found
+        films = {"film": compliance.film, "counter_film": compliance.counter_film}
+        steps = np.array([self.every(area) for area in expected.tolist()])
+        for step in np.unique(steps).tolist():
+            mine = steps == step
+            found[mine] = self.solve(pressure[mine], step, modulus=compliance.modulus, **films)
+        return found
+
+    def every(self, area: float) -> int:
+        """Every how many-th point is solved for such an A/A0: the fewest of which enough touch."""
+        expected = area * self.heights.size
+        return next((one for one in self.solvable if expected / one**2 >= LEAST_CONTACT), self.solvable[-1])
+
+    def solve(self, pressure: np.ndarray, every: int, **how) -> np.ndarray:
+        """Solved A/A0 (n,) of every so many-th point at mean pressures (n,), NaN where too few of them touch; how: bodies, as
+        `solve_map` takes them."""
+        heights = np.ascontiguousarray(self.heights[::every, ::every])
+        covered = zip(self.size, self.heights.shape, heights.shape, strict=True)
+        high, wide = (length / full * every * few for length, full, few in covered)
+        loads = (pressure * high * wide).tolist()
+        contacts = solve_map(
+            heights, (high, wide), loads=loads, periodic=self.periodic, keep_maps=False, stiffness=False, **how
+        )
+        touching = contacts.array("area_pixels") / (high * wide) * heights.size >= FEWEST_CONTACT
+        return np.where(touching, np.minimum(contacts.array("area") / (high * wide), 1.0), np.nan)
+
     def by_formula(self, pressure: float, hardness: float) -> float:
         """A/A0 by the formula, at a pressure over E* h' and with a hardness over E* h'."""
         return float(with_hardness(self.formula(pressure, self.slopes), pressure, hardness))
@@ -172,25 +206,17 @@ class _Curve:
             self._solve_nodes([self._heaviest], self._every(self._heaviest))
 
     def _every(self, pressure: float) -> int:
-        """Every how many-th point is solved: the fewest of which enough touch."""
-        expected = self._area.by_formula(pressure, self._hardness) * self._area.heights.size
-        return next((one for one in self._area.solvable if expected / one**2 >= LEAST_CONTACT), self._area.solvable[-1])
+        return self._area.every(self._area.by_formula(pressure, self._hardness))
 
     def _solve_nodes(self, pressures: list[float], every: int) -> None:
-        heights = np.ascontiguousarray(self._area.heights[::every, ::every])
-        covered = zip(self._area.size, self._area.heights.shape, heights.shape, strict=True)
-        size = tuple(length / full * every * few for length, full, few in covered)
-        nominal, h = size[0] * size[1], self._area.slopes.gradient
-        contacts = solve_map(
-            heights, (size[0], size[1]), modulus=1.0, loads=[one * h * nominal for one in pressures],
-            periodic=self._area.periodic, hardness=None if math.isinf(self._hardness) else self._hardness * h,
-            keep_maps=False, stiffness=False,
-        )  # fmt: skip
-        for pressure, contact in zip(pressures, contacts, strict=True):
-            if contact.area_pixels / nominal * heights.size < FEWEST_CONTACT:
+        h = self._area.slopes.gradient
+        hardness = None if math.isinf(self._hardness) else self._hardness * h
+        found = self._area.solve(np.array(pressures) * h, every, modulus=1.0, hardness=hardness)
+        for pressure, area in zip(pressures, found.tolist(), strict=True):
+            if math.isnan(area):
                 self._lightest = max(self._lightest, pressure)
             else:
-                self._nodes[pressure] = math.log(min(contact.area / nominal, 1.0))
+                self._nodes[pressure] = math.log(area)
 
     def _read(self, pressure: np.ndarray) -> np.ndarray:
         if not self._nodes:

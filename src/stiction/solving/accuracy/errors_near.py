@@ -23,8 +23,10 @@ from stiction.solving.accuracy.solved_set import SolvedSet
 ELASTIC = 3.0  # hardness over E* h' from which on nothing flows
 LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # of the quantiles that are kept
 NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # of a normal number at LEVELS, in standard deviations
-_SLOPE = 5.0  # times the lightest pressure: how errors change up to there is how they go on below, down to a part of it
-_FARTHEST = 4.0
+# Times the lightest pressure: how errors change up to there is how they go on below, down to one over the second, to which it
+# was solved (truth/light.csv: as far on smooth plateaus and skewed surfaces, a third as far on plateaus that are rough again).
+_SLOPE, _FARTHEST = 5.0, 16.0
+_STEEP = 0.3  # change of ln of area over load with ln of the pressure, on plateaus without roughness of their own
 _FLOWS = 0.1  # hardness over E* h' at which spots flow as much as not
 _COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts as near
 
@@ -80,7 +82,9 @@ def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywh
     of_pressure, inside, solved_hardness = pressure_difference(known, pressure, hardness)
     found, there = _between(known, errors, inside, solved_hardness)
     if of_pressure.ours < of_pressure.theirs[0]:
-        found = _at_lighter_load(known, errors, found, float(of_pressure.theirs[0] / of_pressure.ours), inside, solved_hardness)
+        times = float(of_pressure.theirs[0] / of_pressure.ours)
+        found, real = _at_lighter_load(known, errors, found, times, inside, solved_hardness)
+        there = there * real
     found = found * min(hardness / solved_hardness, 1.0)  # softer than what was solved: areas tend to load over hardness
     hardness = solved_hardness
     _, solved = _between(known, known.areas, inside, hardness)
@@ -93,15 +97,20 @@ def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywh
 
 
 def _at_lighter_load(known: SolvedSet, errors: np.ndarray, found: np.ndarray, times: float, lightest: float, hardness: float):
-    """Return errors (s,) at a pressure so many times below the lightest that was solved.
+    """Return errors (s,) at a pressure so many times below the lightest that was solved, and how far each surface counts (s,).
 
     Those of elastic surfaces go on with ln of the pressure as they change above; where spots flow they fade with the root of
-    the pressure, as the finest roughness of a plateau flows too (a judgement, grade C).
+    the pressure, as the finest roughness of a plateau flows too. Area over load tends to a constant on what is rough down to
+    its shortest waves. Where it changes fast, plateaus have no roughness of their own; of real ones that carries light loads:
+    such surfaces count the less the lighter the load (both judgements, grade C).
     """
     elastic = 1.0 / (1.0 + (_FLOWS / min(hardness, ELASTIC)) ** 2)
     heavier, _ = _between(known, errors, _SLOPE * lightest, hardness)
     slope = np.nan_to_num(found - heavier) / math.log(_SLOPE)
-    return (found + elastic * slope * math.log(min(times, _FARTHEST))) * times ** (-0.5 * (1.0 - elastic))
+    farther = math.log(times) / math.log(_FARTHEST)
+    real = np.minimum(_STEEP / np.maximum(np.abs(slope), 1e-9), 1.0) ** (2.0 * elastic * farther)
+    going_on = found + elastic * slope * math.log(_FARTHEST) * min(farther, 1.0)
+    return going_on * times ** (-0.5 * (1.0 - elastic)), real
 
 
 def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):

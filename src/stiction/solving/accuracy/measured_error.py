@@ -39,9 +39,10 @@ _MOST_ADHESION = 0.1  # pull-off forces over the load, in the set there are none
 _FULL = 1.0  # pull over a load that is none
 _LEAST_SHARE = 0.8  # of the compliance that is the coated body's: in the set the other is rigid
 _MOST_POINTS = 200
-# Rms of ln of the solved area of a map of 8 points in its shortest wave, by the width of its points: at light loads, and where
-# p/(E* h') is larger than that.
-_LIGHT_ERROR, _OWN_ERROR, _LIGHT = 0.015, 0.005, 0.01
+# Standard deviation of ln of the solved area of a map of 8 points in its shortest wave, by the width of its points: of many points
+# in contact, of one, and the power of their number by which it falls (truth/points.csv).
+_OWN_ERROR, _OF_POINTS, _POWER = 0.004, 0.6, -0.6
+_BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # of maps too large to be solved (docs/truth.md)
 _NORMAL_END = 1.645  # standard deviations to the 95 % quantile
 _LEAST_TOLD = 0.5  # of the weight of what is near: surfaces on which a model says something
 _ITSELF, _MAP, _MOMENTS = "the solution itself", "map", "moments"
@@ -198,7 +199,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
     trust = np.clip(FAR - found.distance, 0.0, 1.0) * np.clip((found.told - _LEAST_TOLD) / (0.5 * _LEAST_TOLD), 0.0, 1.0)
     own = sample = np.zeros(load.size)
     if isinstance(problem, ClosedForm) and problem.map is not None:
-        own, sample = _own_error(place.pressure), _sample_error(problem.map, place)
+        own, sample = _own_error(problem.map, _share(problem, area)), _sample_error(problem.map, place)
     return MeasuredErrors(
         column, error, _widened(error, levels, own), np.hypot(relative, own), np.hypot(expected, own),
         _of_friction(problem, results, error), found.distance, found.surfaces, trust * near_none,
@@ -211,17 +212,29 @@ def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> Measured
     surface = problem.surface()
     place = Place.of(problem, load, surface)
     there = np.where(np.isfinite(area.ravel()), 0.0, np.nan)
-    own, nothing = there + _own_error(place.pressure), np.zeros(load.size)
+    own, nothing = there + _own_error(surface, _share(problem, area), every_point=True), np.zeros(load.size)
     levels = _widened(there, np.repeat(there[:, None], len(LEVELS), axis=1), own)
     return MeasuredErrors(
         _ITSELF, there, levels, own, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place)
     )
 
 
-def _own_error(pressure: np.ndarray) -> np.ndarray:
-    """Root mean square error of ln of a solved area, of the width of points; pressure: over E* h'."""
-    light = 1.0 / (1.0 + np.square(np.maximum(pressure, 0.0) / _LIGHT))
-    return _OWN_ERROR + (_LIGHT_ERROR - _OWN_ERROR) * light
+def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
+    """Return A/A0 (k,) of normalised areas, 0 where there is none."""
+    return np.nan_to_num(np.minimum(math.pi * np.reshape(problem.groups.roughness_parameter, (-1, 1)) * area, 1.0)).ravel()
+
+
+def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = False) -> np.ndarray:
+    """Return the standard deviation of ln of an area solved on a map, by how many points touch, or of the formula that stands
+    for it. share: A/A0 (k,); every_point: all points are solved, not those that are enough."""
+    from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
+
+    area = map_area(surface)
+    if not area.solvable and not every_point:
+        return np.full(share.shape, _BY_FORMULA[area.way])
+    every = np.ones(share.size) if every_point else np.array([area.every(one) for one in share.tolist()])
+    points = np.maximum(share * area.heights.size / every**2, 1.0)
+    return np.hypot(_OWN_ERROR, _OF_POINTS * points**_POWER)
 
 
 def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.ndarray:
@@ -263,6 +276,8 @@ def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray
     from scipy.special import erfinv
 
     found = on_solved_maps(problem, points)
+    if found is not None and isinstance(problem, ClosedForm) and problem.map is not None and _is_solved(problem.map):
+        return _none_but_own(found)
     if found is None or place.shape is not None:
         return found
     share = np.minimum(math.pi * problem.groups.roughness_parameter[:, None] * area, 1.0 - 1e-9).ravel()
@@ -277,6 +292,20 @@ def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray
     relative = np.hypot(found.relative, bare.relative)
     presumed = found.presumed if place.kind is None else np.hypot(found.presumed, bare.presumed)
     return found._replace(middle=middle, presumed=presumed, levels=levels, relative=relative, surfaces=bare.surfaces)
+
+
+def _is_solved(surface: "HeightMap") -> bool:
+    """Return whether a map is small enough to be solved."""
+    from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
+
+    return bool(map_area(surface).solvable)
+
+
+def _none_but_own(found: ErrorsNear) -> ErrorsNear:
+    """Return no errors but those of a solution: whatever the film, near each point."""
+    nothing = np.zeros_like(found.distance)
+    each = {name: nothing for name in ("relative", "middle", "presumed", "distance")}
+    return found._replace(**each, levels=np.zeros_like(found.levels), told=nothing + 1.0)
 
 
 def _unknown(column: str, points: int, why: str) -> MeasuredErrors:

@@ -22,8 +22,10 @@ if TYPE_CHECKING:
 _SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # that count as a distance of 1; logarithms but skewness
 _LEAST_TOP = 0.03
 _ALIKE, _FEWEST = 2.0, 8  # distance in shape of the nearest solved surface, points on a side, for a map to have a kind
-_PRESSURE = 1.4  # ln of the pressure beyond those of the set, a distance of 1; where all flows it hardly counts
-_FLOWING, _FLOWING_PRESSURE = 0.1, 7.0  # hardness over E* h' below that is so
+_PRESSURE = 1.4  # ln of the pressure above those of the set, a distance of 1
+# The same below the lightest pressure, where area over load hardly changes (truth/light.csv), and where all flows: below this
+# hardness over E* h'.
+_LIGHTER, _FLOWING = 7.0, 0.1
 _FILM_SCALES = (0.7, 0.8)  # ln of the modulus over the substrate's, of the thickness over sqrt(m2/m4)
 _SAID = 0.25  # share of the squared distance from which on a difference is said
 _NAMES = {
@@ -152,7 +154,7 @@ def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference
     by_film = ((np.log(moduli / modulus) / _FILM_SCALES[0]) ** 2)[None, :]
     by_thickness = (np.log(thicknesses[None, :] * waves / thickness) / _FILM_SCALES[1]) ** 2
     low, high = known["film_loads"][..., 0], known["film_loads"][..., -1]
-    beyond = np.maximum(np.maximum(np.log(low / pressure), np.log(pressure / high)), 0.0) / _PRESSURE
+    beyond = np.maximum(np.maximum(np.log(low / pressure) / _LIGHTER, np.log(pressure / high) / _PRESSURE), 0.0)
     bare = [
         Difference(one.name, one.ours, one.theirs[some][:, None], one.squared[some][:, None])
         for one in differences(known, place, at)
@@ -177,8 +179,8 @@ def pressure_difference(known: SolvedSet, pressure: float, hardness: float) -> t
     if hardness < softest:
         name, unit = _OVER_HARDNESS, softest
         pressure, hardness = pressure * softest / hardness, softest
-    scale = _FLOWING_PRESSURE if hardness <= _FLOWING else _PRESSURE
-    beyond = max(math.log(low / pressure), math.log(pressure / high), 0.0) / scale
+    heavier = _LIGHTER if hardness <= _FLOWING else _PRESSURE
+    beyond = max(math.log(low / pressure) / _LIGHTER, math.log(pressure / high) / heavier, 0.0)
     inside = min(max(pressure, low), high)
     every = np.ones(len(known["surfaces"]))
     return Difference(name, pressure / unit, inside / unit * every, beyond**2 * every), inside, hardness
