@@ -5,6 +5,7 @@
 - models.md: lists of models and laws, from their records;
 - published-models.md: a section for each, the docstring of its file and what its record says;
 - materials.md: the presets, from their files;
+- calibration.md: how often the interval of a prediction holds, from scores in validation/ (calibration_tables.py);
 - interfaces.md: states of an interface and finish classes, from their files (interface_tables.py);
 - truth.md: how far models are from solved surfaces, from the set of these (truth_tables.py);
 - what-mu-rests-on.md: friction of one contact with each assumption switched (what_mu_rests_on.py);
@@ -37,6 +38,7 @@ from stiction.surfaces.read import readers
 
 HERE = Path(__file__).parent
 sys.path.append(str(HERE))
+import calibration_tables  # noqa: E402 - beside this file
 import interface_tables  # noqa: E402 - beside this file
 import truth_tables  # noqa: E402 - beside this file
 import what_mu_rests_on  # noqa: E402
@@ -352,6 +354,7 @@ TABLES = {
     "which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},
     "trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt},
     "truth.md": truth_tables.TABLES,
+    "calibration.md": calibration_tables.TABLES,
     "what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},
     "materials.md": {"materials": materials, "sources of materials": material_sources},
     "interfaces.md": interface_tables.TABLES,

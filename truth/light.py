@@ -2,9 +2,10 @@
 
     python truth/light.py
 
-writes light.csv beside this file; five minutes on one core, less where solutions are kept in truth/work. Designs of the set with
-seeds of their own and 128 shortest waves on a side, so that enough spots touch. Columns: design, kind; pressure over E* h';
-points in contact; area: share of the nominal area; over_lightest: area over load, over that at the lightest pressure of the set.
+writes light.csv beside this file; five minutes on one core, less where solutions are kept in truth/work. Designs of the set
+with seeds of their own and 128 shortest waves on a side, so that enough spots touch. Columns: design, kind; pressure over
+E* h'; points in contact; area: share of the nominal area; over_lightest: area over load, over that at the lightest pressure of
+the set.
 """
 
 import csv

@@ -85,8 +85,8 @@ def stacked(scores: np.ndarray, counts: np.ndarray) -> np.ndarray:
 
 
 def cases(known: SolvedSet, seen: str) -> tuple[list[str], np.ndarray, np.ndarray]:
-    """Return the laws that count once, ln of their densities (n, k) on the solved areas that all answer, and the kind of surface
-    (n,) of each."""
+    """Return the laws that count once, ln of their densities (n, k) on the solved areas that all answer, and the kinds of
+    surface (n,) of these."""
     laws = _laws(known, _METHODS[seen])
     tables = np.stack([densities(known, known.errors(law), seen) for law in laws], axis=-1)
     every = np.isfinite(tables).all(axis=-1)

@@ -1,5 +1,6 @@
 """The error of a model near a contact, by the set of solved surfaces: the set itself, and what is read off it."""
 
+import csv
 import json
 import sys
 from pathlib import Path
@@ -138,13 +139,19 @@ def test_numbers_do_not_tell_the_kind_of_a_surface():
 
 
 def test_a_solution_has_the_error_of_its_points():
-    """What maps of 8 points in the shortest wave, solved with 4 times the points along a side, say: docs/truth.md."""
-    loads = np.array([0.002, 0.2]) * MODULUS * SLOPE * SIDE**2
-    data = st.solve(contact(gaussian(9004, points=128)), load=loads, model="boundary_elements")
-    assert measured(data)["area_rms"] == pytest.approx([0.0146, 0.005], rel=0.02)
+    """As areas of maps with three times as many points along a side say, by the number of points in contact (truth/points.csv)."""
+    with (Path(__file__).parents[2] / "truth" / "points.csv").open(newline="") as file:
+        rows = [row for row in csv.DictReader(file) if math.isfinite(float(row["error"]))]
+    points, errors = (np.array([float(row[name]) for row in rows]) for name in ("points", "error"))
+    loads = np.array([0.004, 0.1]) * MODULUS * SLOPE * SIDE**2
+    one = contact(gaussian(9004, points=128))
+    data = st.solve(one, load=loads, model="boundary_elements")
+    for touching, stated in zip(data["points_in_contact"].values, measured(data)["area_rms"], strict=True):
+        alike = errors[np.abs(np.log(points / touching)) < 0.7]
+        assert len(alike) > 8 and 0.5 < stated / np.sqrt(np.mean(alike**2)) < 2.0
     assert measured(data)["sample"] == [0.0, 0.0]  # one period is all there is
-    own = measured(st.solve(contact(gaussian(9004, points=128)), load=loads, model="persson_widened"))
-    assert min(own["area_rms"]) >= 0.005
+    own = measured(st.solve(one, load=loads, model="persson_widened"))
+    assert min(own["area_rms"]) >= 0.004
 
 
 def test_a_window_is_one_sample_of_its_surface():
@@ -174,19 +181,20 @@ def errors_at(one, pressure, model):
 
 @pytest.mark.parametrize("along", ("load", "hardness"))
 def test_what_is_stated_and_how_it_is_trusted_does_not_jump(along):
-    """From among the set to far below its lightest load, and from soft to elastic, in steps of 5 %."""
+    """From among the set to far below its lightest load, and from soft to elastic, in steps of 10 and 5 %."""
     rough = by_numbers(gaussian(9012, points=128))
     if along == "load":
-        rows = [errors_at(contact(rough), p, "persson_widened") for p in np.geomspace(3e-5, 0.02, 130)]
+        rows = [errors_at(contact(rough), p, "persson_widened") for p in np.geomspace(1e-10, 0.02, 200)]
     else:
         rows = [errors_at(contact(rough, hard), 0.015, "persson_widened") for hard in np.geomspace(0.025, 4.0, 104)]
     trust = np.array([row.trust[0] for row in rows])
     assert trust.max() == 1.0 and (trust.min() == 0.0) == (along == "load")
     assert np.abs(np.diff(trust)).max() < 0.1
-    for name in ("area", "low", "high", "expected"):
+    ends = 0.4 if along == "load" else 0.1  # far below the set they are quantiles of ever fewer surfaces
+    for name, most in (("area", 0.1), ("low", ends), ("high", ends), ("expected", 0.1)):
         values = np.array([getattr(row, name)[0] for row in rows])
         assert (np.isfinite(values) == (trust > 0.0)).all()
-        assert np.abs(np.diff(values[trust > 0.0])).max() < 0.1
+        assert np.abs(np.diff(values[trust > 0.0])).max() < most
 
 
 def test_friction_of_the_interface_is_off_as_the_area_and_less_where_strength_rises_with_pressure():
@@ -208,7 +216,7 @@ def test_friction_of_the_interface_is_off_as_the_area_and_less_where_strength_ri
     ("change", "pressure", "why"),
     (
         ({"work_of_adhesion": "50 J/m^2"}, 0.02, "adheres"),
-        ({}, 1e-6, "the nearest has nominal pressure over E* times rms slope 0.002 where this has 1e-06"),
+        ({}, 1e-10, "the nearest has nominal pressure over E* times rms slope 0.002 where this has 1e-10"),
         ({"roughness": st.Roughness(asperity_height_deviation="1 um", asperity_radius="1 um", asperity_density="1e13 1/m^2")},
          0.02, "no solved surface is like this one: the nearest has Nayak's alpha "),
     ),
@@ -222,9 +230,9 @@ def test_far_from_the_set_nothing_is_stated(change, pressure, why):
     assert data.attrs["measured_error_in_words"].startswith("not measured here")
 
 
-@pytest.mark.parametrize(("pressure", "said"), ((0.02, ""), (0.0003, "slope 0.002 where this has 0.0003")))
+@pytest.mark.parametrize(("pressure", "said"), ((0.02, ""), (1e-6, "slope 0.002 where this has 1e-06")))
 def test_in_what_the_nearest_differs_is_said_from_a_distance_of_one_on(pressure, said):
-    """A pressure of e^1.9 below the least of the set, 0.002, is at 1.9/1.4."""
+    """A pressure of e^7.6 below the least of the set, 0.002, is at 7.6/7."""
     one = contact(by_numbers(gaussian(9004)))
     words = st.solve(one, load=pressure * MODULUS * SLOPE * SIDE**2, model="persson_2001").attrs["measured_error_in_words"]
     assert words.startswith("contact area ") and said in words and ("the nearest has" in words) == bool(said)

@@ -1,6 +1,5 @@
-"""Weights of area laws against another way of finding them, and intervals against maps that are in no set of the package."""
+"""Weights of area laws against another way of finding them."""
 
-import csv
 import importlib
 import json
 import sys

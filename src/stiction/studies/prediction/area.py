@@ -159,7 +159,7 @@ def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:
         far_error = _FAR if nominal.map is None else _FAR_ON_MAP
         yields_at = _yields_at(asked, state.get("pressure_over_body_below"), places, area)
         levels, far, sample = (one[places] for one in _known(errors, nominal.map is not None))
-        share = np.where(flat, _MOST, area / asked.column(nominal.nominal_area))[0]
+        share = np.nan_to_num(area / asked.column(nominal.nominal_area), nan=1.0)[0]
         name = replace(choice, tangential=None).name
         return AreaLaw(name, weight, np.log(drawn), share, levels, far, sample, touching, yields_at, far_error)
 

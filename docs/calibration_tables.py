@@ -1,0 +1,128 @@
+"""Tables and picture of docs/calibration.md, from the scores in validation/.
+
+    python docs/calibration_tables.py     # draws docs/calibration.svg
+
+The tables are written by docs/make_tables.py.
+"""
+
+import csv
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from markdown_table import table
+from matplotlib.figure import Figure
+
+from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, finish
+
+HERE = Path(__file__).parent
+VALIDATION = HERE.parent / "validation"
+sys.path.append(str(VALIDATION / "maps"))
+import score  # noqa: E402 - of the maps
+
+CONTACTS = VALIDATION / "contacts" / "results.csv"
+SETS = {"first": "before", "second": "after"}
+KNOWN = {"map": "the map", "kind": "numbers and kind", "numbers": "numbers alone", "finish": "Sq and the finish"}
+_COLOURS = (BLUE, GREEN, RED, ORANGE)
+
+
+def coverage() -> str:
+    """How often the intervals hold the solved area, before and after errors were mended."""
+    rows = []
+    for name, when in SETS.items():
+        scored = score.read_scored(name)
+        for known, words in KNOWN.items():
+            some = [row for row in scored if row["known"] == known]
+            left = score.open_rows(some)
+            rows.append((f"{name}, {when}", words, f"{len(some)}", *_cells(some), f"{len(left)}", *_cells(left)[:2]))
+    head = ("maps", "known", "areas", "50 %", "90 %", "width", "not certain", "50 %", "90 %")
+    return table(head, rows)
+
+
+def by_class() -> str:
+    """The same of the second set, by state and by kind of surface: 50 %, 90 %, width."""
+    scored = score.read_scored("second")
+    classes = [("state", value) for value in dict.fromkeys(row["state"] for row in scored)]
+    classes += [("kind", value) for value in dict.fromkeys(row["kind"] for row in scored)]
+    rows = []
+    for column, value in classes:
+        mine = [row for row in scored if row[column] == value]
+        each = ([row for row in mine if row["known"] == known] for known in KNOWN)
+        rows.append((value, *(", ".join(_cells(some)) if some else "-" for some in each)))
+    return table(("areas", *KNOWN.values()), rows)
+
+
+def _cells(rows: list[dict]) -> tuple[str, str, str]:
+    half, most, wide, _ = score.coverage(rows)
+    return f"{half:.0%}", f"{most:.0%}", f"{wide:.3g}"
+
+
+def contacts() -> str:
+    """Every contact with printed friction."""
+    rows = [
+        (
+            row["contact"].replace("_", " "), row["interface"], _span(row, "printed_low", "printed_high"), row["median"],
+            _span(row, "low_90", "high_90"), "yes" if _held(row, 0.9) else "no",
+        )
+        for row in _contacts()
+    ]  # fmt: skip
+    return table(("contact", "state", "printed", "median", "90 % interval", "held"), rows)
+
+
+def contacts_together() -> str:
+    """How often the intervals hold the printed friction."""
+    rows = _contacts()
+    widths = np.array([float(row["high_90"]) / float(row["low_90"]) for row in rows])
+    held = (f"{np.mean([_held(row, level) for row in rows]):.0%}" for level in (0.5, 0.9))
+    cells = (f"{len(rows)}", *held, f"{np.median(widths):.2g}", f"{np.mean(widths < 10.0):.0%}")
+    return table(("contacts", "50 %", "90 %", "width", "narrower than a factor 10"), [cells])
+
+
+def _contacts() -> list[dict[str, str]]:
+    with CONTACTS.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def _held(row: dict[str, str], level: float) -> bool:
+    return abs(float(row["draws_below"]) - 0.5) <= 0.5 * level
+
+
+def _span(row: dict[str, str], low: str, high: str) -> str:
+    return " to ".join(dict.fromkeys((row[low], row[high])))
+
+
+TABLES: dict[str, Callable[[], str]] = {
+    "coverage": coverage, "by class": by_class, "contacts together": contacts_together, "contacts": contacts,
+}  # fmt: skip
+
+
+def figure() -> Figure:
+    """Share of areas and contacts within intervals of every level, where something is left to predict."""
+    picture = Figure(figsize=(9.5, 4.6), layout="constrained")
+    panels = picture.subplots(1, 2)
+    levels = np.linspace(0.0, 1.0, 101)
+    for axes, (name, when) in zip(panels, SETS.items(), strict=True):
+        scored = score.open_rows(score.read_scored(name))
+        for colour, (known, words) in zip(_COLOURS, KNOWN.items(), strict=True):
+            below = np.array([float(row["level"]) for row in scored if row["known"] == known])
+            axes.plot(levels, _within(below, levels), color=colour, label=words)
+        if when == "after":
+            below = np.array([float(row["draws_below"]) for row in _contacts()])
+            axes.plot(levels, _within(below, levels), "k--", label="contacts with printed friction")
+        axes.plot((0.0, 1.0), (0.0, 1.0), color="0.6", linewidth=1.0)
+        axes.set(xlabel="level of the interval", title=f"{name} maps, {when} errors were mended", xlim=(0, 1), ylim=(0, 1))
+        axes.set_aspect("equal")
+        finish(axes)
+    panels[0].set_ylabel("share that it holds")
+    panels[1].legend(fontsize=8, loc="upper left", frameon=False)
+    return picture
+
+
+def _within(below: np.ndarray, levels: np.ndarray) -> np.ndarray:
+    """Return the share of draws' levels within central intervals."""
+    return np.array([np.mean(np.abs(below - 0.5) <= 0.5 * level) for level in levels])
+
+
+if __name__ == "__main__":
+    figure().savefig(HERE / "calibration.svg")
