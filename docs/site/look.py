@@ -23,8 +23,8 @@ FIRST = (
     "index", "installing", "tutorials/1-bare-metal", "tutorials/2-soft-film", "tutorials/3-micromachine",
     "tutorials/4-soft-polymer", "tutorials/5-from-a-scan", "how-to/which-thickness", "how-to/measured-disagrees",
     "how-to/which-asperity-method", "how-to/ten-million-contacts", "theory", "published-models", "numerics", "trust", "truth",
-    "calibration", "which-film-law", "what-mu-rests-on", "gallery/index", "speed", "reference/names/index", "reference/case-file",
-    "reference/command-line", "models-by-name/index", "genindex",
+    "calibration", "which-film-law", "what-mu-rests-on", "gallery/index", "speed", "reference/names/index",
+    "reference/case-file", "reference/command-line", "models-by-name/index", "genindex",
 )  # fmt: skip
 PLACES = ("theory.html#8-departures-from-the-print", "models.html#grades")
 SEARCHED = ("plasticity index", "silver", "meniscus")

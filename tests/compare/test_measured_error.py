@@ -139,7 +139,7 @@ def test_numbers_do_not_tell_the_kind_of_a_surface():
 
 
 def test_a_solution_has_the_error_of_its_points():
-    """As areas of maps with three times as many points along a side say, by the number of points in contact (truth/points.csv)."""
+    """As areas of maps with three times as many points along a side say, by how many touch (truth/points.csv)."""
     with (Path(__file__).parents[2] / "truth" / "points.csv").open(newline="") as file:
         rows = [row for row in csv.DictReader(file) if math.isfinite(float(row["error"]))]
     points, errors = (np.array([float(row[name]) for row in rows]) for name in ("points", "error"))
