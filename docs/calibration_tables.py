@@ -22,7 +22,7 @@ sys.path.append(str(VALIDATION / "maps"))
 import score  # noqa: E402 - of the maps
 
 CONTACTS = VALIDATION / "contacts" / "results.csv"
-SETS = {"first": "before", "second": "after", "third": "after, errors of maps doubled"}
+SETS = {"first": "before", "second": "after", "third": "after, error of maps doubled"}
 KNOWN = {"map": "the map", "kind": "numbers and kind", "numbers": "numbers alone", "finish": "Sq and the finish"}
 _COLOURS = (BLUE, GREEN, RED, ORANGE)
 
@@ -54,7 +54,7 @@ def by_class() -> str:
 
 
 def _mended() -> list[dict[str, str]]:
-    """Return the rows of both sets that were scored after mending; with the map of the last one alone, as that changed."""
+    """Return the rows of the sets that were scored after mending; with the map of the third alone, as that changed between."""
     kept = [row for row in score.read_scored("second") if row["known"] != "map"]
     return kept + score.read_scored("third")
 

@@ -224,7 +224,7 @@ def test_an_area_far_from_solved_surfaces_is_a_warning_only_where_it_decides():
     wall = {"first": "silicon", "second": "silicon", "roughness": {"rms_height": "3 nm", "finish": "polished"}}
     far = "No solved surface is near this contact: its area is known within a factor of 2."
     by_state, by_strength = (
-        st.predict(st.Contact(**wall, **interface, nominal_area="100 um^2"), load="10 uN")
+        st.predict(st.Contact(**wall, **interface, nominal_area="1 cm^2"), load="0.1 mN")
         for interface in ({"interface": "monolayer"}, {"interfacial_shear_strength": "2 MPa"})
     )
     assert by_state.shares["area model"] < 0.05 < by_strength.shares["area model"]
