@@ -7,7 +7,7 @@ from stiction.contact.materials import Material
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.surfaces.roughness import Roughness
-from stiction.web.fields import as_written, dropped, got, numbers_of, parts_of, placed
+from stiction.web.fields import as_written, got, numbers_of, parts_of, placed
 from stiction.web.first import first_case
 
 
@@ -76,5 +76,5 @@ def test_what_stands_at_a_place():
     changed = placed(tables, ("contact", "first", "hardness"), "1 GPa")
     assert changed["contact"]["first"] == {"preset": "silver", "hardness": "1 GPa"} and tables["contact"]["first"] == "silver"
     assert got(changed, ("contact", "first", "hardness")) == "1 GPa" and got(tables, ("contact", "first", "hardness")) is None
-    assert dropped(changed, ("contact", "first", "hardness"))["contact"]["first"] == {"preset": "silver"}
-    assert dropped(tables, ("solve", "load", "start")) == tables
+    assert placed(changed, ("contact", "first", "hardness"), None)["contact"]["first"] == {"preset": "silver"}
+    assert placed(tables, ("solve", "load", "start"), None) == tables

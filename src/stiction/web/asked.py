@@ -22,7 +22,7 @@ from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
 from stiction.web.address import refuse_other_files
-from stiction.web.fields import dropped
+from stiction.web.fields import placed
 
 _MOST_NUMBERS = 20_000  # in a curve that is drawn anew while a knob moves
 _MOST_DRAWN = 4096  # of what is uncertain
@@ -136,7 +136,7 @@ def keys_by_choice(case: Case | None) -> dict[str, list[str]]:
 def states_of(question: Question) -> list[str]:
     """Return the states of the interface that the bodies of a question allow; all where the bodies are not known."""
     try:
-        case = case_asked(question.with_tables(dropped(question.tables, ("contact", "interface"))))
+        case = case_asked(question.with_tables(placed(question.tables, ("contact", "interface"), None)))
     except InputError:
         return interface_names()
     return allowed_interfaces(*case.subject.touching) if isinstance(case.subject, Contact) else []

@@ -8,7 +8,7 @@ from typing import Any
 from weakref import WeakSet
 
 from stiction.web.asked import Answer, Question, solved
-from stiction.web.fields import dropped, got, placed
+from stiction.web.fields import got, placed
 from stiction.web.words import headline
 from stiction.web.working import Latest
 
@@ -73,8 +73,7 @@ class Explorer:
 
     async def put(self, path: tuple[str, ...], value: Any) -> None:
         """Solve the case with another value at a place of its tables; None takes it away."""
-        tables = self.question.tables
-        await self.ask(dropped(tables, path) if value is None else placed(tables, path, value))
+        await self.ask(placed(self.question.tables, path, value))
 
     @property
     def waits(self) -> bool:

@@ -182,20 +182,14 @@ def got(tables: Any, path: Path) -> Any:
 
 
 def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
-    """The tables with a value at a place. A material that was only a name becomes a table that starts from it."""
+    """The tables with a value at a place, None for nothing. A material that was only a name becomes a table that starts from
+    it."""
     key, rest = path[0], path[1:]
-    if not rest:
-        return {**tables, key: value}
-    inner = tables.get(key, {})
-    if isinstance(inner, str):
-        inner = {"preset": inner}
-    return {**tables, key: placed(inner if isinstance(inner, Mapping) else {}, rest, value)}
-
-
-def dropped(tables: Mapping[str, Any], path: Path) -> dict[str, Any]:
-    """The tables without what stands at a place."""
-    key, rest = path[0], path[1:]
-    if not rest:
-        return {name: one for name, one in tables.items() if name != key}
     inner = tables.get(key)
-    return {**tables, key: dropped(inner, rest)} if isinstance(inner, Mapping) else dict(tables)
+    if rest:
+        if value is None and not isinstance(inner, Mapping):
+            return dict(tables)
+        inner = {"preset": inner} if isinstance(inner, str) else inner
+        value = placed(inner if isinstance(inner, Mapping) else {}, rest, value)
+    kept = {name: one for name, one in tables.items() if name != key or value is not None}
+    return kept if value is None else {**kept, key: value}

@@ -19,7 +19,6 @@ from stiction.web.fields import (
     Number,
     Part,
     as_written,
-    dropped,
     got,
     numbers_of,
     parts_of,
@@ -211,8 +210,8 @@ class Form:
             self._strength_chosen = value == _STRENGTH
             rest = self._explorer.question.tables
             for path in (part.path, *(one.path for one in numbers)):
-                rest = dropped(rest, path)
-            await self._explorer.ask(rest if value in (NOT_STATED, _STRENGTH) else placed(rest, part.path, value))
+                rest = placed(rest, path, None)
+            await self._explorer.ask(placed(rest, part.path, None if value in (NOT_STATED, _STRENGTH) else value))
 
         by_number = not state and (stated or self._strength_chosen)
         value = as_written(state) or (_STRENGTH if by_number else NOT_STATED)
