@@ -19,8 +19,6 @@ from stiction.studies.comparison.compare import FAMILIES
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["GROUP_HEADS", "Group", "group_row", "groups_of", "groups_table", "left_out_in_words"]
-
 _MU = "friction_coefficient_at_load"
 _ALIKE = 1.1  # ratio of mu within which models say the same
 GROUP_HEADS = ("models that say the same", "mu", "area off by", "status")

@@ -15,8 +15,6 @@ from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, finish, say
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["design_figure"]
-
 _BARS = 12
 
 

@@ -8,13 +8,12 @@ from rich.table import Table
 from rich.text import Text
 
 from stiction.quantities.table import QUANTITIES
+from stiction.report.files import rows_of
 from stiction.report.number_table import number_table, shown, some
 from stiction.studies.design.plan import quantity_of
 
 if TYPE_CHECKING:
     import xarray
-
-__all__ = ["columns_of", "design_notes", "design_rows", "design_table"]
 
 _ROWS = 12
 
@@ -91,4 +90,4 @@ def design_rows(data: "xarray.Dataset", along: str) -> tuple[list[str], list[lis
     heads = [
         f"{name} [{unit}]" if (unit := data[one].attrs.get("units", "1")) != "1" else name for name, one in columns.items()
     ]
-    return heads, [[data[one].values[at].item() for one in columns.values()] for at in range(data.sizes[along])]
+    return heads, rows_of(data, columns.values())

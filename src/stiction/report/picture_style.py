@@ -43,6 +43,7 @@ def along_points(axes: Axes, points: "xarray.DataArray") -> None:
     if values.min() > 0.0 and values.max() > 9.0 * values.min():
         axes.set_xscale("log")
     axes.set_xlabel(label(points))
+    finish(axes)
 
 
 def look_of(method: str, at: int) -> dict[str, Any]:

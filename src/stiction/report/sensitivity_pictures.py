@@ -10,15 +10,13 @@ from matplotlib.ticker import MaxNLocator
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import part_name
-from stiction.report.picture_style import along
-from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, finish, heading, label, say
+from stiction.report.picture_style import along_points
+from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, finish, heading, say
 from stiction.report.sensitivity_tables import at_working_load, head_of, ranked, results_of, working_place
 from stiction.report.several_tables import of_point, points_dimension
 
 if TYPE_CHECKING:
     import xarray
-
-__all__ = ["sensitivity_figure"]
 
 _SHOWN = 12  # bars of a panel at most
 _TICKS = 6  # of effects, whose numbers may be long
@@ -92,20 +90,10 @@ def _over_load(axes: Axes, data: "xarray.Dataset", name: str, dim: str) -> None:
         one = data.isel(input=int(at))
         axes.plot(data[dim].values, one[f"{name}_total_order"].values, color=colour, marker="o", markersize=4,
                   label=str(one["input"].item()))  # fmt: skip
-    _along_load(axes, data, dim)
+    along_points(axes, data[dim])
     axes.set(ylabel=f"total Sobol index of ln {_symbol(name)}")
     axes.set_ylim(bottom=0.0)
     axes.legend(fontsize=8, framealpha=0.9)
-
-
-def _along_load(axes: Axes, data: "xarray.Dataset", dim: str) -> None:
-    if data[dim].attrs.get("units", "1") != "1":
-        along(axes, "x", dim, data[dim].values)
-        return
-    if data[dim].values.min() > 0.0:
-        axes.set_xscale("log")
-    axes.set_xlabel(label(data[dim]))
-    finish(axes)
 
 
 def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:

@@ -19,16 +19,6 @@ from stiction.solving.pointwise import WHY_NOT
 if TYPE_CHECKING:
     import xarray
 
-__all__ = [
-    "at_working_load",
-    "elasticities_table",
-    "indices_table",
-    "results_of",
-    "sensitivity_notes",
-    "share_tables",
-    "working_place",
-]
-
 _LEAST = 5e-5  # an elasticity that is less is none
 _HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", "pull_off_force": "pull-off"}
 

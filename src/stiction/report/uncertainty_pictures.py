@@ -13,8 +13,6 @@ from stiction.report.several_tables import points_dimension
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["uncertainty_figure"]
-
 _MU = "friction_coefficient"
 
 

@@ -16,10 +16,6 @@ from stiction.report.whole_keys import WholeKeys
 if TYPE_CHECKING:
     import xarray
 
-__all__ = [
-    "band_lines", "band_table", "draws_in_words", "in_draws", "uncertain_notes", "with_meaning",
-]  # fmt: skip
-
 _ROWS = 12
 
 

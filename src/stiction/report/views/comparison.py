@@ -10,7 +10,7 @@ from stiction.report.comparison_groups import groups_of, groups_table
 from stiction.report.comparison_rows import at_load_rows, comparison, comparison_rows
 from stiction.report.files import write_netcdf, write_rows
 from stiction.report.tables import facts
-from stiction.report.view import MOST_LINES, Picture, View, lines_of
+from stiction.report.view import MOST_LINES, View, lines_of, picture
 from stiction.studies.prediction.unused import refusal_of
 
 if TYPE_CHECKING:
@@ -52,11 +52,6 @@ def comparison_view(
         answer = None if prediction is None else answer_record(prediction)
         return {"answer": answer} | comparison(data) | ({} if measured is None else {"measured": measured.record()})
 
-    def compared() -> Any:
-        from stiction.report.model_pictures import models_figure
-
-        return models_figure(data, groups, prediction, case.title)
-
     files = {
         "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),
         "compare.nc": lambda path: write_netcdf(data, path),
@@ -64,5 +59,6 @@ def comparison_view(
     pictures = {}
     if "working_load" in data.attrs:
         files["compare_at_load.csv"] = lambda path: write_rows(path, *at_load_rows(data))
-        pictures["compare.png"] = Picture("friction at the working load by models that say the same", compared)
+        told = "friction at the working load by models that say the same"
+        pictures["compare.png"] = picture(told, "model_pictures.models_figure", data, groups, prediction, case.title)
     return View("compare", None, parts, record, files, pictures)
