@@ -1,6 +1,6 @@
 """The answer of a case in words: a question, and a sentence with its doubt."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -47,7 +47,8 @@ def question(findings: Findings) -> str:
     subject, data = findings.case.subject, findings.data
     what = "static friction coefficient" if _MU in data else "real contact area"
     if not isinstance(subject, Contact):
-        groups = ", ".join(f"{QUANTITIES[name].symbol} = {value:g}" for name, value in _given_groups(subject))
+        given = ((name, value) for name, value in subject.groups().items() if name in subject.model_fields_set)
+        groups = ", ".join(f"{QUANTITIES[name].symbol} = {value:g}" for name, value in given)
         return f"What is the {what} of the contact with {groups}, {_where(findings)}?"
     film = ""
     if (coating := subject.coating) is not None:
@@ -57,10 +58,6 @@ def question(findings: Findings) -> str:
     bodies = f"{plain_name(subject.first.name)} against {plain_name(subject.second.name)}{film}"
     area = with_powers(dict(subject.listed())["nominal_area"])
     return f"What is the {what} of {bodies}, rough, with a nominal area of {area}, {_where(findings)}?"
-
-
-def _given_groups(subject: Any) -> list[tuple[str, float]]:
-    return [(name, value) for name, value in subject.groups().items() if name in subject.model_fields_set]
 
 
 def _where(findings: Findings) -> str:

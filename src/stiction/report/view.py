@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -46,6 +45,10 @@ class Picture(NamedTuple):
     told: str
     draw: "Callable[[], Figure]"
 
+    def write(self, path: Path) -> None:
+        """Draw it into a file."""
+        write_picture(self.draw(), path)
+
 
 def picture(told: str, place: str, *arguments: Any) -> Picture:
     """Return a picture that a function of this room makes from these arguments. place: "module.function", imported when it is
@@ -82,14 +85,10 @@ class View:
         files, data = dict(self.files), self.data
         if data is not None:
             files[f"{self.name}.nc"] = lambda path: write_netcdf(data, path)
-        return files | {name: partial(_draw, picture) for name, picture in self.pictures.items()}
+        return files | {name: one.write for name, one in self.pictures.items()}
 
     def write(self, folder: Path) -> list[str]:
         """Write tables, dataset and pictures into a folder; return their names."""
         files = self.writers()
         write_folder(folder, files)
         return list(files)
-
-
-def _draw(picture: Picture, path: Path) -> None:
-    write_picture(picture.draw(), path)

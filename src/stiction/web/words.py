@@ -1,11 +1,9 @@
 """What the page says in words: the answer in one sentence, and what else a user should know."""
 
-import numpy as np
-
 from stiction.report.answer import answer_lines
 from stiction.report.honest_digits import rounded
 from stiction.report.model_line import grade_line, model_line
-from stiction.report.report_answer import value_in_words
+from stiction.report.report_answer import interval_of, value_in_words
 from stiction.web.asked import Answer
 
 _MU = "friction_coefficient"
@@ -24,12 +22,7 @@ def headline(answer: Answer, at: int) -> tuple[str, str]:
     where = ", ".join(f"{head} {said[name]}" for name, head in _WHERE.items() if name in said)
     if said[_MU] == "not defined":
         return "mu is not defined: the surfaces hold themselves together", where
-    # What friction may be by the ways to find asperities, and by what is uncertain of the inputs.
-    ends = [here[f"{_MU}{end}"].item() for end in ("_low", "_high") if f"{_MU}{end}" in here]
-    if f"{_MU}_quantile" in here:
-        ends += here[f"{_MU}_quantile"].values[[0, -1]].tolist()
-    number = rounded(float(here[_MU]), [end for end in ends if np.isfinite(end)])
-    return f"mu ≈ {number}", f"{where}, mu to four digits {said[_MU]}"
+    return f"mu ≈ {rounded(float(here[_MU]), interval_of(here))}", f"{where}, mu to four digits {said[_MU]}"
 
 
 def remarks(answer: Answer) -> list[str]:
