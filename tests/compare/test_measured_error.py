@@ -192,7 +192,7 @@ def test_what_is_stated_and_how_it_is_trusted_does_not_jump(along):
     assert trust.max() == 1.0 and (trust.min() == 0.0) == (along == "load")
     assert np.abs(np.diff(trust)).max() < 0.1
     ends = 0.4 if along == "load" else 0.1  # far below the set they are quantiles of ever fewer surfaces
-    for name, most in (("area", 0.1), ("low", ends), ("high", ends), ("expected", 0.1)):
+    for name, most in (("area", 0.1), ("low", ends), ("high", ends)):
         values = np.array([getattr(row, name)[0] for row in rows])
         assert (np.isfinite(values) == (trust > 0.0)).all()
         assert np.abs(np.diff(values[trust > 0.0])).max() < most

@@ -33,14 +33,13 @@ _COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts a
 
 class ErrorsNear(NamedTuple):
     """At k points, ln(A/solved A). levels: quantiles (k, 5) at LEVELS over surfaces near; relative: root mean square of
-    A/solved A - 1; middle, presumed: mean and root mean square of the logarithm over those near of the kind that is stated;
+    A/solved A - 1; middle: mean of the logarithm over those near of the kind that is stated;
     where neither map nor kind are known over Gaussian ones, which moments describe; distance: of the nearest; told: share of
     the weight near on which the model says something; surfaces: how many count; nearest: in what the nearest differs."""
 
     levels: np.ndarray
     relative: np.ndarray
     middle: np.ndarray
-    presumed: np.ndarray
     distance: np.ndarray
     told: np.ndarray
     surfaces: np.ndarray
@@ -72,7 +71,7 @@ def _together(rows: list[tuple]) -> ErrorsNear:
     return ErrorsNear(*(np.array(values) for values in zip(*rows, strict=True)))
 
 
-_NONE = (np.full(len(LEVELS), math.nan), math.nan, math.nan, math.nan, math.inf, 0.0, 0, "")
+_NONE = (np.full(len(LEVELS), math.nan), math.nan, math.nan, math.inf, 0.0, 0, "")
 
 
 def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywhere: bool):
@@ -130,7 +129,7 @@ def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):
 
 def _averaged(found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray):
     """A row of ErrorsNear. there, asked: how far each surface counts (0 to 1) of those on which the model says something, and
-    of those that were solved; apart: what the squared distances are made of; presumed: which surfaces are ranked by."""
+    of those that were solved; apart: what the squared distances are made of; presumed: over which surfaces the middle is."""
     squared = np.where(asked > 0.0, squared_distance(apart).ravel(), np.inf)
     if not np.isfinite(squared).any():
         return _NONE
@@ -138,7 +137,7 @@ def _averaged(found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: li
     told = float(np.sum(weights * there) / np.sum(weights * asked))
     mine = there > 0.0
     if not (mine & presumed).any():
-        return *_NONE[:4], math.sqrt(float(squared.min())), 0.0, 0, nearest_in_words(apart, int(np.argmin(squared)))
+        return *_NONE[:3], math.sqrt(float(squared.min())), 0.0, 0, nearest_in_words(apart, int(np.argmin(squared)))
     at = int(np.argmin(np.where(mine, squared, np.inf)))
     count = int(np.count_nonzero(mine & (weights > _COUNTED)))
     weights = weights * there
@@ -147,8 +146,7 @@ def _averaged(found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: li
     ranked = mine & presumed
     of_ranked = np.exp(-0.5 * (squared[ranked] - squared[ranked].min())) * there[ranked]
     middle = float(np.average(found[ranked], weights=of_ranked))
-    of_presumed = math.sqrt(float(np.average(found[ranked] ** 2, weights=of_ranked)))
-    return ends, relative, middle, of_presumed, math.sqrt(float(squared[at])), told, count, nearest_in_words(apart, at)
+    return ends, relative, middle, math.sqrt(float(squared[at])), told, count, nearest_in_words(apart, at)
 
 
 def _between(known: SolvedSet, table: np.ndarray, pressure: float, hardness: float) -> tuple[np.ndarray, np.ndarray]:

@@ -114,7 +114,7 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     levels = middle[:, None] + np.array(NORMAL_SCORES) * found.rms[:, None]
     nearest = np.full(near.shape, "")  # they are looked up by film alone
     each = (
-        levels, np.expm1(found.rms), middle, found.rms, np.where(near, 0.0, np.inf), near.astype(float),
+        levels, np.expm1(found.rms), middle, np.where(near, 0.0, np.inf), near.astype(float),
         np.where(near, _MAPS, 0), nearest,
     )  # fmt: skip
     return ErrorsNear(*(np.repeat(one, points, axis=0) for one in each))

@@ -44,7 +44,6 @@ _MOST_POINTS = 200
 # with a lay and with plateaus (docs/calibration.md, where truth/points.csv alone has .4 %; an outside audit: .6 to 1.4 %).
 _OF_POINTS, _POWER, _OWN_ERROR = 0.6, -0.6, 0.008
 _BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # of maps too large to be solved (docs/truth.md)
-_NORMAL_END = 1.645  # standard deviations to the 95 % quantile
 _LEAST_TOLD = 0.5  # of the weight of what is near: surfaces on which a model says something
 _ITSELF, _MAP, _MOMENTS = "the solution itself", "map", "moments"
 _SUM, _BY_MOMENTS = "greenwood_williamson_1966", "persson_widened"
@@ -55,8 +54,8 @@ class MeasuredErrors:
     """The measured errors of a model's area at k points.
 
     levels: quantiles (k, 5) at errors_near.LEVELS of ln(A/solved A) over the surfaces near each, NaN where nothing near was
-    measured. relative: root mean square of A/solved A - 1 over them. area, expected: mean and root mean square of the logarithm
-    over surfaces of the kind that the model is made for, by which models are ranked: Gaussian ones where the map is not known.
+    measured. relative: root mean square of A/solved A - 1 over them. area: mean of the logarithm over surfaces of
+    the kind that is stated; where neither map nor kind are known over Gaussian ones.
     friction: of mu as area, where it is of the interface. distance: of the nearest surface, pressure, hardness. surfaces: how
     many count. trust: 1 near, 0 where nothing was measured, continuous between. sample: standard error of ln of the area as one
     window of a larger surface, of models of its map. column: the model and the way of finding asperities. why_not: why nothing
@@ -67,7 +66,6 @@ class MeasuredErrors:
     area: np.ndarray
     levels: np.ndarray
     relative: np.ndarray
-    expected: np.ndarray
     friction: np.ndarray
     distance: np.ndarray
     surfaces: np.ndarray
@@ -92,12 +90,6 @@ class MeasuredErrors:
     def known(self) -> bool:
         """Whether anything was measured at any point."""
         return bool(np.isfinite(self.area).any())
-
-    @property
-    def is_off(self) -> bool:
-        """Whether at any point the mean error is beyond the 90 % interval of its scatter over solved surfaces of that kind."""
-        scatter = np.sqrt(np.maximum(np.square(self.expected) - np.square(self.area), 0.0))
-        return bool((np.abs(self.area) > _NORMAL_END * scatter).any())
 
     def as_data(self) -> dict[str, Any]:
         """Relative errors: of the area and mu, mean; ends of the middle 90 % and root mean square of the area's; of the
@@ -194,7 +186,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
         kind = "" if place.kind is None else f" on such surfaces, {place.kind}"
         return _unknown(column, load.size, f"this model was not measured{kind}")
     far = ~(found.distance <= FAR) | ~(found.told > _LEAST_TOLD)
-    relative, error, expected = (np.where(far, np.nan, one) for one in (found.relative, found.middle, found.presumed))
+    relative, error = (np.where(far, np.nan, one) for one in (found.relative, found.middle))
     levels = np.where(far[:, None], np.nan, found.levels)
     why = _far(found.distance[far], found.nearest[far]) if far.any() else ""
     trust = np.clip(FAR - found.distance, 0.0, 1.0) * np.clip((found.told - _LEAST_TOLD) / (0.5 * _LEAST_TOLD), 0.0, 1.0)
@@ -202,7 +194,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
     if isinstance(problem, ClosedForm) and problem.map is not None:
         own, sample = _own_error(problem.map, _share(problem, area)), _sample_error(problem.map, place)
     return MeasuredErrors(
-        column, error, _widened(error, levels, own), np.hypot(relative, own), np.hypot(expected, own),
+        column, error, _widened(error, levels, own), np.hypot(relative, own),
         _of_friction(problem, results, error), found.distance, found.surfaces, trust * near_none,
         sample, why, found.nearest, place.shape is not None or place.kind is not None, place.kind,
     )  # fmt: skip
@@ -216,7 +208,7 @@ def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> Measured
     own, nothing = there + _own_error(surface, _share(problem, area), every_point=True), np.zeros(load.size)
     levels = _widened(there, np.repeat(there[:, None], len(LEVELS), axis=1), own)
     return MeasuredErrors(
-        _ITSELF, there, levels, own, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place)
+        _ITSELF, there, levels, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place)
     )
 
 
@@ -291,8 +283,7 @@ def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray
     own, other = found.levels - found.middle[:, None], bare.levels - bare.middle[:, None]
     levels = middle[:, None] + np.where(np.abs(own) > np.abs(other), np.sign(own), np.sign(other)) * np.hypot(own, other)
     relative = np.hypot(found.relative, bare.relative)
-    presumed = found.presumed if place.kind is None else np.hypot(found.presumed, bare.presumed)
-    return found._replace(middle=middle, presumed=presumed, levels=levels, relative=relative, surfaces=bare.surfaces)
+    return found._replace(middle=middle, levels=levels, relative=relative, surfaces=bare.surfaces)
 
 
 def _is_solved(surface: "HeightMap") -> bool:
@@ -305,14 +296,14 @@ def _is_solved(surface: "HeightMap") -> bool:
 def _none_but_own(found: ErrorsNear) -> ErrorsNear:
     """Return no errors but those of a solution: whatever the film, near each point."""
     nothing = np.zeros_like(found.distance)
-    each = {name: nothing for name in ("relative", "middle", "presumed", "distance")}
+    each = {name: nothing for name in ("relative", "middle", "distance")}
     return found._replace(**each, levels=np.zeros_like(found.levels), told=nothing + 1.0)
 
 
 def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
     nothing, zero = np.full(points, np.nan), np.zeros(points)
     levels = np.full((points, len(LEVELS)), np.nan)
-    return MeasuredErrors(column, nothing, levels, *3 * (nothing,), nothing, zero, zero, zero, why)
+    return MeasuredErrors(column, nothing, levels, nothing, nothing, nothing, zero, zero, zero, why)
 
 
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
