@@ -24,10 +24,11 @@ if TYPE_CHECKING:
 # Told how many designs were asked, and the best so far in words.
 Tell = Callable[[int, str], None]
 _FRONT = 12  # designs between the two ends of a front that are searched
-_POPULATION = 24
+_DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction
+_POPULATION, _FEW = 24, 8
 _WAYS = 12  # ways to choose from lists that are searched
 _QUIET, _ALIKE = 8, 1e-10  # generations without gain, and range of a population, at which a search ends
-_GAIN, _GAIN_OF_DRAWS = 1e-9, 2e-3  # over the cost, of a model and of a prediction
+_GAIN, _GAIN_OF_DRAWS = 1e-9, 1e-2  # over the cost, of a model and of a prediction
 _BEYOND_ALL = 1e100  # more than any wish: the cost of a design that breaks its limits
 _SHOWN = 200  # designs of a front at most
 _REFINED = 3  # ways to choose from lists whose numbers are refined
@@ -139,17 +140,17 @@ def _drawn(found: Designing) -> np.ndarray:
     """Sobol points, enough for every way to choose from lists; each of these alone, where nothing else is chosen."""
     from scipy.stats import qmc
 
-    plan = found.plan
+    plan, most = found.plan, _FEW_DRAWN if found.space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]
     if not counts:
-        return qmc.Sobol(len(plan.free), rng=plan.seed).random(256)
+        return qmc.Sobol(len(plan.free), rng=plan.seed).random(most)
     centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(
         -1, len(counts)
     )
     ways = len(centres)
     if not plan.free:
         return centres
-    each = 2 ** max(2, int(np.ceil(np.log2(max(4.0, 256.0 / ways)))))
+    each = 2 ** max(2, int(np.ceil(np.log2(max(4.0, most / ways)))))
     points = qmc.Sobol(len(plan.free), rng=plan.seed).random(each)
     some = centres[:: max(1, ways // 512)]
     return np.column_stack([np.repeat(some, each, axis=0), np.tile(points, (len(some), 1))])
@@ -216,7 +217,8 @@ def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.
     """For each of the best ways to choose from lists the best designs that are known, and some at random (size, d)."""
     shares, wishes, worst, _ = found.archive.table()
     order = np.lexsort((wishes[:, number], _beyond(wishes, worst, number, ceiling)))
-    size = max(_POPULATION, 6 * found.space.dimension)
+    few = found.space.is_predicted
+    size = max(_FEW if few else _POPULATION, (3 if few else 6) * found.space.dimension)
     _, first, which = np.unique(found.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
     members = []
     for way in np.argsort(first)[:_WAYS]:

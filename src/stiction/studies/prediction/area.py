@@ -114,8 +114,8 @@ def area_laws(asked: Asked) -> list[AreaLaw]:
             try:
                 found.append(_law(asked, choice, weight))
             except (InputError, ArithmeticError) as error:
-                if asked.contacts > 1:  # who asks for many divides them: another law may answer for some
-                    raise
+                if asked.contacts > 1 and any(_answers(one, choice) for one in asked.ends()):
+                    raise  # who asks for many divides them: the law answers for some
                 refusal = error
         if found:
             break
@@ -136,6 +136,14 @@ def _in_turn(asked: Asked) -> tuple[tuple[tuple[Choice, float], ...], ...]:
     if contact.heights[0] != "gaussian":
         return (_OTHER_HEIGHTS,)
     return (area_weights("numbers" if contact.surface_kind is None else "kind"),)
+
+
+def _answers(asked: Asked, choice: Choice) -> bool:
+    try:
+        _law(asked, choice, 1.0)
+    except (InputError, ArithmeticError):
+        return False
+    return True
 
 
 def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:

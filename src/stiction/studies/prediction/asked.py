@@ -84,6 +84,15 @@ class Asked:
         """Return the number of contacts."""
         return math.prod(size for dim, size in self.dims.items() if dim != "load")
 
+    def ends(self) -> "list[Asked]":
+        """Return the first and the last contact, each alone with one draw."""
+        found = []
+        for at in (0, -1):
+            some = {path: value.isel({dim: [at] for dim in value.dims}) for path, value in self.case.several.items()}
+            load = self.load.isel({dim: [at] for dim in self.load.dims}) if hasattr(self.load, "dims") else self.load
+            found.append(replace(self, case=replace(self.case, several=some, uncertain=()), load=load, levels=np.zeros((1, 0))))
+        return found
+
     def places(self, dims: Mapping[str, int]) -> np.ndarray:
         """Return where each point (m,) stands among results along these dimensions, laid out in their order."""
         numbers = np.arange(math.prod(dims.values())).reshape(tuple(dims.values()))
