@@ -262,3 +262,24 @@ def test_the_working_load_is_among_the_nine(at):
     kept = _at_few_loads(Loads(loads), loads[at]).load
     assert kept.size == 9 and loads[at] in kept and (np.diff(kept) > 0.0).all()
     assert len(set(kept) & set(loads[[0, 4, 8, 11, 15, 19, 22, 26, 30]])) >= 8
+
+
+STEEL = {"youngs_modulus": "210 GPa", "poissons_ratio": 0.3, "hardness": "7 GPa", "material_class": "metal"}
+ROUGH = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
+
+
+def predicted_case(strength="200 MPa", radius="50 um"):
+    contact = {"first": STEEL, "second": STEEL, "nominal_area": "1 mm^2", "interfacial_shear_strength": strength}
+    rough = ROUGH | {"asperity_radius": radius}
+    return {"title": "Two bodies", "contact": contact | {"roughness": rough}, "solve": {"load": "1 N"}}
+
+
+def test_elasticities_of_a_prediction_are_differences_of_predictions():
+    """Mu goes with the strength that is stated, and with the radius as two predictions beside it say."""
+    data = st.sensitivity(predicted_case())
+    found = data["friction_coefficient_elasticity"]
+    assert float(found.sel(number="interfacial_shear_strength")) == pytest.approx(1.0, abs=1e-6)
+    ends = [st.predict(predicted_case(radius=f"{50.0 * math.exp(step)!r} um")) for step in (-0.01, 0.01)]
+    low, high = (float(one.friction_coefficient.item()) for one in ends)
+    assert float(found.sel(number="asperity_radius")) == pytest.approx(math.log(high / low) / 0.02, rel=0.02)
+    assert sensitivity_figure(data).get_suptitle() == "Two bodies\nrecommended"

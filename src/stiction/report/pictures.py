@@ -130,7 +130,8 @@ def heading(data: "xarray.Dataset", title: str) -> str:
     words = [used["model"], *(f"{used[name]} {name}" for name in ("reading", "branch") if name in used)]
     if used.get("film", "none") != "none":
         words.append(f"film: {used['film']}")
-    return "\n".join(filter(None, [title, f"{', '.join(words)} (grade {used['grade']})"]))
+    grade = f" (grade {used['grade']})" if "grade" in used else ""  # a prediction has none
+    return "\n".join(filter(None, [title, f"{', '.join(words)}{grade}"]))
 
 
 def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
