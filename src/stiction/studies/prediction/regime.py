@@ -77,7 +77,7 @@ def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str
     found += [] if mixture.asked.contact.measured is None else list(mixture.asked.contact.measured.doubts)
     area, pressure = (float(np.nanmedian(one[:, at])) for one in (samples.area, samples.pressure))
     is_open = area < _FLAT * float(np.median(mixture.asked.drawn.nominal_area)) and pressure < _PLASTIC
-    decides = shares.get("area model", 1.0) > _DECIDES
+    decides = not shares or shares.get("area model", 0.0) > _DECIDES  # parts that hardly count are left out
     if decides and is_open and max(float(law.far[at]) * law.weight * law.far_error for law in mixture.laws) > 0.2:
         found.append("No solved surface is near this contact: its area is known within a factor of 2.")
     return found
