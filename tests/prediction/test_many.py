@@ -2,9 +2,13 @@
 
 import numpy as np
 import pytest
+from xarray import DataArray
 
 import stiction as st
+from stiction.case.read import as_case
 from stiction.quantities.errors import InputError
+from stiction.quantities.units import to_si
+from stiction.studies.prediction.many import predict_many
 
 ROUGH = {"asperity_height_deviation": "0.2 um", "asperity_radius": "20 um", "asperity_density": "1e10 1/m^2"}
 BARE = {"first": "copper", "second": "hardened_steel_52100", "nominal_area": "1 cm^2", "roughness": ROUGH}
@@ -44,6 +48,21 @@ def test_a_row_of_many_is_the_prediction_of_one(kind):
             np.testing.assert_allclose(
                 found, one[f"friction_coefficient{end}"].values, rtol=1e-3
             )  # where it adheres the faint adhesion is one for all
+
+
+@pytest.mark.parametrize("kind", ["bare", "stated"])
+def test_contacts_along_sample_are_no_draws(kind):
+    """As those of a sweep whose points are a list or drawn: each is its own prediction, whatever their dimension is called."""
+    contact, name, values = CONTACTS[kind]
+    tables, found = as_case({"contact": with_value(contact, name, values[0]), "solve": {"load": "1 N"}}).tables, {}
+    for dim in ("sample", "place"):
+        array = DataArray([to_si(value, name) for value in values], dims=dim)
+        numbers = {("contact", *PLACES.get(name, ()), name): array}
+        ((region, _, solved),) = predict_many(tables, numbers, np.array([1.0]))
+        dims, found[dim], _ = solved.variables["friction_coefficient"]
+        assert dims == (dim, "load") and region[dim] == slice(0, len(values))
+    np.testing.assert_array_equal(found["sample"], found["place"])
+    assert len(np.unique(found["sample"])) == len(values)
 
 
 def test_a_contact_that_is_refused_leaves_the_others():

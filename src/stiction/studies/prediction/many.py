@@ -9,7 +9,7 @@ import numpy as np
 
 from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of
-from stiction.case.uncertain import Uncertain
+from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import arranged, coordinates, dimensions
 from stiction.quantities.errors import InputError
@@ -29,6 +29,7 @@ __all__ = ["PREDICTED", "count_of", "predict_many", "predict_several"]
 PREDICTED = tuple(
     f"{name}{end}" for name in ("friction_coefficient", "friction_force", "contact_area") for end in ("", "_low", "_high")
 )
+_CONTACTS = "contacts along sample"  # in place of SAMPLE, along which every contact has its draws
 _AT_ONCE = 128  # points: bounds the memory; and the errors of laws on solved surfaces are known for so many at once
 
 
@@ -76,6 +77,7 @@ def predict_many(
 
     if not hasattr(load, "dims"):
         load = DataArray(np.atleast_1d(load), dims=("load",))
+    numbers, load = {path: _apart(value) for path, value in numbers.items()}, _apart(load)
 
     def predicted(region: Region) -> tuple[Case, Pointwise]:
         some = {path: _part(value, region) for path, value in numbers.items()}
@@ -83,16 +85,32 @@ def predict_many(
 
     refusal, taken = None, False
     sizes = dimensions([*numbers.values(), load])
-    for piece in _pieces({dim: size for dim, size in sizes.items() if along is None or dim in along}):
+    for piece in _pieces({dim: size for dim, size in sizes.items() if along is None or _named(dim) in along}):
         for region, found in bisected(piece, predicted):
+            region = {_named(dim): some for dim, some in region.items()}
             if isinstance(found, Exception):
                 refusal = found
                 yield region, None, None
             else:
                 taken = True
-                yield region, *found
+                yield region, found[0], _named_back(found[1])
     if refusal is not None and not taken:
         raise refusal
+
+
+def _apart(value: Any) -> Any:
+    """Return a number of many contacts with no dimension that the draws have."""
+    return value.rename({SAMPLE: _CONTACTS}) if SAMPLE in getattr(value, "dims", ()) else value
+
+
+def _named(dim: str) -> str:
+    return SAMPLE if dim == _CONTACTS else dim
+
+
+def _named_back(found: Pointwise) -> Pointwise:
+    """Return results along the dimensions of the numbers that were given."""
+    variables = {name: (tuple(map(_named, dims)), *rest) for name, (dims, *rest) in found.variables.items()}
+    return replace(found, variables=variables, doubts=(tuple(map(_named, found.doubts[0])), found.doubts[1]))
 
 
 def _pieces(sizes: Mapping[str, int]) -> Iterator[Region]:

@@ -24,7 +24,6 @@ from stiction.studies.uncertainty.drawing import OUTPUTS, Variant, draw
 # Half the width of the wider difference, in ln x.
 _WIDTH = 0.02
 _STENCIL = np.array([-1.0, -0.5, 0.5, 1.0]) * _WIDTH
-_STEP = "step"  # dimension of the stepped contacts of a prediction, whose draws lie along SAMPLE
 # Numbers of a contact that decide nothing of it, or that a roughness is measured by.
 _LEFT_OUT = ("surface_energy",)
 
@@ -101,11 +100,10 @@ def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, pro
 def elasticities_of_prediction(case: Case, load: float) -> dict[str, float]:
     """Return d ln mu/d ln x of the median of a prediction at a load [N], by name of the number."""
     inputs, stepped, steps = _stepped_case(case)
-    numbers = {path: array.rename({SAMPLE: _STEP}) for path, array in stepped.numbers_at(steps).items()}
-    mu = np.full(len(steps), np.nan)
+    numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
     for region, _, solved in predict_many(case.tables, numbers, np.array([load])):
         if solved is not None:
-            mu[region[_STEP]] = solved.variables["friction_coefficient"][1].ravel()
+            mu[region[SAMPLE]] = solved.variables["friction_coefficient"][1].ravel()
     return dict(zip(inputs, _slopes(mu, len(inputs))[0].tolist(), strict=True))
 
 
