@@ -93,3 +93,11 @@ def test_a_written_curve_says_what_made_it(called, tmp_path):
     assert sum(map(int, shares)) == pytest.approx(100, abs=1)
     assert {"input: nominal_area = 100 mm^2", "input: first.youngs_modulus = 2 MPa"} <= set(said)
     assert any(line.startswith("column: friction_force_low: ") and line.endswith("[N]") for line in said)
+
+
+def test_a_sweep_tells_between_which_ends_mu_is(called, tmp_path):
+    """Of bodies pressed flat the modulus decides nothing: mu from 1 kN to 200 N, and both ends of all intervals."""
+    case = CASE.replace('"2 MPa"', '["1.9 MPa", "2 MPa"]')
+    (tmp_path / "case.toml").write_text(case, encoding="utf-8")
+    line = next(line for line in called("sweep", "--out", tmp_path / "store").splitlines() if line.startswith("mu = "))
+    assert numbers(line)[:4] == [0.01, 0.05, 0.005, 0.1]

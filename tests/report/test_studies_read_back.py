@@ -70,6 +70,8 @@ def test_sliding(tmp_path, sums):
         printed = next(line for line in lines if len(line) == 6 and line[0] == f"{1e9 * height * SIGMA:g}")
         np.testing.assert_allclose([float(word) for word in printed[:4]], exact, rtol=SHOWN)
         assert float(printed[5]) == pytest.approx(1e-6 * stiffness, rel=SHOWN)  # MN/m
+        moved = np.ravel(found["variables"]["sliding_displacement"]["values"])[at]
+        assert float(printed[4]) == pytest.approx(1e9 * moved, rel=SHOWN)  # nm
         names = ("touching_asperities", "load [N]", "contact_area [m^2]", "tangential_stiffness [N/m]")
         np.testing.assert_allclose([float(rows[at][name]) for name in names], [number, load, real, stiffness], rtol=1e-7)
         given = [np.ravel(found["variables"][name.split()[0]]["values"])[at] for name in names]
@@ -104,6 +106,8 @@ def test_film(tmp_path, sums):
         np.testing.assert_allclose([float(row[name]) for name in names], [load, real, radius, stress], rtol=1e-3)
         given = [np.ravel(found["variables"][name.split()[0]]["values"])[at] for name in names]
         np.testing.assert_allclose(given, [load, real, radius, stress], rtol=1e-3)
+        ends = [np.ravel(found["variables"][name]["values"])[at] for name in ("interface_tension", "interface_shear")]
+        assert [float(word) for word in printed[-2:]] == pytest.approx(ends, rel=SHOWN)
 
 
 def test_sweep(tmp_path):
@@ -127,7 +131,8 @@ def test_surface(tmp_path):
     phase = 2.0 * math.pi * np.arange(count) / count
     np.save(tmp_path / "waves.npy", np.add.outer(30.0 * np.cos(6 * phase), 50.0 * np.cos(4 * phase)))
     options = ["--size", "10 um", "--unit", "nm", "--periodic", "--details"]
-    lines, out, found = shown(tmp_path, ["surface", tmp_path / "waves.npy"], *options)
+    command = ["surface", tmp_path / "waves.npy"]
+    lines, out, found = shown(tmp_path, command, *options)
     rms, slopes = [], []
     for height, waves in ((50e-9, 4), (30e-9, 6)):
         rms.append(height / math.sqrt(2.0))
@@ -138,6 +143,14 @@ def test_surface(tmp_path):
         slopes.append(height * 2.0 * math.sin(half) / (size / count) * math.sqrt(squares))
     heights, slope = (next(line for line in lines if line[:1] == [word]) for word in ("heights", "rms"))
     assert [float(heights[3]), heights[4]] == [pytest.approx(1e9 * math.hypot(*rms), rel=SHOWN), "nm,"]
+    heights_nm = np.load(tmp_path / "waves.npy")
+    ends = [float(np.mean(np.abs(heights_nm))), float(np.ptp(heights_nm))]
+    assert [float(heights[7]), float(heights[11])] == pytest.approx(ends, rel=SHOWN)
+    radii = [1e6 * one["R"] for one in found["asperities"].values()]
+    brief = next(line.split() for line in called(*command, *options[:-1]).splitlines() if line.startswith("Asperities"))
+    assert "skewness 0, " in called(*command, *options[:-1])  # by symmetry, not what rounding leaves of it
+    at = brief.index("R")
+    assert [float(brief[at + 1]), float(brief[at + 4])] == pytest.approx([min(radii), max(radii)], rel=0.051)
     assert [float(slope[at]) for at in (2, 5, 8)] == pytest.approx([*slopes, math.hypot(*slopes)], rel=SHOWN)
     for record in (found, json.loads((out / "surface.json").read_text(encoding="utf-8"))):
         read = [record["statistics"][name] for name in ("Sq", "slope_x", "slope_y", "slope")]
@@ -160,7 +173,7 @@ def test_validate(tmp_path):
     logs = [-math.log(0.8), -math.log(1.1)]
     exact = [math.exp(sum(logs) / 2.0), math.exp(math.hypot(*logs) / math.sqrt(2.0))]
     printed = next(line for line in lines if line[:1] == ["persson_2001"])
-    assert [float(word) for word in printed[3:5]] == pytest.approx(exact, rel=5.1e-3)
+    assert int(printed[2]) == 2 and [float(word) for word in printed[3:5]] == pytest.approx(exact, rel=5.1e-3)
     for row, load, value in zip(table(out / "entry.csv"), LOADS, measured, strict=True):
         assert [float(row["measured"]), float(row["persson_2001"])] == pytest.approx([value, mu(load)], rel=1e-9)
     (model,) = [one for one in found["entry"]["models"] if one["model"] == "persson_2001"]

@@ -48,7 +48,7 @@ def surface_summary(analysis: Analysis) -> Table:
             ("missing", _missing(surface)),
             ("done", "\n".join(surface.history)),
             ("heights", ", ".join(f"{name} = {length}" for name, length in lengths.items())),
-            ("", f"skewness Ssk = {found.Ssk:.4g}, kurtosis Sku = {found.Sku:.4g} (3 of a Gaussian)"),
+            ("", f"skewness Ssk = {round(found.Ssk, 4) + 0.0:g}, kurtosis Sku = {found.Sku:.4g} (3 of a Gaussian)"),
             ("rms slope", ", ".join(slopes)),
             ("rms curvature", ", ".join(curvatures)),
             ("reliable", reliable),
@@ -68,7 +68,9 @@ def surface_in_short(analysis: Analysis) -> Table:
     missing = f", {_missing(surface)} missing" if surface.missing else ""
     spikes = f"{analysis.spikes} points stand out: mask them with --spikes {SUSPICIOUS:g}" if analysis.spikes else ""
     kind = analysis.kind or "not found"
-    heights = f"Sq {shown(found.Sq, 'scan_size', 3)}, skewness {found.Ssk:.2g}, rms slope {slope:.2g}; kind: {kind}"
+    heights = (
+        f"Sq {shown(found.Sq, 'scan_size', 3)}, skewness {round(found.Ssk, 2) + 0.0:g}, rms slope {slope:.2g}; kind: {kind}"
+    )
     return facts(
         [
             ("Scan", f"{size}{missing}"),
