@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from stiction import cli
-from stiction.case.read import parse_case, read_case
+from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
 from stiction.report.design_pictures import design_figure
 from stiction.report.design_tables import design_notes
@@ -17,11 +17,11 @@ from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.solving.problem import make_problem
 from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
-from stiction.studies.case_results import solve_case
 from stiction.studies.design import run as design_module
 from stiction.studies.design.plan import Limit
 from stiction.studies.design.run import _beyond, _front, _searched, design, plan_of_design, run_design
 from stiction.studies.design.space import _outside
+from stiction.studies.prediction.predict import predict
 
 STRENGTH, AREA, LOAD = 200e6, 1e-6, 1.0
 ROUGH = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
@@ -469,7 +469,7 @@ def test_the_command_writes_everything(tmp_path):
     assert result.exit_code == 0 and "gold" in result.output
     names = {"designed.toml", "design.csv", "design.png", "design.nc", "front.csv"}
     assert {one.name for one in (tmp_path / "out").iterdir()} == names
-    again = solve_case(read_case(tmp_path / "out" / "designed.toml"))
+    again = predict(tmp_path / "out" / "designed.toml")
     first = (tmp_path / "out" / "design.csv").read_text().splitlines()
     at = first[0].split(",").index("friction_coefficient")
     assert float(again["friction_coefficient"][0]) == pytest.approx(float(first[1].split(",")[at]), rel=1e-8)

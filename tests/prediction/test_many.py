@@ -8,6 +8,7 @@ import stiction as st
 from stiction.case.read import as_case
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
+from stiction.studies.prediction import many
 from stiction.studies.prediction.many import predict_many
 
 ROUGH = {"asperity_height_deviation": "0.2 um", "asperity_radius": "20 um", "asperity_density": "1e10 1/m^2"}
@@ -19,6 +20,11 @@ CONTACTS = {
     "bare": (OXIDISED, "asperity_height_deviation", ["0.1 um", "0.2 um", "0.6 um"]),
     "stated": (BARE, "interfacial_shear_strength", ["10 MPa", "50 MPa"]),
     "film": (BARE | {"first": "hardened_steel_52100"} | SILVER, "thickness", ["0.5 um", "2 um"]),
+    "adhesive film": (
+        BARE | {"first": "hardened_steel_52100", "work_of_adhesion": "0.5 J/m^2"} | SILVER,
+        "work_of_adhesion",
+        ["0.3 J/m^2", "1 J/m^2"],
+    ),
     "adhesive": (BARE | STICKY, "work_of_adhesion", ["20 mJ/m^2", "50 mJ/m^2"]),
     "softer body changes": (BARE | {"first": {"preset": "copper"}}, "hardness", ["1 GPa", "20 GPa"]),
 }
@@ -39,12 +45,12 @@ def with_value(contact, name, value):
 def test_a_row_of_many_is_the_prediction_of_one(kind):
     contact, name, values = CONTACTS[kind]
     solve = {"load": ["1 N", "10 N"]}
-    many = st.predict({"contact": with_value(contact, name, values), "solve": solve})
-    assert many.sizes == {name: len(values), "load": 2}
+    found_many = st.predict({"contact": with_value(contact, name, values), "solve": solve})
+    assert found_many.sizes == {name: len(values), "load": 2}
     for at, value in enumerate(values):
         one = st.predict({"contact": with_value(contact, name, value), "solve": solve})
         for end in ("_low", "", "_high"):
-            found = many[f"friction_coefficient{end}"].isel({name: at}).values
+            found = found_many[f"friction_coefficient{end}"].isel({name: at}).values
             np.testing.assert_allclose(
                 found, one[f"friction_coefficient{end}"].values, rtol=1e-3
             )  # where it adheres the faint adhesion is one for all
@@ -63,6 +69,21 @@ def test_contacts_along_sample_are_no_draws(kind):
         assert dims == (dim, "load") and region[dim] == slice(0, len(values))
     np.testing.assert_array_equal(found["sample"], found["place"])
     assert len(np.unique(found["sample"])) == len(values)
+
+
+@pytest.mark.parametrize("kind", CONTACTS)
+def test_contacts_that_all_answer_are_not_divided(kind, monkeypatch):
+    """A law that refuses each of them is left out, as of one contact: to bisect them would solve each alone."""
+    contact, name, values = CONTACTS[kind]
+    together, sizes = many._together, []
+
+    def counted(tables, numbers, *rest):
+        sizes.append(next(iter(numbers.values())).size)
+        return together(tables, numbers, *rest)
+
+    monkeypatch.setattr(many, "_together", counted)
+    st.predict({"contact": with_value(contact, name, values), "solve": {"load": ["1 N"]}})
+    assert sizes == [len(values)]
 
 
 def test_a_contact_that_is_refused_leaves_the_others():

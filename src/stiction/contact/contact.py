@@ -110,6 +110,11 @@ class Contact(Subject):
         names = coordinates(self.arrays())
         return Indices(**{name: named_by(value, names) for name, value in groups.items()})
 
+    def known(self, name: str) -> Any:
+        """Return a property or group of this name, where the contact decides it; else None."""
+        is_group = name in Indices.model_fields or hasattr(Indices, name)  # groups are computed only where one of them is asked
+        return self.indices().known(name) if is_group and not hasattr(self, name) else super().known(name)
+
     def _groups(self) -> dict[str, Any]:
         bare = self._bare
         sigma, radius = self._sigma, self._radius

@@ -109,7 +109,7 @@ class Subject(Input):
 
     def known(self, name: str) -> Any:
         """A property or group of this name, where the contact decides it; else None."""
-        value = getattr(self if hasattr(self, name) else self.indices(), name, None)
+        value = getattr(self, name, None)
         return value() if callable(value) else value
 
     def given_as(self, group: str) -> str:

@@ -27,8 +27,10 @@ _FRONT = 12  # designs between the two ends of a front that are searched
 _DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction
 _POPULATION, _FEW = 24, 8
 _WAYS = 12  # ways to choose from lists that are searched
-_QUIET, _ALIKE = 8, 1e-10  # generations without gain, and range of a population, at which a search ends
+_ALIKE = 1e-10  # range of a population at which a search ends
+_QUIET, _QUIET_OF_DRAWS = 8, 4  # generations without gain at which a search ends, of a model and of a prediction
 _GAIN, _GAIN_OF_DRAWS = 1e-9, 1e-2  # over the cost, of a model and of a prediction
+_MET = 1e-3  # over a target: so near it a prediction, which is known to two digits, is not searched on
 _BEYOND_ALL = 1e100  # more than any wish: the cost of a design that breaks its limits
 _SHOWN = 200  # designs of a front at most
 _REFINED = 3  # ways to choose from lists whose numbers are refined
@@ -176,7 +178,7 @@ def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) 
             mutation=(0.4, 0.9),
             recombination=0.8,
             rng=rng,
-            callback=_Quiet(_GAIN_OF_DRAWS if found.space.is_predicted else _GAIN),
+            callback=_ends(found, number),
             polish=False,
             init=members,
             updating="deferred",
@@ -184,11 +186,24 @@ def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) 
         )
 
 
+def _ends(found: Designing, number: int) -> "_Quiet":
+    """Return what ends the search of a wish."""
+    if not found.space.is_predicted:
+        return _Quiet(_GAIN, _QUIET)
+    met = _MET * abs(found.plan.targets[number]) if found.plan.wishes[number].target else -np.inf
+    return _Quiet(_GAIN_OF_DRAWS, _QUIET_OF_DRAWS, met)
+
+
 @dataclass
 class _Quiet:
-    """Whether no member of a population has gained for some generations; least: what counts as a gain, over the cost."""
+    """Whether no member of a population has gained for some generations, or one is good enough.
+
+    least: what counts as a gain, over the cost. most: generations without gain. met: cost that is good enough.
+    """
 
     least: float
+    most: int
+    met: float = -np.inf
     costs: Any = np.inf
     generations: int = 0
 
@@ -196,7 +211,7 @@ class _Quiet:
         now = np.sort(intermediate_result.population_energies)
         gain = (now < self.costs - self.least * np.abs(now)).any()
         self.costs, self.generations = now, 0 if gain else self.generations + 1
-        return self.generations > _QUIET
+        return bool(self.generations > self.most or now[0] <= self.met)
 
 
 def _cost(found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> np.ndarray:

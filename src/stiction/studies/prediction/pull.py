@@ -87,7 +87,7 @@ def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:
 
 def _by_adhesion(asked: Asked) -> list[np.ndarray]:
     found, refusal = [], None
-    for choice in _ADHESION:
+    for choice in _ADHESION[:1] if asked.contact.has_film else _ADHESION:  # the others refuse films
         try:
             pulled, faint = (asked.areas(choice, ("work_of_adhesion",), faint) for faint in (False, True))
             found.append(_factor(pulled, faint) ** _merging(asked))
