@@ -105,7 +105,7 @@ def test_help_and_errors_name_the_tables_of_a_case(words, tables):
 
 
 def test_run_prints_table_summary_and_what_is_outside_validity():
-    text = command("run", SILVER, "--model", "soft_coating_2015").stdout
+    text = command("run", SILVER, "--model", "soft_coating_2015", "--details").stdout
     assert "Silver film" in text and "E = 210 GPa" in text and "elastic adhesion index = 228.8" in " ".join(text.split())
     assert "separation" in text and "touching" in text
     assert "outside the range of validity" in text
@@ -163,7 +163,7 @@ def test_undefined_friction_is_null_in_json_and_a_dash_in_the_table(tmp_path):
     content = strict(command("run", adhesive(tmp_path), "--json").stdout)
     loads, mu = (content["variables"][name]["values"] for name in ("load", "friction_coefficient"))
     assert [value is None for value in mu] == [load <= 0 for load in loads] and None in mu
-    text = command("run", adhesive(tmp_path)).stdout
+    text = command("run", adhesive(tmp_path), "--details").stdout
     assert " - " in text and "mu is not defined" in text and "per asperity" in text
 
 
@@ -173,7 +173,7 @@ def test_options_override_the_case_and_a_model_without_them_is_not_asked(tmp_pat
     other = strict(command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966", "--json").stdout)
     assert other["attrs"]["model"] == "greenwood_williamson_1966"
     assert "friction_coefficient" not in other["variables"]
-    assert "contact only" in command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966").stdout
+    assert "contact only" in command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966", "--details").stdout
     asperity = find(find("soft_coating_2015", RoughSurface).asperity, AsperityLaw)
     suitable = [law for law in of_kind(FilmLaw).values() if law.interchangeable and "2015" in law.wants]
     assert suitable and not any(incompatibility(law, asperity) for law in suitable)

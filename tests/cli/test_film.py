@@ -52,7 +52,7 @@ def case(tmp_path):
 
 
 def test_table_files_and_picture(case, tmp_path):
-    shown = run(case, "--out", str(tmp_path / "out")).stdout
+    shown = run(case, "--details", "--out", str(tmp_path / "out")).stdout
     assert "100 mN" in shown and "5 N" in shown and "interface" in shown and "layered" in shown
     assert sorted(one.name for one in (tmp_path / "out").iterdir()) == ["film.csv", "film.nc", "film.png", "section.nc"]
     section, data = (xarray.open_dataset(tmp_path / "out" / name, engine="h5netcdf") for name in ("section.nc", "film.nc"))
@@ -149,5 +149,5 @@ def test_what_cannot_be(case, tmp_path):
 def test_it_is_said_that_a_counterbody_yields_before_the_film(tmp_path, counterbody, said):
     path = tmp_path / "case.toml"
     path.write_text(CASE.replace('second = "hardened_steel_52100"', f'second = "{counterbody}"'), encoding="utf-8")
-    told = CliRunner().invoke(app, ["film", str(path), "--load", "1 N"])
+    told = CliRunner().invoke(app, ["film", str(path), "--details", "--load", "1 N"])
     assert told.exit_code == 0 and ("softer than the film" in " ".join(told.output.split())) == said

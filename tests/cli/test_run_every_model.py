@@ -53,7 +53,7 @@ def case_of(model, loads, folder):
 def test_table_picture_and_json(model, tangential, tmp_path):
     case = case_of(model, '["0.1 N", "1 N", "10 N"]', tmp_path)
     words = [case, "--model", model, *(["--tangential", tangential] if tangential else [])]
-    text = run(*words, "--out", tmp_path / "out")
+    text = run(*words, "--details", "--out", tmp_path / "out")
     assert "contact area" in text and ("pull-off force" in text) == (model not in NO_SEPARATION)
     names = {path.name for path in (tmp_path / "out").iterdir()}
     assert names == {"curve.csv", "curve.nc", "curve.png"}
@@ -81,7 +81,7 @@ def test_a_load_of_nothing_has_no_friction_coefficient(tmp_path):
     case = tmp_path / "case.toml"
     smooth = CASE.replace("48 nm", "5.8 nm").replace("50 um", "72 um").replace("1.7e10", "5.7e10").replace("0.1 J", "1 J")
     case.write_text(smooth.format('["-1 mN", "0 N", "1 N"]'))
-    text = run(case, "--model", "soft_coating_2015", "--out", tmp_path / "out")
+    text = run(case, "--model", "soft_coating_2015", "--details", "--out", tmp_path / "out")
     assert "mu is not defined" in text and "e+16" not in text
     with (tmp_path / "out" / "curve.csv").open(encoding="utf-8", newline="") as file:
         mu = [float(row["friction_coefficient"]) for row in csv.DictReader(line for line in file if not line.startswith("#"))]

@@ -42,7 +42,7 @@ def run(*words):
 
 def test_files_are_what_slide_gives(case, tmp_path):
     """Five of nine loads, first and last among them; picture, table and netCDF."""
-    said = run(case, "--sliding", "--out", tmp_path / "out")
+    said = run(case, "--sliding", "--details", "--out", tmp_path / "out")
     assert said.exit_code == 0, said.output
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["sliding.csv", "sliding.nc", "sliding.png"]
     with xarray.open_dataset(tmp_path / "out" / "sliding.nc") as data:

@@ -40,11 +40,11 @@ def rows(text: str) -> int:
 
 
 def test_how_many_rows_are_shown_is_said(case):
-    text = run(case(30))
+    text = run(case(30), "--details")
     assert rows(text) == 12 and "12 of 30 points are shown; --all-rows shows all" in " ".join(text.split())
-    whole = run(case(30), "--all-rows")
+    whole = run(case(30), "--details", "--all-rows")
     assert rows(whole) == 30 and "are shown" not in whole
-    few = run(case(3))
+    few = run(case(3), "--details")
     assert rows(few) == 3 and "are shown" not in few
 
 

@@ -184,13 +184,14 @@ def test_one_asperity_yields_where_it_is_pressed(page):
 
 def test_studies_are_made_and_stopped(page):
     _tab(page, "Studies")
+    page.get_by_label("wished mu").fill("0.2")
     page.get_by_role("button", name="Design", exact=True).click()
-    page.get_by_text(re.compile("wished: friction_coefficient next to 0.1")).wait_for()
+    page.get_by_text(re.compile("wished: friction_coefficient next to 0.2")).wait_for()
     assert not page.get_by_text(re.compile("^Objective missed")).count()
     page.get_by_label("wished mu").fill("0.5")  # beyond what the ends of the free number give
     page.get_by_role("button", name="Design", exact=True).click()
     page.get_by_role("alert").get_by_text(
-        re.compile(r"^Objective missed: friction_coefficient = 0\.1\d+, \d\d.* % below 0\.5\.$")
+        re.compile(r"^Objective missed: friction_coefficient = 0\.2\d+, \d\d.* % below 0\.5\.$")
     ).wait_for()
     page.get_by_role("button", name="Sensitivity", exact=True).click()
     page.get_by_role("button", name="Stop").click()
