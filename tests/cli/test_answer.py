@@ -5,6 +5,7 @@ import re
 import tomllib
 from pathlib import Path
 
+import numpy as np
 import pytest
 import xarray
 from typer.testing import CliRunner
@@ -85,7 +86,8 @@ STATED = SILVER.replace('interface = "soft-metal film"', 'interfacial_shear_stre
 STICKY = STATED.replace("nominal_area", 'work_of_adhesion = "50 mJ/m^2"\nnominal_area')
 SEVERAL = CASE.replace('"0.2 um"', '["0.1 um", "0.2 um", "0.3 um"]')
 NAMED = 'model = "greenwood_williamson_1966"\n'
-# Command -> text of its case, and its words; CASE stands for the file, OUT for a new folder, DATA for measured friction.
+# Command -> text of its case, and its words; CASE stands for the file, OUT for a new folder, DATA for measured friction,
+# SCAN for a scan.
 PRINTING = {
     "run": (CASE, "run CASE"),
     "run of a film": (SILVER, "run CASE"),
@@ -108,6 +110,11 @@ PRINTING = {
         "fit CASE --data DATA",
     ),
     "report": (SILVER, "report CASE --out OUT.html"),
+    "surface": (CASE, "surface SCAN --size 20um --unit m"),
+    "surface of a case": (
+        CASE.replace('["1 N", "10 N", "100 N"]', '"0.1 N"'),
+        "surface SCAN --size 20um --unit m --case CASE --out OUT",
+    ),
 }
 
 
@@ -119,7 +126,10 @@ def test_no_result_is_longer_than_15_lines_or_cut_off_or_of_ten_digits(which, tm
         "OUT": tmp_path / "out",
         "OUT.html": tmp_path / "out.html",
         "DATA": tmp_path / "mu.csv",
+        "SCAN": tmp_path / "scan.npy",
     }
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=3e-6, shortest=0.8e-6, deviation=12e-9)
+    np.save(places["SCAN"], st.gaussian_surface((192, 192), (20e-6, 20e-6), spectrum, seed=4).heights)
     places["CASE"].write_text(text, encoding="utf-8")
     places["DATA"].write_text("load [N],friction_coefficient\n1,0.31\n10,0.30\n100,0.32\n", encoding="utf-8")
     lines = run(*(places.get(word, word) for word in words.split())).rstrip().splitlines()

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 # Told how many designs were asked, and the best so far in words.
 Tell = Callable[[int, str], None]
-_FRONT = 12  # designs between the two ends of a front that are searched
+_FRONT, _FEW_FRONT = 12, 4  # designs between the two ends of a front that are searched, of a model and of a prediction
 _DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction
 _POPULATION, _FEW = 24, 8
 _WAYS = 12  # ways to choose from lists that are searched
@@ -291,7 +291,8 @@ def _search_front(found: Designing, tell: Tell) -> None:
         return
     _, wishes, _, _ = found.archive.table()
     low, high = wishes[front, 1].min(), wishes[front, 1].max()
-    ends = np.geomspace(low, high, _FRONT + 2) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, _FRONT + 2)
+    count = 2 + (_FEW_FRONT if found.space.is_predicted else _FRONT)
+    ends = np.geomspace(low, high, count) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, count)
     for ceiling in ends[1:-1]:
         _searched(found, 0, float(ceiling), tell)
 
