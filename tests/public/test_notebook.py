@@ -79,3 +79,12 @@ def test_every_result_has_a_summary(made):
         result = st.solve(contact(), load="1 N", model="greenwood_williamson_1966")
         assert ("load", "1 N") in st.summary(result).rows
     assert Cells(st.summary(result)._repr_html_()).texts
+
+
+def test_a_prediction_shows_its_answer():
+    answer = st.predict(contact(), load="1 N")
+    texts = Cells(st.summary(answer)._repr_html_()).texts
+    ends = (float(answer[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
+    mu, low, high = (f"{float(f'{end:.2g}'):g}" for end in ends)
+    assert texts[0] == "Prediction" and f"mu = {mu}" in texts[1] and f"{low} to {high}" in "".join(texts)
+    assert answer.attrs["regime"] in repr(st.summary(answer))

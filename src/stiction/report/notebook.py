@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from stiction.laws.validity import doubts_of
 from stiction.quantities import html
 from stiction.records.registry import GRADES
+from stiction.report.answer import answer_lines
 from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:
@@ -34,11 +35,13 @@ class Summary:
 
 
 def summary(result: "xarray.Dataset") -> Summary:
-    """What a result of `solve` or `compare` says, in short: model and grade, ranges of the main results, and all its doubts.
+    """Return what a result says, in short: the answer of `predict`, or model, grade, ranges of results and doubts of others.
 
-    result: as these give it. Returns a Summary, which a notebook shows as HTML, and `print` as text.
+    result: as `predict`, `solve` or `compare` gives it. Returns a Summary, which a notebook shows as HTML, and `print` as text.
     """
     used = result.attrs
+    if "regime" in used:
+        return Summary(used.get("case") or "Prediction", answer_lines(result), [])
     named = ("model", "asperity", "tangential", "film", "roughness_method")
     rows = [(name.replace("_", " "), str(used[name])) for name in named if used.get(name, "none") not in ("", "none")]
     if "grade" in used:
