@@ -192,7 +192,7 @@ def run(tmp_path, text, *words):
 
 
 def test_run_writes_the_same_files_and_the_same_json(tmp_path):
-    shown = run(tmp_path, TWO, "--out", tmp_path / "out")
+    shown = run(tmp_path, TWO, "--details", "--out", tmp_path / "out")
     assert "mu at" in shown and "lambda" in shown
     assert {path.name for path in (tmp_path / "out").iterdir()} == {"curve.csv", "curve.nc", "curve.png"}
     variables = json.loads(run(tmp_path, TWO, "--json"))["variables"]

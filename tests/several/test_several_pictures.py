@@ -56,7 +56,7 @@ def test_where_mu_is_not_defined_nothing_is_drawn():
     assert all(not axes.lines for axes in several_figure(data).axes)
 
 
-@pytest.mark.parametrize(("count", "rows"), [(3, 3), (100, 16)])
+@pytest.mark.parametrize(("count", "rows"), [(3, 3), (100, 9)])
 def test_the_table_has_a_row_for_each_value_or_some_of_them(count, rows):
     theta = {"start": 20, "stop": 80, "count": count}
     table = several_table(solved({"theta": theta}))

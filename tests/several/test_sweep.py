@@ -229,7 +229,8 @@ def test_what_is_refused_or_not_carried_is_said_and_the_rest_is_there(tmp_path):
     rough = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
     contact = {"first": steel, "second": {**steel, "hardness": "20 GPa"}, "roughness": rough,
                "work_of_adhesion": "1 J/m^2", "nominal_area": "1 mm^2"}  # fmt: skip
-    data = sweep({"contact": contact, "solve": {"load": ["1 N", "1 TN"]}, "sweep": {"block": 6}}, tmp_path / "store")
+    solve = {"load": ["1 N", "1 TN"], "model": "soft_coating_2015"}
+    data = sweep({"contact": contact, "solve": solve, "sweep": {"block": 6}}, tmp_path / "store")
     assert np.isfinite(data["friction_coefficient"].values).tolist() == [[at > 0, False] for at in range(9)]
     refused, not_carried = (
         mask for text, mask in meanings(data).items() if text.startswith(("the contact is ref", "the load is now"))
@@ -575,6 +576,14 @@ def test_a_store_of_another_version_is_left_alone(tmp_path, monkeypatch):
     monkeypatch.setattr(sweep_store, "__version__", "0.0.other")
     with pytest.raises(InputError, match=r"--out: .*; allowed: a new store: this one was begun by stiction "):
         sweep(DRAWN, tmp_path / "store")
+
+
+def test_a_load_that_flattens_the_faces_is_not_predicted_and_the_others_are(tmp_path):
+    steel = {"preset": "hardened_steel_52100", "hardness": ["6 GPa", "8 GPa"]}
+    rough = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
+    contact = {"first": steel, "second": "hardened_steel_52100", "roughness": rough, "nominal_area": "1 mm^2"}
+    data = sweep({"contact": contact, "solve": {"load": ["1 N", "1 TN"]}}, tmp_path / "store")
+    assert np.isfinite(data["friction_coefficient"].values).tolist() == [[True, False]] * 2
 
 
 def test_the_first_contact_may_be_refused(tmp_path):

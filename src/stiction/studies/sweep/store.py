@@ -243,8 +243,9 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
                 choice = Choice(RECOMMENDED) if is_predicted(case) else choice_of_case(case, case.choice)
                 if choice.model == RECOMMENDED and case.load is None:
                     raise InputError("solve.separation", "given", "load in its place, or a named model, which takes both")
-                (solved,) = (solved for _, solved in solved_of(plan, choice, one, None))
-                return choice, (case, solved)
+                for _, solved in solved_of(plan, choice, one, None):  # a prediction may be refused at some of the loads
+                    if solved is not None:
+                        return choice, (case, solved)
             except (InputError, ArithmeticError) as error:
                 refused = error
     raise refused
@@ -260,6 +261,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     names = [name for name in plan.sweep.keep or names if name not in dims]  # what is asked for is a coordinate
     order = tuple(dim for dim in dims if dim in plan.dims)
     points = {dim: size for dim, size in zip(dims, bits.shape, strict=True) if dim not in plan.dims}
+    points |= {"load": case.load.size} if "load" in points else {}
     layout = {name: tuple(dim for dim in (*plan.dims, *points) if dim in solved.variables[name][0]) for name in names}
     if len(solved.rules) > _MOST_RULES:
         raise InputError("model", case.choice.model_key, f"laws with {_MOST_RULES} ranges of validity at most, for a sweep")
