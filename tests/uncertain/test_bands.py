@@ -259,7 +259,7 @@ def run(tmp_path, *words):
 
 
 def test_run_tells_draws_and_writes_the_bands(tmp_path):
-    shown = run(tmp_path, "run", "--out", tmp_path / "out")
+    shown = run(tmp_path, "run", "--details", "--out", tmp_path / "out")
     assert "interfacial_shear_strength: 200 MPa ± 20 MPa" in shown and "95%" in shown
     assert (tmp_path / "out" / "uncertainty.png").exists()
     band = json.loads(run(tmp_path, "run", "--json"))["variables"]["friction_coefficient_quantile"]

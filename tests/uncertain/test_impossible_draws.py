@@ -8,7 +8,6 @@ import pytest
 import stiction as st
 from stiction.case.read import parse_case
 from stiction.laws.validity import doubts_of
-from stiction.report.comparison_rows import comparison
 from stiction.report.uncertainty_tables import uncertain_notes
 
 # Surfaces of an elastomer under a tenth of a millinewton, from rough to smooth: the smoothest would touch all over.
@@ -74,17 +73,6 @@ def test_where_most_are_impossible_there_is_no_band():
 def test_where_all_are_possible_nothing_is_said():
     data = st.solve_case(parse_case(case(samples(*HEIGHTS[:3])))).squeeze()
     assert data.attrs["impossible_draws"] == 0.0 and not [one for one in doubts_of(data) if "impossible" in one.why]
-
-
-def test_every_model_of_a_comparison_has_its_own():
-    data = st.compare_case(parse_case(case(samples(*HEIGHTS))), load=LOAD)
-    excluded = data["impossible_draws"].sel(model="fuller_tabor_1975").item()
-    assert excluded == pytest.approx(0.25, abs=0.02)
-    assert data["impossible_draws"].sel(model="persson_2001").item() == 0.0  # its area ends at the nominal one
-    band = data["friction_coefficient_at_load_quantile"]
-    assert np.nanmax(band.sel(model=["fuller_tabor_1975", "persson_2001"]).values) <= STRENGTH * AREA / LOAD
-    rows = {row["model"]: row for row in comparison(data)["models"]}
-    assert rows["fuller_tabor_1975"]["impossible_draws"] == excluded
 
 
 def test_draws_above_the_hardness():

@@ -242,7 +242,7 @@ def test_what_is_wrong_in_the_table_is_one_line(table, message):
 def test_a_sweep_draws_from_distributions_and_says_where_it_cannot():
     content = {
         "contact": {**BARE, "second": {"preset": "hardened_steel_52100", "hardness": "7 +/- 0.5 GPa"}},
-        "solve": {"load": "1 N"},
+        "solve": {"load": "1 N", "model": "greenwood_williamson_1966"},
         "sweep": {"sample": {"method": "sobol", "count": 256}},
     }
     plan = make_plan(content)
