@@ -50,7 +50,7 @@ def test_groups_have_no_unit(length, force, coated):
     plain, other = one.indices(), two.indices()
     names = [name for name in type(plain).model_fields if getattr(plain, name) is not None]
     needed_by_some = 8
-    assert len(names) == (18 if coated else 5) + (0 if coated else 1) + needed_by_some  # bare: n_g is 1 by default
+    assert len(names) == (19 if coated else 5) + (0 if coated else 1) + needed_by_some  # bare: n_g is 1 by default
     for name in names:
         if name != "tabor_parameter":
             assert getattr(other, name) == pytest.approx(getattr(plain, name), rel=1e-12), name
