@@ -16,8 +16,8 @@ def sensitivity(
         str | None,
         typer.Option(
             metavar="NAMES",
-            help="Models to draw from, separated by commas, or: none, for the model of the case alone. Default: those that "
-            "compare recommends, by their weights.",
+            help="Models to draw from, separated by commas, or: none, for the model of the case alone. Default: the model "
+            "of the case, or the prediction where it names none.",
         ),
     ] = None,
     ranges: Ranges = None,
