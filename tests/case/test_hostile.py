@@ -51,7 +51,7 @@ def test_names_that_are_no_text_in_studies_and_records():
 
 @pytest.mark.parametrize("given", [None, 1.0, True, b"x", [], np.array([1.0, 2.0]), lambda: 0])
 def test_what_is_no_path(given):
-    for function in (st.design, st.sensitivity, st.uncertainty, lambda case: st.fit(case, "none.csv")):
+    for function in (st.design, st.sensitivity, lambda case: st.fit(case, "none.csv")):
         assert refused(function, given).startswith("case: ")
     assert refused(read_measurements, given, CASE).startswith("--data: ")
 
