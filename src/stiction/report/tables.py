@@ -144,7 +144,8 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
         mu, ends = answer["friction_coefficient"], answer["interval"]
         band = "" if ends is None else f", {answer['level']:.0%} interval {number(ends[0])} to {number(ends[1])}"
         rows.insert(0, ("mu", f"{number(mu)}{band}" if mu is not None and np.isfinite(mu) else "not defined here"))
-    yield facts([*rows, ("outside", f"{doubts[0]}{more}" if doubts else "")])
+    unused = data.attrs.get("inputs_not_used", "")
+    yield facts([*rows, ("not used", unused), ("outside", f"{doubts[0]}{more}" if doubts else "")])
 
 
 # Of a contact whose materials are told, what is of these alone.
