@@ -2,7 +2,7 @@
 
 The verdicts rest on what is known without any of the models: a metal pressed plastically under a stated interface strength has
 mu = tau_0/H where its contacts are fully plastic, and a little more where they are not, as long as tau_0 is well below the
-shear strength of the bulk, H/(2.8 sqrt(3)); from there on bulk shears, and junctions grow or stick fully; a soft film that
+shear strength of the bulk, H/(2.8 sqrt(3)); from there on it is clean metal, which seizes: mu > 1; a soft film that
 yields has tau_0/H_f; clean metals without a stated strength cannot have a mu of a hundredth while their asperities flow; a
 soft polymer sticks.
 """
@@ -55,8 +55,8 @@ VERDICTS = {
     "copper stronger at the interface than in bulk": (
         copper(interfacial_shear_strength="300 MPa"),
         "1 N",
-        0.206,
-        0.6,
+        1.0,
+        16.0,
     ),
     "PDMS on glass": (pdms(), "10 mN", 0.5, 20.0),
     "polysilicon": (polysilicon(), "100 uN", 0.1, 1.5),

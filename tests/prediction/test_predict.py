@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -191,6 +192,9 @@ def test_a_scan_answers_by_the_contact_of_its_map():
         return math.log(one.contact_area_high.item() / one.contact_area_low.item())
 
     assert width(found) < 0.5 * width(numbers)
+    assert not found.warnings
+    window = st.predict(pair(bodies, bodies, replace(surface, periodic=False), interfacial_shear_strength=1e6), load="200 N")
+    assert "longest waves on a side" in window.warnings[0] and width(window) > width(found)
 
 
 def test_a_hard_film_bears_no_more_than_the_body_below_it():

@@ -91,8 +91,26 @@ def test_windows_touch_as_the_surface_that_they_are_cut_from():
     ]
     assert np.mean(alone) < 0.95 * whole
     parts = MapArea(heights, UNIT, False)
-    assert parts.sample_error(np.array([pressure]), math.inf) == pytest.approx([np.std(np.log(shares), ddof=1) / 2.0], rel=1e-9)
+    few_waves = 1.0 + 0.8 * max(6.0 / parts.longest_waves_on_a_side - 1.0, 0.0)
+    scatter = few_waves * np.std(np.log(shares), ddof=1) / 2.0
+    assert parts.sample_error(np.array([pressure]), math.inf) == pytest.approx([scatter], rel=1e-9)
     assert MapArea(heights, UNIT, True).sample_error(np.array([pressure]), math.inf) == [0.0]
+
+
+def test_windows_with_few_waves_are_as_uncertain_as_they_scatter():
+    """Sixteen windows of two maps with a quarter of the side as their longest wave, against the whole period."""
+    apart = []
+    for seed in (3, 4):
+        wide = SelfAffine(hurst=0.8, rolloff=0.25, shortest=1.0 / 48.0, deviation=1e-3)
+        heights = gaussian_surface((384, 384), (1.0, 1.0), wide, seed=seed).heights
+        whole = MapArea(np.ascontiguousarray(heights), UNIT, True)
+        pressure = np.array([0.005 * whole.slopes.gradient])
+        for y, x in [(y, x) for y in range(0, 384, 96) for x in range(0, 384, 192)]:
+            window = MapArea(np.ascontiguousarray(np.roll(heights, (-y, -x), (0, 1))[:144, :144]), (0.375, 0.375), False)
+            assert window.longest_waves_on_a_side < 6.0
+            error = np.log(window.share(pressure, math.inf) / whole.share(pressure, math.inf))
+            apart.append((error / window.sample_error(pressure, math.inf)).item())
+    assert np.mean(np.abs(apart) < 1.645) >= 0.8
 
 
 def test_a_flat_quarter_leaves_the_scatter_unknown():

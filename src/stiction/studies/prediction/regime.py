@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.studies.prediction.mixture import Mixture, Samples
 
 __all__ = ["next_step", "regime_of", "warnings_of"]
@@ -74,6 +75,7 @@ def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str
             f"The stated interface is {times:.3g} times as strong as the weaker body, and junctions grow: 2 % of its strength "
             "change mu by 15 % and more."
         )
+    found += _of_window(mixture)
     found += [] if mixture.asked.contact.measured is None else list(mixture.asked.contact.measured.doubts)
     area, pressure = (float(np.nanmedian(one[:, at])) for one in (samples.area, samples.pressure))
     is_open = area < _FLAT * float(np.median(mixture.asked.drawn.nominal_area)) and pressure < _PLASTIC
@@ -81,6 +83,18 @@ def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str
     if decides and is_open and max(float(law.far[at]) * law.weight * law.far_error for law in mixture.laws) > 0.2:
         found.append("No solved surface is near this contact: its area is known within a factor of 2.")
     return found
+
+
+def _of_window(mixture: Mixture) -> list[str]:
+    """Return a warning where the map is a window with few of its longest waves."""
+    surface = mixture.asked.contact.with_surface_moments().map
+    if surface is None or surface.periodic:
+        return []
+    from stiction.solvers.boundary_elements.map_area import map_area  # slow to import
+
+    waves = map_area(surface).longest_waves_on_a_side
+    few = f"The map holds {waves:.2g} of its longest waves on a side, fewer than {LEAST_WAVES:g}:"
+    return [f"{few} it may not stand for the surface."] if waves < LEAST_WAVES else []
 
 
 _STEPS = {

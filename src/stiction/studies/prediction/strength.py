@@ -14,6 +14,10 @@ __all__ = ["Strength"]
 _TRESCA = 0.5 * 3.0**0.5
 
 
+# Stated strength over that of the body, below which no metal is so weak that it fails in the body.
+_NEAR_BODY = 0.5
+
+
 class Strength:
     """The distribution of the strength of an interface.
 
@@ -66,6 +70,9 @@ class Strength:
                 if self.takes_states:
                     alpha[mine] = one.pressure_coefficient_at(coefficient[mine, None])
         tau = tau * self.aged[rows % len(self.aged)]
+        if self.stated is not None and self.over_body > _NEAR_BODY:  # a metal's then fails as clean metal does
+            clean = interface("clean metal").strength_at(strength[:, None], hardness, modulus)
+            tau = np.where(self.metallic, np.minimum(tau, clean), tau)
         return _capped(tau, shear, strength[:, None], self.metallic), alpha
 
 
