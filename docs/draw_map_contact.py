@@ -97,7 +97,8 @@ def draw_all(surface: HeightMap, words: str, out: Path) -> None:
     axes.set(xscale="log", yscale="log", xlabel="net normal load [N]", ylabel="static friction coefficient")
     axes.set_xlim(float(solved.min()) / 1.5, float(solved.max()) * 1.5)
     axes.set_title(f"{words}\nsteel on silicon nitride, 1 mm$^2$, interface of 300 MPa", fontsize="medium")
-    low, high = data.attrs["spread"]
+    mu = data["friction_coefficient_at_load"]
+    low, high = float(mu.where(mu > 0.0).min()), float(mu.max())
     axes.set_ylim(0.5 * low, 3.0 * high)
     figure.legend(
         loc="outside right upper",
