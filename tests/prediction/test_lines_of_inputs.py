@@ -117,7 +117,7 @@ def test_the_load_on_gold_that_leapt(adhesion):
 
 
 def test_the_growth_of_junctions_is_steep_and_says_so():
-    """mu goes with c/sqrt(1 - c^2) of the strength c of the interface over the body's: 3 times from .98 to 1."""
+    """mu goes with c/sqrt(1 - c^2) of the strength c over the body's: twice from .95 to 1, as clean metal."""
     rough = {"asperity_height_deviation": 1e-7, "asperity_radius": 5e-6, "asperity_density": 1e11}
     bulk = material("copper").hardness / (math.sqrt(3.0) * 2.8)  # H/Y of what states no yield stress
     line = []
@@ -132,5 +132,5 @@ def test_the_growth_of_junctions_is_steep_and_says_so():
             )
         )
     mu = [one for one, _ in line]
-    assert max(mu[at + 1] / mu[at] for at in range(len(mu) - 1)) > 1.5 and not leaps(line)
+    assert max(mu[at + 1] / mu[at] for at in range(len(mu) - 1)) > 1.2 and not leaps(line)
     assert not line[0][1]  # far below there is nothing to say

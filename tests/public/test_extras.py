@@ -79,7 +79,7 @@ load = ["0.1 N"]
 @pytest.mark.parametrize(
     ("words", "pictures"),
     [
-        (("compare", CASE), "compare.png, spread.png"),
+        (("compare", CASE), "compare.png"),
         (("run", BARE, "--model", "greenwood_williamson_1966", "--sliding"), "sliding.png"),
         (("film", CASE), "film.png"),
         (("surface", "scan.npy", "--size", "40 um", "--unit", "m"), "map.png, spectrum.png, asperities.png, fan.png"),

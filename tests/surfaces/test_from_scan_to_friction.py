@@ -120,7 +120,8 @@ def test_theories_of_the_surface_have_no_spread_over_methods(folder):
     values = {name: said["variables"][name]["values"] for name in said["variables"]}
     assert values["friction_coefficient_low"] == values["friction_coefficient"] == values["friction_coefficient_high"]
     assert "tail" not in said["attrs"]["outside_validity"]  # no heights at all
-    assert "sigma" in command("run", path, "--model", "persson_2001", "--tangential", "bowden_tabor_1943").stdout
+    words = ("run", path, "--model", "persson_2001", "--tangential", "bowden_tabor_1943", "--details")
+    assert "sigma" in command(*words).stdout
     rows = {row["model"]: row for row in json.loads(command("compare", path, "--json").stdout)["models"]}
     assert len(set(rows["persson_2001"]["friction_coefficient_by_method"].values())) == 1
     assert len(set(rows["greenwood_williamson_1966"]["friction_coefficient_by_method"].values())) == 5
@@ -241,7 +242,7 @@ def test_two_scans_of_different_resolution_are_doubted(folder):
     assert read.measured.doubts[0] in st.solve_case(read).attrs["outside_validity"]
     assert st.read_case(case(folder, two + '\nshortest = "1 um"')).measured.doubts == ()
     assert read.measured.doubts[0] in st.predict(read).warnings
-    assert "different resolutions" in " ".join(command("compare", case(folder, two), "--all").stdout.split())
+    assert "different resolutions" in " ".join(command("run", case(folder, two), "--details").stdout.split())
 
 
 def test_one_hill_is_counted_once(folder):
@@ -283,7 +284,7 @@ def test_few_asperities_in_contact_are_flagged(folder):
 
 def test_run_writes_the_band(folder):
     out = folder / "out"
-    text = command("run", case(folder), "--model", "soft_coating_2015", "--out", out).stdout
+    text = command("run", case(folder), "--model", "soft_coating_2015", "--details", "--out", out).stdout
     assert "spread over all methods" in " ".join(text.split())
     heads = [line for line in (out / "curve.csv").read_text().splitlines() if not line.startswith("#")]
     assert len(heads) == 3
@@ -353,7 +354,6 @@ def test_compare_gives_each_model_its_band(folder):
     assert rows["soft_coating_2015"]["friction_coefficient_low"] == pytest.approx(min(mu.values()))
     assert rows["soft_coating_2015"]["friction_coefficient_high"] == pytest.approx(max(mu.values()))
     assert answer["measured"]["method"] == "eight_neighbour"
-    assert "over methods" in command("compare", case(folder), "--all", "--load", "1 N").stdout
 
 
 @pytest.mark.parametrize(

@@ -55,7 +55,7 @@ def test_angles_that_do_not_wet_are_refused_in_degrees(first, second, worse):
 def test_terminal_files_and_designed_case_have_degrees(tmp_path):
     case, out = tmp_path / "case.toml", tmp_path / "out"
     case.write_text(CASE, encoding="utf-8")
-    ran = CliRunner().invoke(app, ["run", str(case), "--out", str(out)])
+    ran = CliRunner().invoke(app, ["run", str(case), "--details", "--out", str(out)])
     assert ran.exit_code == 0 and "theta_1 = 110 deg, theta_2 = 10 deg" in " ".join(ran.output.split())
     assert "# input: liquid.contact_angle_first = 110 deg\n" in (out / "curve.csv").read_text(encoding="utf-8")
     designed = CliRunner().invoke(app, ["design", str(case), "--out", str(tmp_path / "design")])
