@@ -279,7 +279,7 @@ def _prints_well(browser, report):
     page = context.new_page()
     page.goto(report.as_uri())
     page.emulate_media(media="print")
-    assert page.locator("figure").count() > 5
+    assert page.locator("figure").count() >= 2
     assert page.evaluate(OFF, PAPER) == [] and page.evaluate(BROKEN) == []
     context.close()
 
