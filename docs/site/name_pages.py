@@ -18,7 +18,7 @@ GROUPS = {
                   "height_distribution"),
     "Friction": ("predict", "solve", "unload", "slide", "evaluate", "Evaluation", "summary"),
     "Case files": ("read_case", "solve_case", "compare_case", "slide_case", "write_report"),
-    "Studies": ("compare", "uncertainty", "sensitivity", "sweep", "fit", "design", "validate", "film_stresses"),
+    "Studies": ("compare", "sensitivity", "sweep", "fit", "design", "validate", "film_stresses"),
     "Measured surfaces": ("read_scan", "HeightMap", "prepared", "analyse", "asperities", "resolution_study",
                           "gaussian_surface", "non_gaussian_surface", "SelfAffine"),
     "What is known, and by whom": ("models", "interfaces", "cite"),

@@ -119,14 +119,15 @@ PRINTING = {
 
 
 @pytest.mark.parametrize("which", PRINTING)
-def test_no_result_is_longer_than_15_lines_or_cut_off_or_of_ten_digits(which, tmp_path):
+def test_no_result_is_longer_than_15_lines_or_cut_off_or_of_ten_digits(which, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # names of files as short as a user types them
     text, words = PRINTING[which]
     places = {
-        "CASE": tmp_path / "case.toml",
-        "OUT": tmp_path / "out",
-        "OUT.html": tmp_path / "out.html",
-        "DATA": tmp_path / "mu.csv",
-        "SCAN": tmp_path / "scan.npy",
+        "CASE": Path("case.toml"),
+        "OUT": Path("out"),
+        "OUT.html": Path("out.html"),
+        "DATA": Path("mu.csv"),
+        "SCAN": Path("scan.npy"),
     }
     spectrum = st.SelfAffine(hurst=0.8, rolloff=3e-6, shortest=0.8e-6, deviation=12e-9)
     np.save(places["SCAN"], st.gaussian_surface((192, 192), (20e-6, 20e-6), spectrum, seed=4).heights)

@@ -234,3 +234,23 @@ def test_an_area_far_from_solved_surfaces_is_a_warning_only_where_it_decides():
     assert by_state.shares["area model"] < 0.05 < by_strength.shares["area model"]
     assert far not in by_state.warnings
     assert far in by_strength.warnings
+
+
+def test_the_kind_of_a_surface_narrows_the_answer_under_a_film_too():
+    """It is then not named as not used; without it the answer says what is missing."""
+    coating = {"material": "silver", "thickness": "1 um", "bodies": "first"}
+    plain, known = (
+        st.predict(
+            st.Contact(
+                first="hardened_steel_52100", second="hardened_steel_52100", coating=coating, nominal_area="1 mm^2",
+                interfacial_shear_strength="25 MPa",
+                roughness={"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"}
+                | kind,
+            ),
+            load="1 N",
+        )
+        for kind in ({}, {"kind": "polished"})
+    )  # fmt: skip
+    wide, narrow = (math.log(one.friction_coefficient_high / one.friction_coefficient_low) for one in (plain, known))
+    assert narrow < 0.7 * wide
+    assert not known.inputs_not_used and "kind of surface is not stated" in plain.warnings[0]

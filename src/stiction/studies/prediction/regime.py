@@ -80,7 +80,7 @@ def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str
     area, pressure = (float(np.nanmedian(one[:, at])) for one in (samples.area, samples.pressure))
     is_open = area < _FLAT * float(np.median(mixture.asked.drawn.nominal_area)) and pressure < _PLASTIC
     decides = not shares or shares.get("area model", 0.0) > _DECIDES  # parts that hardly count are left out
-    if decides and is_open and _kind_is_missing(mixture):
+    if decides and (is_open or mixture.asked.contact.has_film) and _kind_is_missing(mixture):
         found.append("The kind of surface is not stated: surfaces of these numbers differ in area by factors.")
     if decides and is_open and max(float(law.far[at]) * law.weight * law.far_error for law in mixture.laws) > 0.2:
         found.append("No solved surface is near this contact: its area is known within a factor of 2.")
@@ -90,7 +90,7 @@ def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str
 def _kind_is_missing(mixture: Mixture) -> bool:
     """Return whether the surface is known by numbers that do not tell its kind."""
     asked = mixture.asked
-    return not asked.on_map and asked.contact.surface_kind is None and not asked.contact.has_film
+    return not asked.on_map and asked.contact.surface_kind is None and asked.contact.heights[0] == "gaussian"
 
 
 def _of_window(mixture: Mixture) -> list[str]:
