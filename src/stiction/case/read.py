@@ -14,7 +14,7 @@ from pydantic import Field, create_model, model_validator
 
 from stiction.case.distribution import Distribution, is_law
 from stiction.case.own_materials import telling_the_file, with_materials_of_file, with_own_materials
-from stiction.case.places import roughness_in, with_roughness
+from stiction.case.places import roughness_in, with_numbers, with_roughness
 from stiction.case.several import Address, Points, Several, numbers_schema, points_of, several_numbers, with_values
 from stiction.case.study_tables import study_tables
 from stiction.case.uncertain import (
@@ -287,9 +287,9 @@ def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[
             raise InputError(one.where, one.words, "one number, where scans say the roughness")
 
 
-def case_of(content: Mapping, arrays: Mapping[Address, Any]) -> Case:
-    """The case of these tables, with labelled arrays in the places of the numbers that are several. Raises InputError."""
-    file = _case_file()(**with_values(content, arrays))
+def case_of(content: Mapping, numbers: Mapping[Address, Any] | None = None) -> Case:
+    """Return the case of these tables with other numbers, floats or labelled arrays, in their places. Raises InputError."""
+    file = _case_file()(**with_numbers(content, numbers or {}))
     subject = file.contact or file.indices
     assert subject is not None  # the validator of _CaseFile has seen to it
     solve = file.solve

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of
 from stiction.case.several import Address
 from stiction.quantities.dimensions import dimensions
@@ -47,7 +46,7 @@ def evaluate_together(
         Where a number is out of bounds, or the model refuses all contacts.
     """
     with np.errstate(all="ignore"):
-        case = case_of(with_numbers(tables, numbers), {})
+        case = case_of(tables, numbers)
         points = {"separation": case.separation, "load": case.load} if points is None else points
         return case, solve_pointwise(case.subject, model, **points, keep=keep)
 

@@ -12,7 +12,6 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from stiction.case.measurements import Measurements, read_measurements
-from stiction.case.places import with_numbers
 from stiction.case.read import case_of, opened, read_content
 from stiction.contact.subject import Subject
 from stiction.laws.validity import Doubt, doubts_of
@@ -76,7 +75,7 @@ class Entry:
         found = []
         for one in dict.fromkeys(known):
             rows = np.array([at for at, other in enumerate(known) if other == one])
-            found.append((case_of(with_numbers(self.content, dict(one)), {}).subject, rows))
+            found.append((case_of(self.content, dict(one)).subject, rows))
         return found
 
 

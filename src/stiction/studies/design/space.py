@@ -60,7 +60,7 @@ class Space:
     def __post_init__(self):
         wanted = [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]
         self.names = list(dict.fromkeys([*wanted, "friction_coefficient"]))
-        self.case = case_of(self.plan.content, {})
+        self.case = case_of(self.plan.content)
         self.is_predicted = is_predicted(self.case)
         if self.is_predicted:
             ends = ("friction_coefficient_low", "friction_coefficient_high")
@@ -79,7 +79,7 @@ class Space:
         content, numbers, points = self._contacts(shares, np.arange(1))
         if self.is_predicted:
             return self._prediction(content, numbers, points)
-        subject = case_of(with_numbers(content, numbers), {}).subject
+        subject = case_of(content, numbers).subject
         given = {name: value for name, value in self.case.choice.arguments().items() if name != "model"}
         choice = choice_of(self.case.choice.model, given, subject)
         for name in set(self.names) & set(YIELDED):
@@ -92,7 +92,7 @@ class Space:
 
     def _prediction(self, content: Mapping, numbers: Mapping, points: Mapping) -> Choice:
         """Refuse what no prediction knows of the first design."""
-        subject = case_of(with_numbers(content, numbers), {}).subject
+        subject = case_of(content, numbers).subject
         for name in self.names:
             if name not in PREDICTED and name not in subject.all_groups():
                 allowed = f"{', '.join(PREDICTED)}, a group of the contact; or a named model, whose results may be wished"

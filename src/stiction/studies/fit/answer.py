@@ -155,7 +155,7 @@ def _given(content, path):
     from stiction.case.read import case_of
 
     try:
-        found: Any = case_of(content, {}).subject
+        found: Any = case_of(content).subject
     except InputError:
         return None
     for name in path[1:] if path[0] == subject_table(content) else ("",):

@@ -8,7 +8,6 @@ import numpy as np
 
 from stiction.case.free import Free
 from stiction.case.measurements import Measurements
-from stiction.case.places import with_numbers
 from stiction.case.several import Address
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
@@ -134,7 +133,7 @@ def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
     from stiction.case.read import case_of
 
     middle = {one.path: float(one.at(np.array(0.5))) for one in plan.free if one.path != RESISTANCE}
-    case = case_of(with_numbers(plan.content, {**data.known[0], **middle}), {})
+    case = case_of(plan.content, {**data.known[0], **middle})
     load = np.sort(data.load[np.isfinite(data.load)])
     return replace(case, load=load, separation=None) if load.size else case
 

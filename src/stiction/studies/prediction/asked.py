@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of
 from stiction.case.uncertain import SAMPLE, expanded
 from stiction.contact.contact import Contact
@@ -128,7 +127,7 @@ class Asked:
     def nominal(self, model: str) -> Contact:
         """Return the nominal contact without adhesion, liquid and interface, as the model of this key takes it."""
         bare = _without(self.case, _INTERFACE + PULLS)
-        case = case_of(with_numbers(bare.tables, bare.several), {})
+        case = case_of(bare.tables, bare.several)
         return _contact(case.with_surface_moments(model))
 
     @property
@@ -151,7 +150,7 @@ class Asked:
     def drawn(self) -> Contact:
         """Return the contact whose uncertain numbers are arrays along the draws."""
         numbers = self.case.numbers_at(self.levels) if self.case.unknowns else self.case.several
-        return _contact(case_of(with_numbers(expanded(self.case.tables), numbers), {}))
+        return _contact(case_of(expanded(self.case.tables), numbers))
 
     @cached_property
     def bodies(self) -> Bodies:

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of
 from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
@@ -134,7 +133,7 @@ def _together(
 ) -> tuple[Case, Pointwise]:
     """Return the case with these numbers, and its results. Raises InputError, ArithmeticError where any contact is refused."""
     with np.errstate(all="ignore"):
-        case = case_of(with_numbers(tables, numbers), {})
+        case = case_of(tables, numbers)
         if not isinstance(case.subject, Contact):
             raise InputError("indices", "given", "[contact]: a prediction needs materials and lengths")
         if (refusal := refusal_of(case)) is not None:

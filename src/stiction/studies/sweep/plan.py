@@ -138,7 +138,7 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
         plain = expanded(plain)
     plain, scans = _without_scans(plain)
     uncertain: tuple[Uncertain, ...] = ()
-    if not sweep.sample.is_drawn and is_predicted(case_of(plain, {})):
+    if not sweep.sample.is_drawn and is_predicted(case_of(plain)):
         uncertain = tuple(one for one in several.values() if isinstance(one, Uncertain))
         several = {path: one for path, one in several.items() if not isinstance(one, Uncertain)}
     plan = Plan(plain, several, sweep, scans=scans, uncertain=uncertain)
