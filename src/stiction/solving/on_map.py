@@ -52,15 +52,6 @@ class OnMap(Problem):
         liquid = self.groups.meniscus_index is not None
         return liquid and not self.chosen.dry and not self.adheres
 
-    def _effects(self) -> dict[str, bool]:
-        return {
-            "adhesion": self.adheres,
-            "plasticity": self.options.get("yielding") != "none",
-            "the film": isinstance(self.subject, Contact) and self.subject.has_film,
-            "menisci": self.menisci,
-            "contacts that act on each other": True,
-        }
-
     @property
     def heights_taken(self) -> str:
         return "measured"

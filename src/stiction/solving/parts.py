@@ -3,6 +3,7 @@
 import numpy as np
 
 from stiction.engine.regime import Regime
+from stiction.quantities.quotient import quotient
 
 
 def of_those(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
@@ -18,9 +19,7 @@ def states_of(regimes: list[Regime]) -> list[str]:
 def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
     """Share (n, m) of the sizes of `parts` (regimes, n, m) that is beyond the film's half-space; 0 where all is nothing."""
     sizes = np.abs(parts)
-    whole = sizes.sum(axis=0)
-    beyond = sizes[[not regime.in_half_space for regime in regimes]].sum(axis=0)
-    return np.divide(beyond, whole, where=whole > 0.0, out=np.zeros_like(whole))
+    return quotient(of_those(sizes, [not regime.in_half_space for regime in regimes]), sizes.sum(axis=0), 0.0)
 
 
 def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
@@ -28,4 +27,4 @@ def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray
     of it at the most: of the net load, where others pull and make that small; 0 where all is nothing."""
     flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
     lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
-    return np.minimum(np.divide(lost, net, where=net > 0.0, out=np.zeros_like(net)), 1.0)
+    return np.minimum(quotient(lost, net, 0.0), 1.0)

@@ -15,6 +15,7 @@ from stiction.engine.summation import check_threads, on_grid, scattered, totals_
 from stiction.laws.joining import Law, resistances
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
+from stiction.quantities.quotient import quotient
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, TangentialLaw, find, select_options
 from stiction.solving.candidates import with_interface
@@ -27,7 +28,7 @@ from stiction.solving.problem_base import Problem, with_coefficient
 from stiction.solving.unused import refuse_ignored_strength
 
 _RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
-_COUNT, LOAD, _AREA, _SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
+_COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
 
 @dataclass(frozen=True)
@@ -45,14 +46,6 @@ class Sum(Problem):
     @property
     def adheres(self) -> bool:
         return "no adhesion" not in self.law.asperity.traits
-
-    def _effects(self) -> dict[str, bool]:
-        return {
-            "adhesion": self.adheres,
-            "plasticity": any(one.state not in ("elastic", MENISCUS) for one in self.regimes),
-            "the film": self.chosen.film is not None,
-            "menisci": "meniscus" in self.chosen.additions,
-        }
 
     @cached_property
     def regimes(self) -> list[Regime]:
@@ -82,7 +75,12 @@ class Sum(Problem):
 
     def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Slip-limited and yield-limited tangential force per asperity (2, k) at pairs (k,) of separation and law."""
-        return self.sums(h, law)[..., [_SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
+        return self.sums(h, law)[..., [SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
+
+    def sums_at(self, h: np.ndarray) -> np.ndarray:
+        """Return the sums of the engine (regimes, n, m, 5) at the separations h (n, m)."""
+        law = np.repeat(np.arange(len(h)), h.shape[1])
+        return self.sums(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5)
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         if self.most_pull is None:
@@ -96,17 +94,14 @@ class Sum(Problem):
     def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
         """What a law that stands in the place of a tangential law gives, per asperity (n, m), at the separations h (n, m)."""
         plain = self.chosen.without("meniscus", model=replace(self.record, regimes=None), tangential=law)
-        rows = np.repeat(np.arange(len(h)), h.shape[1])
-        sums = replace(self, chosen=plain).sums(h.reshape(-1), rows)
-        return sums[..., _SLIP_LIMITED].sum(axis=0).reshape(h.shape)
+        return replace(self, chosen=plain).sums_at(h)[..., SLIP_LIMITED].sum(axis=0)
 
     def _spread(self, results: dict[str, np.ndarray], h: np.ndarray) -> np.ndarray:
         """Standard deviation of mu (n, m): variances of the asperities' forces add up, and so do their loads."""
-        law, load = self.chosen.additions["contamination"], results["load"]
         asperities = number_of_asperities(self.groups)
         assert asperities is not None  # the law needs what decides it
-        deviation = np.sqrt(self._summed_alone(law, h) / asperities)
-        return np.divide(deviation, load, where=load > 0.0, out=np.full(load.shape, np.nan))
+        variance = self._summed_alone(self.chosen.additions["contamination"], h) / asperities
+        return quotient(np.sqrt(variance), results["load"])
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
         results = self._by_name(self._on_grid(h))
@@ -116,8 +111,7 @@ class Sum(Problem):
         return self._with_stiffness(results, np.tile(h, (len(self.groups), 1)))
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        law = np.repeat(np.arange(len(h)), h.shape[1])
-        return self._at_sums(h, self.sums(h.reshape(-1), law).reshape(len(self.regimes), *h.shape, 5))
+        return self._at_sums(h, self.sums_at(h))
 
     def with_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
         """As `at`, with sums (regimes, n, m, 5) that are known there; those that are not numbers are taken, in their places."""
@@ -130,8 +124,8 @@ class Sum(Problem):
         """Results (n, m) of the sums (regimes, n, m, 5) at the separations h (n, m)."""
         results = self._by_name(sums)
         if (published := self._as_published()) is not None:
-            friction = published.forces(h.reshape(-1), np.repeat(np.arange(len(h)), h.shape[1])).sum(axis=0)
-            results |= _published(results["load"], friction.reshape(h.shape))
+            sums = published.sums_at(h).sum(axis=0)
+            results |= _published(results["load"], sums[..., SLIP_LIMITED] + sums[..., _YIELD_LIMITED])
         return self._with_stiffness(results, h)
 
     @cached_property
@@ -181,19 +175,18 @@ class Sum(Problem):
             results[f"load_{body}"] = of_those(loads, [regime.body == body for regime in regimes])
         if bodies:
             film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
-            whole = film + substrate
-            results["load_share_substrate"] = np.divide(substrate, whole, where=whole > 0.0, out=np.zeros_like(whole))
+            results["load_share_substrate"] = quotient(substrate, film + substrate, 0.0)
         if not all(regime.in_half_space for regime in regimes):
             results["load_share_beyond_film"] = share_beyond(regimes, loads)
         if not self.friction:
             return results
-        friction = sums[..., _SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
+        friction = sums[..., SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
         if not self.law.interfacial:
             solid = [at for at, regime in enumerate(regimes) if regime.state != MENISCUS]
             some = [regimes[at] for at in solid]
             results["load_share_without_friction"] = share_without(some, loads[solid], friction[solid])
         results |= with_coefficient(results["load"], friction.sum(axis=0))
-        results["friction_slip_limited"] = total[..., _SLIP_LIMITED]
+        results["friction_slip_limited"] = total[..., SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
         for body in bodies:
             results[f"friction_{body}"] = of_those(friction, [regime.body == body for regime in regimes])
@@ -213,10 +206,6 @@ class ClosedForm(Problem):
     @property
     def adheres(self) -> bool:
         return self.record.adheres
-
-    def _effects(self) -> dict[str, bool]:
-        flows = "hardness_group" in self.record.needs
-        return {"adhesion": self.adheres, "plasticity": flows, "the film": self.record.on_film}
 
     def near(self, load: np.ndarray) -> np.ndarray:
         """Separations (n, m), about where the normalised loads (n, m) are carried, of a theory that knows that."""

@@ -10,6 +10,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.heights import Heights
 from stiction.quantities.errors import InputError
+from stiction.quantities.quotient import quotient
 from stiction.records.registry import Record, RoughSurface
 from stiction.solving.chosen import Chosen
 
@@ -78,15 +79,6 @@ class Problem(ABC):
     def adheres(self) -> bool:
         """Whether asperities attract."""
 
-    @abstractmethod
-    def _effects(self) -> dict[str, bool]:
-        """Return what may be taken account of beyond elastic asperities, in words, and whether it is."""
-
-    @property
-    def effects(self) -> list[str]:
-        """Name what is taken account of beyond elastic asperities."""
-        return [name for name, there in self._effects().items() if there]
-
     def few_of(self, load: np.ndarray) -> np.ndarray:
         """Of normalised loads (n, m) of a curve those that can be afforded: all, unless every one takes its time."""
         return load
@@ -122,5 +114,4 @@ class Problem(ABC):
 
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
     """The friction force, and its ratio to the load: not a number where the load is not compressive."""
-    ratio = np.divide(friction, load, where=load > 0.0, out=np.full(load.shape, np.nan))
-    return {"friction_force": friction, "friction_coefficient": ratio}
+    return {"friction_force": friction, "friction_coefficient": quotient(friction, load)}

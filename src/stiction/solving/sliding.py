@@ -18,9 +18,10 @@ from stiction.laws.presliding.shared.partial_slip import slipping_law, sticking_
 from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
+from stiction.quantities.quotient import quotient
 from stiction.solving.candidates import choice_of
 from stiction.solving.points import coordinates_of, in_words, points_asked, points_of, solve_points
-from stiction.solving.problem import Problem, Sum, make_problem
+from stiction.solving.problem import SLIP_LIMITED, Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
 
 if TYPE_CHECKING:
@@ -141,8 +142,7 @@ class Sliding:
         chosen = self.problem.chosen
         assert chosen.tangential is not None
         still = replace(self.problem, chosen=chosen.without("presliding", tangential=sticking_law(chosen.tangential)))
-        laws = len(self.problem.groups)
-        return still.forces(h.reshape(-1), np.repeat(np.arange(laws), h.size // laws))[0].reshape(h.shape)
+        return still.sums_at(h.reshape(len(still.groups), -1))[..., SLIP_LIMITED].sum(axis=0).reshape(h.shape)
 
     def _summed(self, row: np.ndarray, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
         chosen = self.problem.chosen
@@ -163,16 +163,15 @@ class Sliding:
         """The largest force and where it is: Coulomb's comes to 99 % of its own there, another has its peak."""
         h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
         held = (strength > 0.0) & (stiffness > 0.0)
-        unit = np.divide(1.5 * strength, stiffness, where=held, out=np.ones_like(strength))
+        unit = np.where(held, quotient(1.5 * strength, stiffness), 1.0)
         if self.kept == 1.0:
             where, largest = self._nearly(h, unit, _NEARLY * strength), strength
         else:
             where, largest = self._peak(h, unit)
         where = np.where(held & np.isfinite(where), where, np.nan)
-        ratio = np.divide(largest, static["load"], where=static["load"] > 0.0, out=np.full(h.shape, np.nan))
         return {
             "largest_tangential_force": np.where(held, largest, strength),
-            "largest_friction_coefficient": ratio,
+            "largest_friction_coefficient": quotient(largest, static["load"]),
             "sliding_displacement": where,
         }
 

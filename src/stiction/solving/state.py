@@ -20,6 +20,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
+from stiction.quantities.quotient import quotient
 from stiction.solvers.layered.below import pressure_carried_below
 from stiction.solving.problem import Problem, number_of_asperities
 from stiction.surfaces.theory.touching import expected_share
@@ -107,13 +108,13 @@ def _by_asperity(
     """What needs no density of asperities, but for menisci. hardness: of what bears the load, over that of the bodies."""
     groups = problem.groups
     compressed = np.where(load > 0.0, load, np.nan)
-    pressure = load / (groups.eta[:, None] * hardness * np.where(area > 0.0, area, np.nan))
+    pressure = quotient(load, groups.eta[:, None] * hardness * area)
     found = {"mean_pressure_over_hardness": pressure} | _grown(groups, pressure)
     if share is not None:
         found["touching_share"] = share
         if not groups.has_film:
             yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
-            found["asperity_area_over_yield"] = area / np.where(share > 0.0, share * yielded, np.nan)
+            found["asperity_area_over_yield"] = quotient(area, share * yielded)
     found |= _below_film(groups, load, area, touching)
     found |= _of_menisci(groups, area, share, pull_of_menisci)
     per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
@@ -142,10 +143,10 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
     """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}
-    spot = np.divide(area, touching, where=touching > 0.0, out=np.full(area.shape, np.nan))
+    spot = quotient(area, touching)
     carried = pressure_carried_below(spot, groups)
-    pressure = load / (groups.eta[:, None] * np.where(area > 0.0, area, np.nan))
-    thickness = np.reshape(groups.film_aspect / groups.films, (-1, 1)) / np.sqrt(np.where(spot > 0.0, spot, np.nan))
+    pressure = quotient(load, groups.eta[:, None] * area)
+    thickness = quotient(np.reshape(groups.film_aspect / groups.films, (-1, 1)), np.sqrt(spot))
     strength = groups.resolved().layer_n_H / (math.sqrt(3.0) * groups.hardness_to_yield)
     punching = 1.0 + 2.0 * thickness * np.reshape(strength, (-1, 1))
     hard = np.reshape(groups.n_H, (-1, 1)) > 1.0
@@ -178,7 +179,7 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
     height = groups.meniscus_height[:, None]
-    found = {"penetration_over_meniscus": area / (np.where(share > 0.0, share, np.nan) * height)}
+    found = {"penetration_over_meniscus": quotient(area, share * height)}
     if groups.roughness_parameter is not None:
         ring = 2.0 * math.pi * groups.roughness_parameter[:, None] * height
         bridged = np.maximum(pull * groups.meniscus_index[:, None] / (2.0 * math.pi), share)
@@ -203,5 +204,5 @@ def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarra
     if "load_film" not in results or film is None or film.composites or film.confined:
         return np.maximum(n_H, 1.0) * np.ones_like(load)
     of_film = np.asarray(results["load_film"]).reshape(load.shape)
-    share = np.clip(np.divide(of_film, load, where=load > 0.0, out=np.ones_like(load)), 0.0, 1.0)
+    share = np.clip(quotient(of_film, load, 1.0), 0.0, 1.0)
     return share * n_H + (1.0 - share)

@@ -4,6 +4,8 @@ import numpy as np
 
 from stiction.engine.regime import MENISCUS
 from stiction.quantities.errors import InputError
+from stiction.quantities.quotient import quotient
+from stiction.solving.parts import of_those
 from stiction.solving.problem import LOAD, Problem, Sum
 
 YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
@@ -28,10 +30,8 @@ def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
     """
     sums, film = require_states(problem, name), problem.chosen.film
     regimes, of_all = sums.regimes, name == YIELDED[0]
-    law = np.repeat(np.arange(len(h)), h.shape[1])
-    loads = np.abs(sums.sums(h.reshape(-1), law)[..., LOAD]).reshape(len(regimes), *h.shape)
+    loads = np.abs(sums.sums_at(h)[..., LOAD])
     counted = [
         one.state not in ("elastic", MENISCUS) and (of_all or film is None or one.body == "substrate") for one in regimes
     ]
-    whole = loads[[one.state != MENISCUS for one in regimes]].sum(axis=0)
-    return np.divide(loads[counted].sum(axis=0), whole, where=whole > 0.0, out=np.zeros_like(whole))
+    return quotient(of_those(loads, counted), of_those(loads, [one.state != MENISCUS for one in regimes]), 0.0)

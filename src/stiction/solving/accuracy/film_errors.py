@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from stiction.quantities.quotient import quotient
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear
 from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, OnMaps, on_a_sphere, on_maps
 from stiction.solving.problem import Problem
@@ -126,7 +127,7 @@ def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray 
     if "touching_asperities" not in results or groups.film_aspect is None:
         return None
     area, touching = (np.asarray(results[name]).reshape(len(groups), -1) for name in ("contact_area", "touching_asperities"))
-    mean = np.divide(area, touching, out=np.full(area.shape, np.nan), where=touching > 0.0)
+    mean = quotient(area, touching)
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.sqrt(np.maximum(mean, 0.0)) * (groups.films / groups.film_aspect)[:, None]
 

@@ -189,8 +189,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
         grades.add(data.attrs["grade"])
         sources |= dict.fromkeys(data.attrs["sources"].split())
         doubts |= {doubt.rule: doubt for doubt in doubts_of(data)}
-    positive = predicted > 0.0
-    ratio = np.divide(predicted, values.value, where=positive, out=np.full(len(values), np.nan))
+    ratio = np.where(predicted > 0.0, predicted / values.value, np.nan)
     return _Answer(name, predicted, ratio, max(grades, default=""), tuple(sources), tuple(doubts.values()), why)
 
 

@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+from stiction.quantities.quotient import quotient
 from stiction.studies.paper.figures import FILM_VALUES, H_RANGE
 
 # The paper's two readings, and its asperities on a film that is solved.
@@ -72,7 +73,7 @@ class Surfaces:
         """Coated over uncoated at a load; quantity 0: contact area, 1: friction, which at one load is the ratio of mu."""
         load = over_reference * self.bare.load[..., -1]
         bare, coated = self.bare.at(load)[quantity], self.films.at(np.broadcast_to(load, self.films.load.shape[:-1]))[quantity]
-        return np.divide(coated, bare, out=np.full(coated.shape, np.nan), where=bare > 0.0)
+        return quotient(coated, bare)
 
 
 def _stiff_film_friction(surfaces: Surfaces) -> np.ndarray:
@@ -96,10 +97,8 @@ def _change_at_high_load(surfaces: Surfaces) -> np.ndarray:
     for curves in (surfaces.bare, surfaces.films):
         end = curves.load[..., -1:]
         late = (curves.load >= end / 2.0) & (end > 0.0) & (curves.friction_force > 0.0)
-        mu = np.divide(curves.friction_force, curves.load, out=np.full(late.shape, np.nan), where=late)
-        highest = np.where(late, mu, -np.inf).max(axis=-1)
-        lowest = np.where(late, mu, np.inf).min(axis=-1)
-        change = np.divide(highest, lowest, out=np.full(lowest.shape, np.nan), where=np.isfinite(lowest))
+        mu = np.where(late, quotient(curves.friction_force, curves.load), np.nan)
+        change = np.fmax.reduce(mu, axis=-1) / np.fmin.reduce(mu, axis=-1)
         columns.append(change.reshape(len(change), -1))
     return np.concatenate(columns, axis=1)
 
@@ -131,7 +130,7 @@ class Claim:
         known = np.isfinite(numbers)
         count = known.sum(axis=1)
         holds = known & (numbers < self.bound if self.below else numbers > self.bound)
-        share = np.divide(holds.sum(axis=1), count, out=np.full(len(count), np.nan), where=count > 0)
+        share = quotient(holds.sum(axis=1), count)
         worst = np.where(known, numbers, -np.inf).max(axis=1) if self.below else np.where(known, numbers, np.inf).min(axis=1)
         return share, np.where(count > 0, worst, np.nan)
 

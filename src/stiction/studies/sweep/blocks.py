@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.dimensions import arranged
+from stiction.quantities.quotient import quotient
 from stiction.records.claims import Validity
 from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.pointwise import Pointwise, Region
@@ -71,7 +72,7 @@ def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
     there = np.isfinite(rows)
     count = there.sum(axis=0)
     safe = np.where(there, rows, 0.0)
-    mean = np.divide(safe.sum(axis=0), count, where=count > 0, out=np.zeros(len(count)))
+    mean = quotient(safe.sum(axis=0), count, 0.0)
     squares = (np.where(there, rows - mean, 0.0) ** 2).sum(axis=0)
     least, most = (end(np.where(there, rows, fill), axis=0) for end, fill in ((np.min, np.inf), (np.max, -np.inf)))
     return np.array([count, mean, squares, least, most])
