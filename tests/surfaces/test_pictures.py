@@ -12,6 +12,7 @@ from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
 from stiction.report.method_pictures import method_spread_figure, resolution_figure
 from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
+from stiction.solving.choice import Choice
 from stiction.solving.method_spread import with_method_spread
 from stiction.solving.solve import solve
 from stiction.surfaces.asperity_set import Asperities
@@ -374,7 +375,7 @@ def banded_at(load):
         "n_point": contact(21e-9, 1.08e-6, 4e11),
     }
     counts = dict.fromkeys(contacts, 1000)
-    return with_method_spread(solve(contacts["persistence"], load=load), contacts, counts, lambda one, at: solve(one, load=at))
+    return with_method_spread(solve(contacts["persistence"], load=load), contacts, counts, Choice())
 
 
 def test_the_band_lies_between_the_lowest_and_the_highest_of_the_methods(with_range_over_methods):

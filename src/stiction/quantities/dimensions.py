@@ -5,13 +5,16 @@ by the names of dimensions alone, and nothing is dropped or sorted behind the us
 checked once, for all of an input together (`coordinates`).
 """
 
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stiction.quantities.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray
 
 
 def without_indexes(array: Any) -> Any:
@@ -51,6 +54,15 @@ def arranged(values: np.ndarray, have: Sequence[Hashable], wanted: Iterable[str]
     """Transpose an array whose dimensions are these to the wanted ones: missing ones have length 1."""
     wanted, sizes = [*wanted], dict(zip(have, values.shape, strict=True))
     return values.transpose([have.index(dim) for dim in wanted if dim in sizes]).reshape([sizes.get(dim, 1) for dim in wanted])
+
+
+def in_columns(data: "xarray.Dataset", dim: str, part: str, said: Callable[[Any], str] = str) -> "xarray.Dataset":
+    """Return a dataset with a variable for each point along a dimension in place of one over it: of NAME_quantile, part
+    "quantile", NAME_q05 and NAME_q95, as `said` puts the points in words."""
+    for name in [str(name) for name in data.data_vars if dim in data[name].dims]:
+        each = {name.replace(part, said(one.item())): data[name].sel({dim: one}).drop_vars(dim) for one in data[dim]}
+        data = data.drop_vars(name).assign(each)
+    return data.drop_vars(dim, errors="ignore")
 
 
 def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], dict[str, int]]:

@@ -144,7 +144,8 @@ def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, 
     enough = np.maximum(_LEFT * np.abs(target), _ROUNDING * start.size[known])
     x, left, of_each, evaluations = _polished(problem, law, start.h[known], target, slope, enough)
     h[known], excess[known] = x, left
-    sums = of_each.reshape(len(of_each), *known.shape, of_each.shape[-1]) if known.all() else _placed(of_each, known)
+    sums = np.full((len(of_each), *known.shape, of_each.shape[-1]), np.nan)
+    sums[:, known] = of_each
     good = start.plain & (tension >= 0.0) & ~np.isnan(excess).any(axis=1) & ~_is_bounded(problem, where)
     return Inversion(h, _relative(excess, targets, tension), evaluations, tension, where), good, sums
 
@@ -157,13 +158,6 @@ def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
         pull, most = pull_and_bound(problem.sums(where[pulled], pulled), problem.regimes, problem.most_pull[:, pulled])
         bound[pulled] = pull >= most * (1.0 - _LEFT)
     return bound
-
-
-def _placed(of_each: np.ndarray, known: np.ndarray) -> np.ndarray:
-    """Sums (regimes, k, 5) in their places (regimes, n, m, 5), known (n, m) being where they are."""
-    sums = np.full((len(of_each), *known.shape, of_each.shape[-1]), np.nan)
-    sums[:, known] = of_each
-    return sums
 
 
 def _polished(problem: Sum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
@@ -231,28 +225,30 @@ def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> n
     return excess / scale
 
 
-@dataclass(frozen=True)
-class _Approach:
-    """Loads (n, H) of n laws at separations h (H,), from where nothing touches inwards; tension, where: as in Inversion."""
-
-    problem: Problem
-    h: np.ndarray
-    loads: np.ndarray
-    tension: np.ndarray
-    where: np.ndarray
-
-
-def _robustly(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
+def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
     """As `separations_at`, whatever the way of approach."""
-    way = _approach(problem, targets)
-    if targets.size:
-        return _inverted(way, targets, refuse)
-    return Inversion(targets.copy(), targets.copy(), 0, way.tension, way.where)
-
-
-def _approach(problem: Problem, targets: np.ndarray) -> _Approach:
-    """The way together, from farther than where the smallest of the loads `targets` (n, m) is carried."""
     h, loads, size = _loads_past(problem, targets)
+    tension, where = _tension_past(problem, h, loads, size)
+    if not targets.size:
+        return Inversion(targets.copy(), targets.copy(), 0, tension, where)
+    adheres = tension > 0.0
+    start = np.where(adheres, np.searchsorted(-h, -where, side="right"), 1)  # the first grid point nearer
+    nearer = np.arange(h.size) >= start[:, None]
+    reached = nearer[:, None, :] & (loads[:, None, :] >= targets[:, :, None])
+    first = np.argmax(reached, axis=2)
+    carried = reached.any(axis=2) & np.where(adheres[:, None], targets >= -tension[:, None], targets > 0.0)
+    if refuse and not carried.all():
+        law, at = np.argwhere(~carried)[0]
+        raise Unreachable(law, at, -tension[law], np.where(nearer, loads, -np.inf).max(axis=1)[law])
+    left = np.where(adheres[:, None] & (first == start[:, None]), where[:, None], h[first - 1])
+    separation, excess = np.full((2, *targets.shape), np.nan)
+    bracket = h[first][carried], left[carried]
+    separation[carried], excess[carried], evaluations = _roots(problem, np.nonzero(carried)[0], targets[carried], bracket)
+    return Inversion(separation, _relative(excess, targets, tension), evaluations, tension, where)
+
+
+def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Tension and separation (n,) as in Inversion, of loads (n, H) of these sizes (n,) at separations h (H,), descending."""
     load = _load_of(problem)
     tension, where = largest_tension(load, np.broadcast_to(h, loads.shape), loads)
     if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):
@@ -262,7 +258,7 @@ def _approach(problem: Problem, targets: np.ndarray) -> _Approach:
         tension[larger], where[larger] = more[larger], at[larger]
     nothing = tension <= NO_TENSION * size
     tension[nothing], where[nothing] = 0.0, np.nan
-    return _Approach(problem, h, loads, tension, where)
+    return tension, where
 
 
 def _load_of(problem: Problem) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
@@ -334,28 +330,6 @@ def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.nd
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)
     return (np.abs(farthest) > NOTHING * size) | tension | (farthest >= smallest)
-
-
-def _inverted(way: _Approach, targets: np.ndarray, refuse: bool) -> Inversion:
-    """Separations of the loads (n, m) on a way past them; as `separations_at`."""
-    h, loads, adheres = way.h, way.loads, way.tension > 0.0
-    start = np.where(adheres, np.searchsorted(-h, -way.where, side="right"), 1)  # the first grid point nearer
-    nearer = np.arange(h.size) >= start[:, None]
-    reached = nearer[:, None, :] & (loads[:, None, :] >= targets[:, :, None])
-    first = np.argmax(reached, axis=2)
-    carried = reached.any(axis=2) & np.where(adheres[:, None], targets >= -way.tension[:, None], targets > 0.0)
-    if refuse and not carried.all():
-        law, at = np.argwhere(~carried)[0]
-        raise Unreachable(law, at, -way.tension[law], np.where(nearer, loads, -np.inf).max(axis=1)[law])
-    left = np.where(adheres[:, None] & (first == start[:, None]), way.where[:, None], h[first - 1])
-    law = np.broadcast_to(np.arange(len(loads))[:, None], targets.shape)
-    if carried.all():
-        x, excess, evaluations = _roots(way.problem, law, targets, (h[first], left))
-        return Inversion(x, _relative(excess, targets, way.tension), evaluations, way.tension, way.where)
-    separation, residual = np.full((2, *targets.shape), np.nan)
-    found = _roots(way.problem, law[carried], targets[carried], (h[first][carried], left[carried]))
-    separation[carried], residual[carried], evaluations = found
-    return Inversion(separation, _relative(residual, targets, way.tension), evaluations, way.tension, way.where)
 
 
 def _roots(problem: Problem, law: np.ndarray, targets: np.ndarray, bracket: tuple) -> tuple[np.ndarray, np.ndarray, int]:

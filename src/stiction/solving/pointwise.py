@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from stiction.contact.subject import Subject
+from stiction.engine.heights import Heights
 from stiction.quantities.errors import InputError
 from stiction.records.claims import Validity
 from stiction.solving.choice import Choice
@@ -48,7 +49,13 @@ class Pointwise:
 
 
 def solve_pointwise(
-    subject: Subject, choice: Choice, *, separation: Any = None, load: Any = None, keep: Collection[str] | None = None
+    subject: Subject,
+    choice: Choice,
+    *,
+    separation: Any = None,
+    load: Any = None,
+    keep: Collection[str] | None = None,
+    heights: Heights | str | None = None,
 ) -> Pointwise:
     """What `solve` gives, point by point, without a dataset; keep: names of results, by default all.
 
@@ -56,7 +63,7 @@ def solve_pointwise(
     model refuses or does not converge for, unless it is all of them. Raises InputError for what is refused of the contacts as a
     whole, ArithmeticError where no contact converges.
     """
-    points = points_of(make_problem(subject, choice), load, separation)
+    points = points_of(make_problem(subject, choice, heights), load, separation)
     problem = points.problem
     solved, why_not = _solved(points)
     tables = with_shares(problem, solved.tables)

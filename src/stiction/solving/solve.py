@@ -4,7 +4,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.laws.validity import Doubt, with_doubts
@@ -13,7 +12,7 @@ from stiction.records.registry import RoughSurface, find
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubts_of_rounding
-from stiction.solving.method_spread import with_measured
+from stiction.solving.method_spread import as_measured, with_method_spread
 from stiction.solving.points import Points, in_words, points_of, solve_points
 from stiction.solving.problem import make_problem, with_surface_moments
 from stiction.solving.results import as_dataset, as_variables, summary_of, variables_of, with_shares
@@ -68,13 +67,8 @@ def solve(
         return data
     if find(choice.model_key, RoughSurface).of_map is not None:
         return with_doubts(data, map(Doubt, measured.doubts)).assign_attrs(measured.solvable.attributes())
-
-    def solved(other: Contact, loads: Any) -> "xarray.Dataset":
-        return _at_points(other, None, loads, choice, heights, threads)
-
-    whole = with_surface_moments(contact, choice.model_key)
-    assert isinstance(whole, Contact)  # groups were not measured
-    return with_measured(data, whole, solved)
+    contacts = measured.contacts(with_surface_moments(contact, choice.model_key))
+    return as_measured(with_method_spread(data, contacts, measured.counts, choice, heights), measured)
 
 
 def _at_points(

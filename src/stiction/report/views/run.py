@@ -1,10 +1,12 @@
 """A solved case as it is shown."""
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
+from stiction.quantities.dimensions import in_columns
 from stiction.report.answer import model_record
 from stiction.report.files import comments_of, record, write_csv
 from stiction.report.number_table import few_rows
@@ -12,8 +14,7 @@ from stiction.report.several_tables import several_table
 from stiction.report.tables import curve_table, in_brief, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.uncertainty_tables import band_lines
 from stiction.report.view import Picture, View, picture
-from stiction.solving.method_spread import as_columns
-from stiction.studies.uncertainty.bands import as_columns as with_quantiles
+from stiction.solving.method_spread import METHOD
 
 if TYPE_CHECKING:
     import xarray
@@ -26,7 +27,11 @@ _FEW = 5  # rows of a short answer
 
 def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> View:
     """Return what a solved case shows."""
-    files = {"curve.csv": lambda path: write_csv(with_quantiles(as_columns(data)), path, comments_of(data))}
+
+    def table(path: Path) -> None:
+        wide = in_columns(data, METHOD, "by_method")
+        wide = in_columns(wide, "quantile", "quantile", lambda share: f"q{round(100.0 * share):02d}")
+        write_csv(wide, path, comments_of(data))
 
     def found() -> dict[str, Any]:
         answer = {} if case.is_several else {"answer": model_record(data)}
@@ -37,7 +42,9 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
         yield from in_brief(case, data)
         yield few_rows(several_table(data) if case.is_several else curve_table(data), _FEW)
 
-    return View("curve", data, lambda: _parts(case, data, all_rows), found, files, _pictures(case, data), short=short)
+    return View(
+        "curve", data, lambda: _parts(case, data, all_rows), found, {"curve.csv": table}, _pictures(case, data), short=short
+    )
 
 
 def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any]:

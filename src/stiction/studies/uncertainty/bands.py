@@ -116,18 +116,3 @@ def _of_impossible(share: float) -> str:
 def words(case: Case, name: str) -> str:
     """What is known of an uncertain input."""
     return case.unknowns[name][0].distribution.words
-
-
-def as_columns(data: "xarray.Dataset") -> "xarray.Dataset":
-    """The dataset for a table: a variable NAME_q05 for each quantile, in place of NAME_quantile with a dimension more; what is
-    not over the points of the curve is left out."""
-    if "quantile" not in data.dims:
-        return data
-    for name in [str(name) for name in data.data_vars if "quantile" in data[name].dims]:
-        stem, error = name.removesuffix("_error").removesuffix(_QUANTILE), "_error" if name.endswith(_ERROR) else ""
-        each = {
-            f"{stem}_q{round(100.0 * share):02d}{error}": data[name].sel(quantile=share).drop_vars("quantile")
-            for share in data["quantile"].values
-        }
-        data = data.drop_vars(name).assign(each)
-    return data.drop_vars("quantile")
