@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 
 import stiction as st
 from stiction.cli import app
+from stiction.report.views.prediction import _in_short
 
 CASE = """
 title = "Copper on copper, in air"
@@ -105,6 +106,7 @@ PRINTING = {
     "design": (SILVER + DESIGN, "design CASE"),
     "film": (STICKY + 'model = "soft_coating_2015"\n', "film CASE"),
     "fit of a prediction": (CASE, "fit CASE --data DATA"),
+    "fit of free numbers": (STICKY + FIT, "fit CASE --data DATA --out OUT"),
     "fit": (
         CASE.replace('interface = "oxidised metal"', 'interfacial_shear_strength = "100 MPa"') + NAMED + FIT,
         "fit CASE --data DATA",
@@ -138,6 +140,23 @@ def test_no_result_is_longer_than_15_lines_or_cut_off_or_of_ten_digits(which, tm
     said = [line for line in lines if str(tmp_path) not in line]
     assert max(map(len, said)) <= 80 and not any("…" in line for line in lines)
     assert not re.search(r"\d\.?\d{9}", "\n".join(said))
+
+
+def test_what_is_not_used_and_the_warning_are_never_left_out():
+    """Of an answer for which there is no room at all."""
+    heads = (
+        "mu = 1",
+        "along the load",
+        "state",
+        "uncertainty from",
+        "model",
+        "bare metal",
+        "checked against",
+        "warning",
+        "not used",
+    )
+    shown = _in_short([(head, "words " * 20) for head in heads], 5)
+    assert {"warning", "not used", "state"} <= set(shown.columns[0].cells)
 
 
 def test_the_same_mu_to_two_digits_everywhere(tmp_path):

@@ -72,9 +72,9 @@ def test_friction_beyond_what_the_contact_allows_is_said(case, tmp_path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("load [N],contact_area [um^2]\n1,3\n", "need a table [fit]"),
+        ("load [N],contact_area [um^2]\n1,3\n", "name one as solve.model"),
         ("load [N],friction_coefficient\n1,0\n", "above 0"),
-        ("load [N],friction_coefficient,nominal_area [mm^2]\n1,0.1,2\n", "need"),
+        ("load [N],friction_coefficient,nominal_area [mm^2]\n1,0.1,2\n", "name one as solve.model"),
     ],
 )
 def test_what_cannot_be_used_is_refused(text, said, case, tmp_path):
@@ -88,3 +88,55 @@ def test_the_command_gives_the_line_that_keeps_it(case, tmp_path):
     assert result.exit_code == 0 and len(result.stdout.splitlines()) <= 15
     said = " ".join(result.stdout.split())
     assert "3 values: interface strength" in said and "interfacial_shear_strength = { low =" in said
+
+
+FREE = CASE.replace("[contact.interface]", "").replace("range = ", "# ") + "[fit.free]\n"
+DATA = "load [N],friction_coefficient,friction_coefficient_error\n1,0.05,0.001\n2,0.05,0.001\n"
+
+
+@pytest.mark.parametrize(
+    ("free", "expected"),
+    [  # all contacts are plastic: mu = tau_0/H, so that 0.05 is met by 5 MPa on 100 MPa
+        ('interfacial_shear_strength = { low = "1 MPa", high = "50 MPa" }', 5e6),
+        ('first.hardness = { low = "30 MPa", high = "300 MPa" }', 1e8),
+    ],
+)
+def test_free_numbers_are_found_where_no_model_is_named(free, expected, case, tmp_path):
+    case.write_text(FREE + free + "\n", encoding="utf-8")
+    data = series(tmp_path, DATA)
+    found = st.fit(case, data).isel(parameter=0)
+    assert found["low"] < expected < found["high"] and found["value"].item() == pytest.approx(expected, rel=0.02)
+    assert found["high"] / found["low"] < 1.2
+    result = CliRunner().invoke(app, ["fit", str(case), "--data", str(data), "--out", str(tmp_path / "out")])
+    assert result.exit_code == 0 and len(result.stdout.splitlines()) <= 15, result.output
+    assert "mu = 0.05 " in result.stdout
+    again = st.predict(tmp_path / "out" / "fitted.toml", load="1 N")  # evenly between the ends that were found
+    assert again.friction_coefficient.item() == pytest.approx(0.05, rel=0.03)
+
+
+def test_a_number_that_the_data_do_not_tell_is_said(case, tmp_path):
+    case.write_text(FREE + 'second.youngs_modulus = { low = "900 GPa", high = "1100 GPa" }\n', encoding="utf-8")
+    found = st.fit(case, series(tmp_path, DATA))
+    assert "second.youngs_modulus" in found.attrs["verdict"]
+
+
+@pytest.mark.parametrize(
+    ("table", "field"),
+    [
+        ('[fit]\nmodels = ["persson_2001"]\n[fit.free]\n', "fit.models"),
+        ("[fit]\npredict = { nominal_area = '2 cm^2' }\n[fit.free]\n", "fit.predict"),
+        ("[fit.free]\nfirst.hardness = { low = '30 MPa', high = '300 MPa', each_sample = true }\n", "each_sample"),
+    ],
+)
+def test_what_a_fit_of_the_prediction_cannot_do_asks_for_a_model(table, field, case, tmp_path):
+    free = "interfacial_shear_strength = { low = '1 MPa', high = '50 MPa' }\n"
+    case.write_text(FREE.replace("[fit.free]\n", table) + free, encoding="utf-8")
+    with pytest.raises(st.InputError, match=r"solve\.model") as error:
+        st.fit(case, series(tmp_path, DATA))
+    assert field in str(error.value)
+
+
+def test_a_named_model_without_free_numbers_is_refused(case, tmp_path):
+    case.write_text(CASE + 'model = "greenwood_williamson_1966"\n', encoding="utf-8")
+    with pytest.raises(st.InputError, match=r"fit\.free"):
+        st.fit(case, series(tmp_path, DATA))

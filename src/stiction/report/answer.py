@@ -118,7 +118,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ),
         ("friction force", f"{force} ({span(here, _FORCE, _FORCE)}); real contact {area}"),
         ("along the load", _along(data)),
-        ("measured", _of_measured(attrs)),
+        ("measured", _of_measured(data)),
         ("state", attrs["regime"]),
         ("uncertainty from", _shares(attrs["shares"])),
         ("model", f"{', '.join(attrs['models'])}" + (", combined" if len(attrs["models"]) > 1 else "")),
@@ -142,14 +142,22 @@ def _along(data: "xarray.Dataset") -> str:
     return "; ".join(each)
 
 
-def _of_measured(attrs: dict[str, Any]) -> str:
-    """Return what measured values tell of the interface, with the line of a case that keeps it."""
-    if "measured" not in attrs:
+def _of_measured(data: "xarray.Dataset") -> str:
+    """Return what measured values tell of uncertain numbers, or of the interface with the line of a case that keeps it."""
+    if "measured" not in data.attrs:
         return ""
-    middle, low, high = (show(one, "interfacial_shear_strength", 2) for one in attrs["strength"])
-    values = "1 value" if attrs["measured"] == 1 else f"{attrs['measured']} values"
-    line = f'interfacial_shear_strength = {{ low = "{low}", high = "{high}" }}'
-    return f"{values}: interface strength {middle} ({low} to {high}); in the case: {line}"
+    count = data.attrs["measured"]
+    values = "1 value" if count == 1 else f"{count} values"
+    middle, low, high = (show(one, "interfacial_shear_strength", 2) for one in data.attrs["strength"])
+    strength = f"interface strength {middle} ({low} to {high})"
+    if "parameter" not in data.dims:
+        return f'{values}: {strength}; in the case: interfacial_shear_strength = {{ low = "{low}", high = "{high}" }}'
+    names = data["parameter"].values.tolist()
+    texts = [] if "interfacial_shear_strength" in names else [strength]
+    for at, name in enumerate(names):
+        middle, low, high = (show(float(data[key][at]), name.rpartition(".")[2], 2) for key in ("value", "low", "high"))
+        texts.append(f"{name.replace('_', ' ')} {middle} ({low} to {high})")
+    return "; ".join(filter(None, [f"{values}: {', '.join(texts)}", data.attrs["verdict"].replace("_", " ")]))
 
 
 def _bare(interval: list[float]) -> str:

@@ -44,10 +44,15 @@ def designed(question: Question, load: str | float, wish: float, free: dict[str,
 def calibrated(question: Question, data: Path, free: dict[str, Any], progress: Progress) -> View:
     """Numbers of the case, fitted to measured series. Raises InputError."""
     from stiction.report.views.fit import fit_view
+    from stiction.report.views.prediction import prediction_view
     from stiction.studies.fit.plan import make_fit_plan
+    from stiction.studies.fit.predicted import fit_prediction
     from stiction.studies.fit.run import run_fit
 
-    return fit_view(run_fit(make_fit_plan({**question.tables, "fit": {"free": free}}, data, question.folder), progress))
+    tables = {**question.tables, "fit": {"free": free}}
+    if (answer := fit_prediction(tables, data, question.folder)) is not None:
+        return prediction_view(*answer, "case.toml")
+    return fit_view(run_fit(make_fit_plan(tables, data, question.folder), progress))
 
 
 class StudiesTab:

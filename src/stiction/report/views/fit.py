@@ -1,6 +1,7 @@
 """A fit as it is shown."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,11 +11,14 @@ from stiction.report.files import record, write_csv, write_rows
 from stiction.report.fit_tables import evidence_table, fit_notes, parameter_rows, parameter_table, prediction_names, row_rows
 from stiction.report.number_table import few_rows
 from stiction.report.view import Picture, View
+from stiction.report.views.prediction import prediction_view
 from stiction.report.whole_keys import WholeKeys
+from stiction.studies.fit.predicted import fitted_case
 
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.case.read import Case
     from stiction.studies.fit.run import Fitting
 
 _OTHERS = ("parameter", "other_parameter", "row", "model")
@@ -54,6 +58,15 @@ def fit_view(found: "Fitting", folder: Path | None = None) -> View:
         "profiles.png": Picture("likelihood along each fitted number", profiles),
     }
     return View("fit", data, parts, lambda: record(data, {}), files, pictures, short=lambda: _short(found.plan.title, data))
+
+
+def fitted_prediction_view(given: Any, case: "Case", data: "xarray.Dataset", details: bool, out: Path | None = None) -> View:
+    """Return what a prediction that knows measured friction shows; given: path of the case file."""
+    view = prediction_view(case, data, str(given), details)
+    if out is not None and "parameter" in data.dims:
+        fitted = {"fitted.toml": lambda path: path.write_text(fitted_case(given, case, data, out), encoding="utf-8")}
+        return replace(view, files={**view.files, **fitted})
+    return view
 
 
 def _short(title: str, data: "xarray.Dataset") -> Iterator[Any]:

@@ -29,7 +29,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
     def parts() -> Iterator[Any]:
         if case.title:
             yield Text(case.title, style="bold")
-        more = f"--details; all models: stiction compare {Path(file).name}; pictures: --out DIR"
+        more = f"--details; --out DIR for pictures; stiction compare {Path(file).name}"
         rows = answer_lines(data)
         if details:
             yield from (facts(rows), *_details(case, data))
@@ -38,7 +38,10 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
     def found() -> dict[str, Any]:
         curve = {name: data[name].values.ravel().tolist() for name in ("load", *_COLUMNS)}
-        return {"answer": answer_record(data), "curve": curve}
+        told = (
+            {"parameters": data[["value", "low", "high"]].to_dataframe().to_dict("index")} if "parameter" in data.dims else {}
+        )
+        return {"answer": answer_record(data), "curve": curve} | told
 
     if case.is_several:
         return _several_view(case, data, details)
@@ -49,7 +52,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
     """Return the rows of an answer without those that matter least, as far as needed to fit into so many lines."""
-    for name in ("along the load", "model", "not used", "uncertainty from", "warning"):
+    for name in ("along the load", "model", "checked against", "uncertainty from", "bare metal"):
         if lines_of(facts(rows)) <= most:
             break
         rows = [row for row in rows if row[0] != name]

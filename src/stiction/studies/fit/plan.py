@@ -18,6 +18,7 @@ from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import require_names
 from stiction.studies.fit.table import Fit
 
+WANTED = 'a table [fit.free] with e.g. work_of_adhesion = { low = "1 mJ/m^2", high = "1 J/m^2" }'
 RESISTANCE = ("fit", "specific_contact_resistance")
 _MOST_FREE = 8
 
@@ -45,15 +46,14 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     InputError."""
     require_names(content)
     given = dict(content)
-    wanted = 'a table [fit.free] with e.g. work_of_adhesion = { low = "1 mJ/m^2", high = "1 J/m^2" }'
-    fit: Fit = study_table(given, "fit", wanted)
+    fit = read_fit(given)
     plain, several = opened(without_studies(given), folder)
     for one in several.values():
         if isinstance(one, Uncertain):
             continue  # its nominal value stands for it, which is said
         raise InputError(one.where, one.words, "one number in [contact]; several go under [fit.predict]")
     plain = as_numbers(plain)
-    free = _free(fit, plain)
+    free = free_numbers(fit, plain)
     measured = read_measurements(data, plain)
     resistance = None
     if fit.specific_contact_resistance is not None:
@@ -67,7 +67,14 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     return replace(plan, uncertain=names)
 
 
-def _free(fit: Fit, content: Mapping) -> tuple[Free, ...]:
+def read_fit(content: Mapping[str, Any]) -> Fit:
+    """Return the table [fit] of a case. Raises InputError."""
+    fit: Fit = study_table(content, "fit", WANTED)
+    return fit
+
+
+def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
+    """Return the free numbers, at their places in the tables of a case. Raises InputError."""
     found: dict[Address, Free] = {}
     for name, entry in flat(fit.free, "fit.free", lambda table: "low" in table or "high" in table):
         where = f"fit.free.{name}"

@@ -19,6 +19,7 @@ from stiction.studies.fit.bands import Bands, check_predicted, predicted
 from stiction.studies.fit.evidence import Rival, rank, rival
 from stiction.studies.fit.model import check_models, forward_of
 from stiction.studies.fit.plan import RESISTANCE, FitPlan, make_fit_plan
+from stiction.studies.fit.predicted import fit_prediction
 from stiction.studies.fit.search import CONFIDENCE
 
 if TYPE_CHECKING:
@@ -58,10 +59,13 @@ def fit(case: Any, data: Any, *, progress: Progress = silent) -> "xarray.Dataset
     likelihood, whether it is open at an end, `standard_error`, and `correlation`; `profile_value` and `profile_rise` of chi
     square; over `row` what was measured, what the model says, and residuals; over `model` Akaike's criterion, weights, and
     errors of values left out; and predictions with bands, `predicted_...`, `..._low`, `..._high`, over the points of [solve]
-    and the numbers of [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Raises
+    and the numbers of [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Where no
+    model is named, it is `st.predict` with what was measured, with `value`, `low`, `high` of the free numbers. Raises
     InputError.
     """
     require_callable(progress, "progress")
+    if (answer := fit_prediction(case, data)) is not None:
+        return answer[1]
     return run_fit(plan_of_fit(case, data), progress, keep_on_interrupt=False).data()
 
 

@@ -32,10 +32,13 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
     others = set(found.quantity) - {"friction_coefficient", "friction_force"}
     if others:
         raise InputError(
-            "--data", ", ".join(sorted(others)), "friction_coefficient or friction_force; others need a table [fit]"
+            "--data",
+            ", ".join(sorted(others)),
+            "friction_coefficient or friction_force where no model is named",
+            "name one as solve.model",
         )
     if any(found.known):
-        raise InputError("--data", "numbers of the contact", "none of them: a fit of several contacts needs a table [fit]")
+        raise InputError("--data", "numbers of the contact", "none of them where no model is named", "name one as solve.model")
     force = np.array([one == "friction_force" for one in found.quantity])
     mu = np.where(force, found.value / found.load, found.value)
     if not (mu > 0.0).all():
@@ -69,6 +72,9 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     weights /= weights.sum()
     order = np.argsort(mu[:, 0], kind="stable")  # the draws are an even sequence, which even steps along it would not be
     rows = order[np.minimum(np.searchsorted(np.cumsum(weights[order]), (np.arange(count) + 0.5) / count), len(order) - 1)]
-    few = 1.0 / np.sum(weights**2) < _FEW or chi.min() / len(measured.log_mu) > 9.0
-    text = "The measured friction is beyond what the stated contact allows: check the interface and the inputs."
-    return rows, [text] if few else []
+    if chi.min() / len(measured.log_mu) > 9.0:
+        return rows, ["The measured friction is beyond what the stated contact allows: check the interface and the inputs."]
+    few = 1.0 / np.sum(weights**2) < _FEW
+    return rows, [
+        "Few draws meet the measured friction: its interval is rough; check inputs, narrow free numbers."
+    ] if few else []

@@ -1,13 +1,14 @@
 """One answer: the friction coefficient of a contact with an interval that holds the truth as often as it says."""
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stiction.case.read import Case, as_case, case_in
-from stiction.case.uncertain import expanded, named, with_ranges
+from stiction.case.uncertain import Uncertain, expanded, named, with_ranges
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 __all__ = ["COUNT", "draws_of", "intervals", "is_predicted", "predict", "prediction_of", "with_uncertain"]
 
 COUNT, _MANY = 512, 16384  # draws where the case states no count; with measured values
+_UNTOLD = 0.8  # of the width of the stated interval, above which measured values tell nothing of a number
 
 
 def predict(contact: Any, *, load: Any = None, level: float | None = None, measured: Any = None) -> "xarray.Dataset":
@@ -55,8 +57,9 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
         (sample, load). Attributes, at the middle load: `level`, `regime` (a sentence), `shares` (part -> share of the variance
         of ln mu), `warnings` (a list, the main one first), `inputs_not_used` (a list), `next_step`, `models` (law of the area
         -> weight), `excluded` (share of draws that cannot be), `strength` (tau_0 [Pa]: median and ends). With measured friction
-        `shares` is empty. Where numbers are several, there are no samples, and attributes are `level`, `draws` and `refused`,
-        the number of contacts without an answer.
+        `shares` is empty; `value`, `low` and `high` over `parameter` are what it tells of the uncertain numbers, and `verdict`
+        says which it does not tell. Where numbers are several, there are no samples, and attributes are `level`, `draws` and
+        `refused`, the number of contacts without an answer.
 
     Raises
     ------
@@ -94,6 +97,7 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
         if measured is not None:
             raise InputError("--data", str(measured), "one contact, where numbers of the case are several")
         return predict_several(case, level)
+    stated = case.uncertain
     case, (loads, at) = with_uncertain(case), pressing_loads(case)
     if not loads.size:
         raise InputError("load", None, "a load above 0: nothing presses at any point of the case")
@@ -103,8 +107,9 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
         samples = mixture.samples(levels, np.arange(len(levels)))
         attributes = _attributes(mixture, samples, at, level, shares_of_variance(mixture, levels, at))
     else:
-        samples, attributes = _given(read_measured(measured, case), case, loads, at, level)
+        samples, attributes, found = _given(read_measured(measured, case), case, loads, at, level, stated)
     data = _dataset(samples, loads, level).assign_attrs(attributes)
+    data = data if measured is None else data.assign(found)
     data = data.assign_attrs({"case": case.title} if case.title else {}, working_load=float(loads[at]))
     return data.isel(load=0) if load is not None and np.ndim(load) == 0 else data
 
@@ -190,8 +195,10 @@ def _dataset(samples: Samples, loads: np.ndarray, level: float) -> "xarray.Datas
     return xarray.Dataset(variables, coords={"load": ("load", loads, {"units": "N", "long_name": "load"})})
 
 
-def _given(known: Measured, case: Case, loads: np.ndarray, at: int, level: float) -> tuple[Samples, dict[str, Any]]:
-    """Return the draws that meet measured values, and the attributes of their prediction."""
+def _given(
+    known: Measured, case: Case, loads: np.ndarray, at: int, level: float, stated: Sequence[Uncertain]
+) -> tuple[Samples, dict[str, Any], dict[str, Any]]:
+    """Return the draws that meet measured values, the attributes of their prediction, and what they tell of stated numbers."""
     levels = draw_levels(len(case.unknowns), _MANY, case.uncertainty.seed)
     mixture = Mixture.of(Asked(case, np.concatenate([loads, known.load]), levels.inputs))
     samples = mixture.samples(levels, np.arange(_MANY))
@@ -201,7 +208,22 @@ def _given(known: Measured, case: Case, loads: np.ndarray, at: int, level: float
     found = _attributes(mixture, chosen, at, level, {})
     weights = mixture.weights_of_laws(levels, rows)
     found |= {"warnings": [*warnings, *found["warnings"]], "models": weights, "measured": len(known.load), "next_step": ""}
-    return chosen, found
+    if not stated:
+        return chosen, found, {}
+    drawn = case.numbers_at(levels.inputs[rows])
+    ends = [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level]
+    values = np.array([np.quantile(drawn[one.path], ends) for one in stated])
+    names = [".".join(one.path[1:]) for one in stated]
+    before = [_width(*one.at(np.array(ends[1:]))) for one in stated]
+    untold = [name for name, row, wide in zip(names, values, before, strict=True) if _width(*row[1:]) > _UNTOLD * wide]
+    found["verdict"] = f"the measured friction does not tell {', '.join(untold)}" if untold else ""
+    table = {name: ("parameter", column) for name, column in zip(("value", "low", "high"), values.T, strict=True)}
+    return chosen, found, {"parameter": names} | table
+
+
+def _width(low: float, high: float) -> float:
+    """Return the width of an interval, in the logarithm where its ends are above 0."""
+    return math.log(high / low) if low > 0.0 else high - low
 
 
 def _attributes(mixture: Mixture, samples: Samples, at: int, level: float, shares: Mapping[str, float]) -> dict[str, Any]:

@@ -1,0 +1,63 @@
+"""Free numbers of a case where no model is named: drawn evenly between their ends by the prediction, and measured."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from stiction import __version__
+from stiction.case.places import as_numbers, with_numbers
+from stiction.case.read import Case, case_in, opened, read_content, without_studies
+from stiction.case.text import case_text, show_exactly
+from stiction.quantities.errors import InputError
+from stiction.studies.fit.plan import WANTED, free_numbers, read_fit
+from stiction.studies.prediction.predict import is_predicted, predict
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["fit_prediction", "fitted_case"]
+
+
+def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[Case, xarray.Dataset] | None":
+    """Return the case whose free numbers are uncertain, and its prediction with what was measured; None where a model is named.
+
+    given: path of a case file or its tables; data: path of the measured series; folder: from which the tables name files. A
+    case without a table [fit] has no free numbers. Raises InputError.
+    """
+    content = given if isinstance(given, Mapping) else read_content(given)
+    folder = folder or (Path() if isinstance(given, Mapping) else Path(given).parent)
+    plain: Mapping[str, Any] = without_studies(content)
+    if not is_predicted(case_in(plain, folder)):
+        if "fit" not in content:
+            raise InputError("fit", None, WANTED, "where a model is named")
+        return None
+    if "fit" in content:
+        plain = with_numbers(plain, _ends(content, as_numbers(opened(plain, folder)[0])))
+    case = case_in(plain, folder)
+    return case, predict(case, measured=data)
+
+
+def _ends(content: Mapping[str, Any], plain: Mapping) -> dict[tuple[str, ...], Any]:
+    """Return the ends of the free numbers as a case has them. Raises InputError for what needs a model."""
+    fit = read_fit(content)
+    free = free_numbers(fit, plain)
+    asked = [name for name in ("models", "predict", "specific_contact_resistance") if getattr(fit, name)]
+    asked += [f"free.{one.name}.each_sample" for one in free if one.each_sample]
+    if asked:
+        raise InputError(f"fit.{asked[0]}", "given", "none where no model is named", "name one as solve.model")
+    return {one.path: _between(one.path, one.low, one.high, "log" if one.log else "linear") for one in free}
+
+
+def _between(path: tuple[str, ...], low: float, high: float, spacing: str) -> dict[str, Any]:
+    return {"low": show_exactly(low, path[-1]), "high": show_exactly(high, path[-1]), "spacing": spacing}
+
+
+def fitted_case(given: Any, case: Case, found: "xarray.Dataset", out: Path) -> str:
+    """Return the case with the ends that were found, as text of a file in a folder."""
+    numbers = {}
+    for one in case.uncertain:
+        here = found.sel(parameter=".".join(one.path[1:]))
+        low, high = float(here["low"]), float(here["high"])
+        numbers[one.path] = _between(one.path, low, high, "log" if low > 0.0 else "linear")
+    comment = f"Fitted by stiction {__version__} to {found.attrs['measured']} measured values: {found.level:.0%} intervals."
+    return case_text(with_numbers(without_studies(read_content(given)), numbers), [comment], Path(given).parent, out)
