@@ -6,7 +6,7 @@ import stiction as st
 from stiction.quantities.data_files import GRADES
 from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
-from stiction.report.interface_tables import grade_of, median_in_words, range_of
+from stiction.report.lists import grade_of, median_in_words, range_of
 from stiction.surfaces.finishes import NUMBERS, finishes
 
 _OF_A_STATE = ("strength", "pressure_coefficient")

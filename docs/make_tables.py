@@ -29,7 +29,7 @@ from stiction.laws.asperity.shared import letting_go as unloading
 from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_DOUBT
 from stiction.records.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, records, text_of
-from stiction.report.material_tables import LISTED, with_range
+from stiction.report.lists import LISTED, with_range
 from stiction.solving.accuracy import film_tables
 from stiction.solving.accuracy.film_tables import summary
 from stiction.solving.conditions import RULES

@@ -16,9 +16,8 @@ from cases import STEEL_ON_STEEL
 from stiction.case.read import read_case
 from stiction.cli import app
 from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
-from stiction.report.comparison_groups import groups_of
-from stiction.report.comparison_rows import at_load_rows, comparison
 from stiction.report.model_pictures import models_figure
+from stiction.report.views.comparison import at_load_rows, comparison, groups_of
 from stiction.studies.case_results import compare_case
 from stiction.studies.comparison.compare import candidates, compare, working_load
 

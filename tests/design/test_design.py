@@ -10,8 +10,7 @@ from stiction import cli
 from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
 from stiction.report.design_pictures import design_figure
-from stiction.report.design_tables import design_notes
-from stiction.report.views.design import design_view
+from stiction.report.views.design import design_notes, design_view
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.solving.problem import make_problem

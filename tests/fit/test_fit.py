@@ -18,7 +18,7 @@ from stiction.case.free import Free
 from stiction.case.read import parse_case, read_case
 from stiction.case.text import case_text
 from stiction.quantities.errors import InputError
-from stiction.report.fit_tables import evidence_table, fit_notes
+from stiction.report.views.fit import evidence_table, fit_notes
 from stiction.solving.solve import solve
 from stiction.studies.case_results import solve_case
 from stiction.studies.fit import run as fit_module

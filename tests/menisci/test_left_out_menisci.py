@@ -9,7 +9,7 @@ from scipy.stats import norm
 import stiction as st
 from cases import SILICON_ON_SILICON
 from stiction.laws.validity import doubts_of
-from stiction.report.comparison_groups import groups_of
+from stiction.report.views.comparison import groups_of
 
 
 def humid(humidity):

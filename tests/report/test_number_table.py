@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from stiction.report.number_table import prefix, short, some
+from stiction.report.table import prefix, short, some
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,11 @@ import stiction as st
 from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
-from stiction.report.comparison_rows import run_command
 from stiction.report.report_answer import answer_in_words
-from stiction.report.sensitivity_tables import sensitivity_notes
 from stiction.report.several_pictures import several_figure
-from stiction.report.uncertainty_tables import uncertain_notes
+from stiction.report.views.comparison import run_command
+from stiction.report.views.run import uncertain_notes
+from stiction.report.views.sensitivity import sensitivity_notes
 from stiction.studies.case_results import film_of_case
 from stiction.studies.findings import find_out
 from stiction.web.first import first_case

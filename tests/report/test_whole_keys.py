@@ -4,30 +4,27 @@ import io
 
 import pytest
 from rich.console import Console
-from rich.table import Table
 from rich.text import Text
 
-from stiction.report.whole_keys import WholeKeys
+from stiction.report.table import Column, Table, numbers
 
 NAMES = ["hertz", "ciavarella_greenwood_paggi_2008 + sequential", "cohen_kligerman_etsion_2008 + layered", "jkr"]
 
 
 def printed(width: int, *, doubts: bool = False, head: bool = True) -> list[str]:
-    table = Table(box=None, padding=(0, 1, 0, 0), show_header=head)
-    table.add_column("model", no_wrap=True)
-    for name in ("mu", "contact\narea"):
-        table.add_column(name, justify="right", no_wrap=True)
-    table.add_column("doubts")
-    for at, name in enumerate(NAMES):
-        table.add_row(name, f"0.{at}", Text(f"{at} um^2"), "because of this and of that" if doubts else "-", style="bold")
+    heads = ("model", "mu", "contact\narea", "doubts") if head else [""] * 4
+    columns = [Column(heads[0]), *numbers(*heads[1:3]), Column(heads[3], wrap=True)]
+    words = "because of this and of that" if doubts else "-"
+    rows = [[name, f"0.{at}", Text(f"{at} um^2"), words] for at, name in enumerate(NAMES)]
+    table = Table(columns, rows, looks=["bold"] * len(NAMES), gap=1, whole=True)
     file = io.StringIO()
-    Console(file=file, width=width).print(WholeKeys(table))
+    Console(file=file, width=width).print(table)
     return [line.rstrip() for line in file.getvalue().splitlines()]
 
 
 def widths_beside(doubts: bool, head: bool) -> int:
-    """Of mu, area and doubts, with a space after each column: "0.0", "contact" or "0 um^2", the words or the head."""
-    return 1 + (3 + 1) + (7 if head else 6) + 1 + (28 if doubts else 6 if head else 1) + 1
+    """Of mu, area and doubts, with a space between columns: "0.0", "contact" or "0 um^2", the words or the head."""
+    return 1 + (3 + 1) + (7 if head else 6) + 1 + (28 if doubts else 6 if head else 1)
 
 
 @pytest.mark.parametrize("doubts", [False, True])

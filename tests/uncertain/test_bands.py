@@ -18,7 +18,7 @@ from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
 from stiction.report.pictures import curve_figure
 from stiction.report.uncertainty_pictures import uncertainty_figure
-from stiction.report.uncertainty_tables import band_lines
+from stiction.report.views.run import band_lines
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.studies.case_results import solve_case

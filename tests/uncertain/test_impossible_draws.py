@@ -8,7 +8,7 @@ import pytest
 import stiction as st
 from stiction.case.read import parse_case
 from stiction.laws.validity import doubts_of
-from stiction.report.uncertainty_tables import uncertain_notes
+from stiction.report.views.run import uncertain_notes
 
 # Surfaces of an elastomer under a tenth of a millinewton, from rough to smooth: the smoothest would touch all over.
 HEIGHTS = [0.5e-6, 0.4e-6, 0.3e-6, 0.12e-6]

@@ -17,7 +17,7 @@ from collisions import collisions
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.sensitivity_pictures import sensitivity_figure
-from stiction.report.sensitivity_tables import elasticities_table, indices_table
+from stiction.report.views.sensitivity import elasticities_table, indices_table
 from stiction.studies.case_results import solve_case
 
 S_TAU, S_R = np.log(2.0), 0.5 * np.log(1.5)  # deviations of ln mu by its two inputs

@@ -30,7 +30,7 @@ def interfaces(
     """States of an interface: shear strength and how it grows with pressure, each with range and grade. With NAME also where
     the numbers come from and where the state must not be used; stiction cite KEY prints what stands in brackets."""
     from stiction.contact.interfaces import interfaces as rows_of
-    from stiction.report.interface_tables import interface_in_full, interfaces_table
+    from stiction.report.lists import interface_in_full, interfaces_table
 
     rows = rows_of(names or None)
     if json:

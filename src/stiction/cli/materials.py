@@ -29,7 +29,7 @@ def materials(
 ) -> None:
     """Presets of materials: modulus, Poisson's ratio, hardness, surface energy, each with its range. With NAME also where each
     number comes from; stiction cite KEY prints what stands in brackets."""
-    from stiction.report.material_tables import material_in_full, material_rows, materials_table
+    from stiction.report.lists import material_in_full, material_rows, materials_table
 
     rows = material_rows(names or None)
     if json:

@@ -7,10 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.report.design_tables import columns_of
-from stiction.report.number_table import shown
 from stiction.report.picture_style import along
 from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, finish, say
+from stiction.report.table import shown
+from stiction.report.views.design import columns_of
 
 if TYPE_CHECKING:
     import xarray

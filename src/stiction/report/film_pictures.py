@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from stiction.quantities.units import show
-from stiction.report.number_table import prefix, shown
 from stiction.report.pictures import BLUE, GREY, ORANGE, RED, entitle, finish
+from stiction.report.table import prefix, shown
 
 if TYPE_CHECKING:
     import xarray

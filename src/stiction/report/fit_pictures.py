@@ -8,10 +8,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.quantities.units import show
-from stiction.report.number_table import some
 from stiction.report.picture_style import COLOURS, along, along_points, look_of
 from stiction.report.pictures import BLUE, GREY, SKY, draw_band, finish
 from stiction.report.several_tables import coordinates_along, of_value, points_dimension
+from stiction.report.table import some
 
 if TYPE_CHECKING:
     import xarray

@@ -20,7 +20,6 @@ from stiction.quantities.progress import Progress, silent
 from stiction.report import report_sections as say
 from stiction.report.answer import answer_record, model_record
 from stiction.report.honest_digits import rounded
-from stiction.report.html_tables import FORMULAS
 from stiction.report.html_words import breakable, formula
 from stiction.report.printed_sources import printed
 from stiction.report.report_answer import answer_in_words, doubts_here, headline, interval_of, question
@@ -29,6 +28,8 @@ from stiction.solving.choice import RECOMMENDED
 from stiction.solving.overview import entries
 from stiction.studies.findings import Findings, find_out, text_of_file
 
+# Columns whose cells are symbols and meanings of the table of quantities.
+_FORMULAS = ("symbol", "quantity", "group")
 _SUFFIXES = (".html", ".htm")
 
 
@@ -86,7 +87,7 @@ def as_html(findings: Findings, name: str, again: str, progress: Progress = sile
         answer=answer_in_words(findings),
         say=say,
         inputs=[*groups_of_inputs(findings), *groups_of_groups(findings)],
-        formulas=FORMULAS,
+        formulas=_FORMULAS,
         all_of_one=all_of_one(findings),
         pictures=pictures,
         comparison=say.comparison_lines(findings),

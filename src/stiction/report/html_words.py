@@ -1,8 +1,11 @@
 """Symbols as a page shows them: Greek letters, indices below, powers above."""
 
 import re
+from dataclasses import replace
 
 from markupsafe import Markup, escape
+
+from stiction.report.table import Table
 
 _GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "epsilon": "ε", "eta": "η", "theta": "θ", "lambda": "λ", "lam": "λ",
           "mu": "μ", "nu": "ν", "omega": "ω", "pi": "π", "psi": "ψ", "sigma": "σ", "tau": "τ", "Delta": "Δ"}  # fmt: skip
@@ -12,6 +15,12 @@ _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=Tr
 def letters(text: str) -> str:
     """Greek letters in place of their names: "σ/R" of "sigma/R"."""
     return _WORD.sub(lambda found: _GREEK[found[1]], text).replace("sqrt(", "√(")
+
+
+def on_page(table: Table, caption: str) -> Table:
+    """Return a table of the terminal as a page shows it."""
+    columns = [replace(column, head=letters(column.head.replace("\n", " "))) for column in table.columns]
+    return replace(table, columns=columns, rows=[[str(cell) for cell in row] for row in table.rows], caption=caption)
 
 
 def breakable(text: str) -> Markup:

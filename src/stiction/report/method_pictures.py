@@ -11,7 +11,6 @@ from matplotlib.ticker import FixedLocator, NullLocator
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.number_table import prefix
 from stiction.report.picture_style import look_of, plain, unit_for
 from stiction.report.pictures import (
     GREY,
@@ -26,6 +25,7 @@ from stiction.report.pictures import (
     say,
     scale_friction,
 )
+from stiction.report.table import prefix
 from stiction.solving.method_spread import METHOD
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ from matplotlib.lines import Line2D
 
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.comparison_groups import Group
 from stiction.report.pictures import BLUE, GREY, ORANGE, RED, finish, say
+from stiction.report.views.comparison import Group
 
 if TYPE_CHECKING:
     import xarray

@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.number_table import prefix
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, InUnit, finish, label
+from stiction.report.table import prefix
 from stiction.surfaces.finding import methods
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from matplotlib.ticker import FuncFormatter, LogFormatter, NullLocator
 from stiction.laws.validity import doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
-from stiction.report.number_table import prefix
+from stiction.report.table import prefix
 
 if TYPE_CHECKING:
     import xarray

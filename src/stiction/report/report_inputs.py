@@ -6,7 +6,7 @@ from stiction.contact.contact import Contact
 from stiction.contact.materials import Material
 from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
-from stiction.report.html_tables import Table
+from stiction.report.table import Column, Table, numbers
 from stiction.report.tables import group_in_words
 from stiction.studies.findings import Findings, places_in
 
@@ -22,7 +22,7 @@ _NOT_NUMBERS = {"bodies": "which body carries the film", "height_distribution": 
 
 
 _MOMENTS = "surface."  # of a roughness: the asperities that theories of the whole surface take
-_HEADS = ["quantity", "symbol", "value", "how well it is known", "source"]
+_COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column, ("how well it is known", "source"))]
 
 
 def plain_name(name: str) -> str:
@@ -51,8 +51,7 @@ def groups_of_inputs(findings: Findings) -> list[Table]:
         source = _source_of_material(material, name, here, places) if material else _source(findings, dotted, here, places)
         meaning, symbol = _meaning(name)
         grouped[part].append([meaning, symbol, with_powers(text), known.get(dotted) or _range(material, name), source])
-    numbers = [False, False, True, False, False]
-    return [Table(_title(subject, part), _HEADS, rows, numbers, stacked=True) for part, rows in grouped.items() if rows]
+    return [Table(_COLUMNS, rows, _title(subject, part), stacked=True) for part, rows in grouped.items() if rows]
 
 
 def groups_of_groups(findings: Findings) -> list[Table]:
@@ -63,7 +62,8 @@ def groups_of_groups(findings: Findings) -> list[Table]:
     rows = [
         [QUANTITIES[name].meaning, QUANTITIES[name].symbol, group_in_words(one)] for name, one in subject.all_groups().items()
     ]
-    return [Table("Dimensionless groups that follow", ["group", "symbol", "value"], rows, [False, False, True], stacked=True)]
+    columns = [Column("group"), Column("symbol"), *numbers("value")]
+    return [Table(columns, rows, "Dimensionless groups that follow", stacked=True)]
 
 
 def _meaning(name: str) -> tuple[str, str]:

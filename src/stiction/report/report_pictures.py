@@ -117,8 +117,8 @@ def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
     told, data = findings.told, findings.prediction
     if told is None:
         return
-    from stiction.report.comparison_groups import groups_of
     from stiction.report.model_pictures import models_figure
+    from stiction.report.views.comparison import groups_of
 
     here = None if data is None else at_working_load(data)
     words = "Friction at the working load by models that say the same, with intervals. The table below has the numbers."

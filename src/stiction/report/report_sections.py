@@ -4,7 +4,6 @@ import json
 import platform
 import re
 import shlex
-from dataclasses import replace
 from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING, Any
 
@@ -15,14 +14,14 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_DOUBT
 from stiction.records.sources import bibliography
 from stiction.report.answer import PREDICTION_HEADS, answer_lines
-from stiction.report.comparison_groups import GROUP_HEADS, group_row, groups_of
-from stiction.report.html_tables import Table, of_printed
-from stiction.report.html_words import letters
+from stiction.report.html_words import letters, on_page
 from stiction.report.model_line import grade_line, model_line
 from stiction.report.report_answer import doubts_here, value_in_words
 from stiction.report.report_inputs import groups_of_inputs, with_powers
-from stiction.report.tables import curve_table, run_notes
-from stiction.report.uncertainty_tables import draws_in_words, in_draws, with_meaning
+from stiction.report.table import Column, Table, numbers
+from stiction.report.tables import HEADS, curve_table, run_notes
+from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
+from stiction.report.views.run import draws_in_words, in_draws, with_meaning
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.findings import Findings
 
@@ -41,7 +40,7 @@ def _doubt_in_words(doubt: Doubt) -> str:
 def answer_table(findings: Findings) -> Table:
     """Return the rows of the prediction."""
     assert findings.prediction is not None  # the template has looked
-    return Table("What the number rests on", ["", ""], [list(row) for row in answer_lines(findings.prediction)])
+    return Table([Column(""), Column("")], answer_lines(findings.prediction), "What the number rests on")
 
 
 def here_table(findings: Findings) -> Table | None:
@@ -59,7 +58,8 @@ def here_table(findings: Findings) -> Table | None:
             mine = "none: within the ranges that are claimed"
         rows.append([row.meaning, row.symbol, value_in_words(here[name], float(here[name]), 4), mine])
     caption = "Results to four digits, as computed, so that they can be compared; the answer has the digits that count"
-    return Table(caption, ["quantity", "symbol", "value", "doubts"], rows, [False, False, True, False], stacked=True)
+    columns = [Column("quantity"), Column("symbol"), *numbers("value"), Column("doubts")]
+    return Table(columns, rows, caption, stacked=True)
 
 
 def model_lines(findings: Findings) -> list[str]:
@@ -74,13 +74,12 @@ def curve_rows(findings: Findings) -> Table:
     """Some points of the curve, or of the numbers that are several."""
     data = findings.data
     if findings.prediction is not None:
-        return of_printed(curve_table(data, heads=PREDICTION_HEADS), "mu along the loads")
+        return on_page(curve_table(data, heads=PREDICTION_HEADS), "mu along the loads")
     if findings.case.is_several:
         from stiction.report.several_tables import several_table
 
-        return of_printed(several_table(data), "Some of the combinations")
-    table = of_printed(curve_table(data), "Some points of the curve")
-    return replace(table, heads=["touching asperities" if head == "touching" else head for head in table.heads])
+        return on_page(several_table(data), "Some of the combinations")
+    return on_page(curve_table(data, heads=HEADS | {"touching_asperities": "touching asperities"}), "Some points of the curve")
 
 
 def compared(findings: Findings) -> Table | None:
@@ -88,8 +87,8 @@ def compared(findings: Findings) -> Table | None:
     if findings.told is None:
         return None
     rows = [[letters(cell) for cell in group_row(one)] for one in groups_of(findings.told, every=True)]
-    return Table("Every model at the working load, those first which the contact fits", ["model", *GROUP_HEADS[1:]], rows,
-                 [False, True, True, False], stacked=True)  # fmt: skip
+    columns = [Column("model"), *numbers(*GROUP_HEADS[1:3]), Column(GROUP_HEADS[3])]
+    return Table(columns, rows, "Every model at the working load, those first which the contact fits", stacked=True)
 
 
 def comparison_lines(findings: Findings) -> dict[str, Any]:
@@ -134,7 +133,7 @@ def doubt_table(findings: Findings) -> Table | None:
         return None
     rows = [[letters(cell) for cell in _doubt_row(one)] for one in found]
     heads = ["what is doubtful", "it is", "claimed is", "at", "why, and what that means"]
-    return Table("Where the result leaves what the authors of its laws claim", heads, rows, stacked=True)
+    return Table([*map(Column, heads)], rows, "Where the result leaves what the authors of its laws claim", stacked=True)
 
 
 def _doubt_row(doubt: Doubt) -> list[str]:
@@ -157,16 +156,16 @@ def notes(findings: Findings) -> list[str]:
     return [*questioned, *(letters(f"{one.rstrip('.')}.") for one in run_notes(findings.data))]
 
 
-def scan_parts(findings: Findings) -> list[tuple[str, list[tuple[str, str]], Table, list[str]]]:
+def scan_parts(findings: Findings) -> list[tuple[str, Any, Table, list[str]]]:
     """Of each scan its title, facts, asperities by every method, and notes."""
-    from stiction.report.surface_tables import asperity_table, surface_notes, surface_summary
+    from stiction.report.views.surface import asperity_table, surface_notes, surface_summary
 
     parts = []
     for body, found in findings.analyses.items():
-        summary = of_printed(surface_summary(found), "")
-        told = [(row[0], row[1]) for row in summary.rows]
-        table = of_printed(asperity_table(found), f"Asperities of the {body} body by every method")
-        parts.append((f"{body.capitalize()} body", told, table, [one.plain for one in surface_notes(found)]))
+        table = on_page(asperity_table(found), f"Asperities of the {body} body by every method")
+        parts.append(
+            (f"{body.capitalize()} body", surface_summary(found).rows, table, [one.plain for one in surface_notes(found)])
+        )
     return parts
 
 
@@ -193,10 +192,10 @@ def measured_table(findings: Findings) -> Table | None:
     """sigma, R and N of a measured surface by every method, with the friction that follows."""
     if findings.case.measured is None:
         return None
-    from stiction.report.surface_tables import roughness_table
+    from stiction.report.views.surface import roughness_table
 
     found = roughness_table(findings.case.measured, findings.data)
-    return of_printed(found, "The roughness of both bodies together by every method; the one taken is bold")
+    return on_page(found, "The roughness of both bodies together by every method; the one taken is bold")
 
 
 def sources_of(findings: Findings) -> tuple[list[str], list[str], list[str]]:

@@ -12,8 +12,8 @@ from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import part_name
 from stiction.report.picture_style import along_points
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, finish, heading, say
-from stiction.report.sensitivity_tables import at_working_load, head_of, ranked, results_of, working_place
 from stiction.report.several_tables import of_point, points_dimension
+from stiction.report.views.sensitivity import at_working_load, head_of, ranked, results_of, working_place
 
 if TYPE_CHECKING:
     import xarray

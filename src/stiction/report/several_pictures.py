@@ -9,7 +9,6 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
-from stiction.report.number_table import prefix, some
 from stiction.report.pictures import NOT_PRESSED, WIDE, entitle, finish, label, say, scale_friction
 from stiction.report.several_tables import (
     coordinates_along,
@@ -19,6 +18,7 @@ from stiction.report.several_tables import (
     shown_quantity,
     varied,
 )
+from stiction.report.table import prefix, some
 
 if TYPE_CHECKING:
     import xarray

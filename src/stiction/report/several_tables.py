@@ -3,11 +3,10 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-from rich.table import Table
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import number
-from stiction.report.number_table import number_table, shown, some
+from stiction.report.table import Table, numbers, shown, some
 
 if TYPE_CHECKING:
     import xarray
@@ -73,10 +72,11 @@ def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     most = data[name].size if all_rows else _ROWS if len(dims) == 1 else each
     picked = [some(data.sizes[dim], most) for dim in dims]
     heads = [_head(one) for dim in dims for one in coordinates_along(data, dim)]
-    table = number_table([*heads, *(f"{_HEADS[name]} at\n{of_point(data, at)}" for at in columns)])
+    heads += [f"{_HEADS[name]} at\n{of_point(data, at)}" for at in columns]
     order = [*dims, *([points] if points else [])]
     values = data[name].transpose(*order).values
     ends = [data[f"{name}_{end}"].transpose(*order).values for end in ("low", "high")] if with_ends else []
+    rows = []
     for places in np.ndindex(*(len(one) for one in picked)):
         row = [int(one[at]) for one, at in zip(picked, places, strict=True)]
         cells = [of_value(data, one, at) for dim, at in zip(dims, row, strict=True) for one in coordinates_along(data, dim)]
@@ -85,5 +85,5 @@ def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
         if with_ends:
             spans = (f" ({number(float(low))} to {number(float(high))})" for low, high in zip(*interval, strict=True))
             texts = [text + span for text, span in zip(texts, spans, strict=True)]
-        table.add_row(*cells, *texts)
-    return table
+        rows.append([*cells, *texts])
+    return Table(numbers(*heads), rows)

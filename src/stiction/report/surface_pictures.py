@@ -14,9 +14,9 @@ from matplotlib.image import AxesImage
 from matplotlib.ticker import FixedLocator, MaxNLocator, NullLocator
 
 from stiction.quantities.units import show
-from stiction.report.number_table import prefix
 from stiction.report.picture_style import look_of, plain, unit_for
 from stiction.report.pictures import BLUE, GREEN, GREY, SKY, finish, say
+from stiction.report.table import prefix
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spectrum import BinnedSpectrum

@@ -5,9 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from rich.box import SIMPLE_HEAD
 from rich.console import Group
-from rich.table import Table
 from rich.text import Text
 
 from stiction.contact.contact import Contact
@@ -17,8 +15,8 @@ from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
 from stiction.report.answer import model_record, number
 from stiction.report.model_line import grade_line, model_line
-from stiction.report.number_table import number_table, prefix, short, shown, some
 from stiction.report.plain_formulas import as_text
+from stiction.report.table import Column, Table, facts, numbers, prefix, short, shown, some
 from stiction.solving.accuracy.film_errors import in_words, read_film_errors
 from stiction.solving.unused import unused_of
 
@@ -31,7 +29,7 @@ _NOTED: tuple[type[Record], ...] = (RoughSurface, AsperityLaw, TangentialLaw, Fi
 _ROWS = 12
 _WIDE = 1e4  # a column that spans more than this has a prefix in each cell, not one in its head
 # Result -> head of its column.
-_COLUMNS = {
+HEADS = {
     "mean_separation": "separation",
     "load": "load",
     "contact_area": "contact area",
@@ -44,19 +42,17 @@ _COLUMNS = {
 def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[str, str] | None = None) -> Table:
     """About twelve points along a curve of one dimension, or all, each column in units with a fitting prefix. heads: name of a
     result -> head of its column; by default those of a curve."""
-    heads = _COLUMNS if heads is None else heads
+    heads = HEADS if heads is None else heads
     count = data["load"].size
     chosen = some(count, count if all_rows else _ROWS)
     names = [name for name in heads if name in data]
     columns = [_column(data[name], name, chosen) for name in names]
     units = any(unit for unit, _ in columns)
-    table = number_table(
+    texts = [
         f"{heads[name]}\n" + (f"[{unit}]" if unit else "") if units else heads[name]
         for name, (unit, _) in zip(names, columns, strict=True)
-    )
-    for cells in zip(*(cells for _, cells in columns), strict=True):
-        table.add_row(*cells)
-    return table
+    ]
+    return Table(numbers(*texts), list(zip(*(cells for _, cells in columns), strict=True)))
 
 
 def rows_shown(data: "xarray.Dataset") -> str:
@@ -75,17 +71,6 @@ def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tupl
         return "", [shown(value, name) for value in values]
     factor, unit = (1.0, "") if unit == "1" else prefix(name, float(np.median(sizes)) if sizes.size else 1.0)
     return unit, [short(value * factor) for value in values]
-
-
-def facts(pairs: Iterable[tuple[str, str]]) -> Table:
-    """Rows of a bold head and text; those without text are left out."""
-    table = Table.grid(padding=(0, 2, 0, 0))
-    table.add_column(style="bold", no_wrap=True)
-    table.add_column()
-    for head, text in pairs:
-        if text:
-            table.add_row(head, Text(text))
-    return table
 
 
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
@@ -197,7 +182,7 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
     notes = []
     normalised = [name for name in ("load", "contact_area") if "normalised_by" in data[name].attrs]
     if normalised:
-        parts = [f"{_COLUMNS[name]} over {data[name].attrs['normalised_by']}" for name in normalised]
+        parts = [f"{HEADS[name]} over {data[name].attrs['normalised_by']}" for name in normalised]
         notes.append(f"normalised: {', '.join(parts)}, separation over sigma, touching asperities as a share of all")
     if "friction_coefficient" not in data:
         notes.append(f"friction: {used['friction_law']}")
@@ -234,20 +219,13 @@ def outside_validity(data: "xarray.Dataset") -> Text | None:
 
 def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
     """The registry, a table for each kind: key, grade, what it is, and for what it is valid."""
-    by_kind: dict[str, list[Mapping[str, Any]]] = {}
+    by_kind: dict[str, list[list[str]]] = {}
     for row in rows:
-        by_kind.setdefault(row["kind"], []).append(row)
-    tables = []
-    for kind, entries in by_kind.items():
-        table = Table(box=SIMPLE_HEAD, title=kind, title_style="bold", title_justify="left", pad_edge=False, expand=True)
-        table.add_column("key", no_wrap=True, width=31)
-        table.add_column("grade", no_wrap=True)
-        table.add_column("what it is, and for what it is valid", ratio=1)
-        for row in entries:
-            said = "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
-            table.add_row(Text(row["key"]), Text(row["grade"]), Text(said))
-        tables.append(table)
-    return Group(*tables)
+        said = "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
+        by_kind.setdefault(row["kind"], []).append([f"{row['key']:31}", row["grade"], said])
+    columns = [Column("key"), Column("grade"), Column("what it is, and for what it is valid", wrap=True)]
+    tables = (Table(columns, entries, ruled=True, gap=1) for entries in by_kind.values())
+    return Group(*(part for kind in zip(by_kind, tables, strict=True) for part in kind))
 
 
 # The ends of lines inside a paragraph of Markdown: the terminal breaks lines itself.

@@ -7,9 +7,9 @@ import xarray
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
-from stiction.report.number_table import prefix
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
 from stiction.report.share_pictures import part_in_words, shares_of, stacks
+from stiction.report.table import prefix
 
 COLOURS = (BLUE, ORANGE, GREEN, RED, SKY, "#CC79A7")  # Okabe and Ito's
 SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]  # viridis, dark to light for everybody

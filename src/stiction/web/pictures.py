@@ -6,11 +6,10 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from nicegui import ui
-from rich.table import Table
 
-from stiction.report.html_tables import of_printed
+from stiction.report.html_words import on_page
+from stiction.report.table import Table
 from stiction.report.view import View
-from stiction.report.whole_keys import WholeKeys
 from stiction.web.drawn import attributes
 
 _NARROW = 5.6  # inches: on a page as narrow as a telephone letters of eight points can then be read
@@ -43,20 +42,19 @@ class Shown(NamedTuple):
             ui.label(words).classes("text-lg text-negative").props('role="alert"')
         with ui.column().classes("w-full gap-1"):
             for part in self.parts:
-                if isinstance(part, WholeKeys | Table):
-                    _show_table(part.table if isinstance(part, WholeKeys) else part, narrow, opened)
+                if isinstance(part, Table):
+                    _show_table(on_page(part, ""), narrow, opened)
                 elif str(part):
                     ui.label(str(part)).classes("text-sm").style("white-space: pre-line")
         for source, told in self.pictures:
             show_image(source, told)
 
 
-def _show_table(printed: Table, narrow: bool, opened: Callable[[str], object] | None) -> None:
+def _show_table(table: Table, narrow: bool, opened: Callable[[str], object] | None) -> None:
     """Add a table of the terminal to the page; on a narrow one its cells stand below one another."""
-    table = of_printed(printed, "")
     columns = [
-        {"name": str(at), "label": head, "field": str(at), "align": "right" if table.right(at) else "left"}
-        for at, head in enumerate(table.heads)
+        {"name": str(at), "label": column.head, "field": str(at), "align": "right" if column.right else "left"}
+        for at, column in enumerate(table.columns)
     ]
     rows = [{str(at): cell for at, cell in enumerate(row)} for row in table.rows]
     with ui.element("div").classes("w-full overflow-auto table").props("tabindex=0"):  # a keyboard moves it where it is narrow

@@ -1,22 +1,242 @@
-"""A comparison of models as it is shown."""
+"""A comparison of models: tables, one JSON object, and files; models that say the same are one row."""
 
+import json
+import math
+import shlex
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from rich.text import Text
 
-from stiction.report.answer import answer_lines, answer_record
-from stiction.report.comparison_groups import groups_of, groups_table
-from stiction.report.comparison_rows import at_load_rows, comparison, comparison_rows
+from stiction.laws.validity import read_doubts
+from stiction.quantities.units import show
+from stiction.report.answer import answer_lines, answer_record, number
 from stiction.report.files import write_netcdf, write_rows
-from stiction.report.tables import facts
+from stiction.report.table import Column, Table, facts, numbers
 from stiction.report.view import MOST_LINES, View, lines_of, picture
+from stiction.studies.comparison.compare import FAMILIES, RESULTS
 from stiction.studies.prediction.unused import refusal_of
 
 if TYPE_CHECKING:
     import xarray
 
     from stiction.case.read import Case
+
+
+_DIGITS = 6  # of a load that is read: its result differs in the sixth
+
+
+def run_command(data: "xarray.Dataset", model: str, exact: bool = False) -> str:
+    """The command line that computes one row of a comparison again; exact: to the last digit."""
+    case = data.attrs.get("case_file", "CASE.toml")
+    load = _load_in_words(data, exact)
+    return f"stiction run {shlex.quote(case)} --model {shlex.quote(model)}" + (f" --load {shlex.quote(load)}" if load else "")
+
+
+def _load_in_words(data: "xarray.Dataset", exact: bool) -> str:
+    """The working load as --load takes it."""
+    if "working_load" not in data.attrs:
+        return ""
+    unit, load = data["load"].attrs.get("units", "1"), float(data.attrs["working_load"])
+    if unit == "1":
+        return f"{load!r}" if exact else f"{load:.{_DIGITS}g}"
+    return f"{load!r} {unit}" if exact else show(load, "load", _DIGITS).replace("µ", "u")  # which every keyboard has
+
+
+def comparison(data: "xarray.Dataset") -> dict[str, Any]:
+    """A comparison as one JSON object: attributes, and a list of models with what each says."""
+    units = {name: data[name].attrs.get("units", "1") for name in RESULTS}
+    rows = []
+    for at, name in enumerate(data["model"].values):
+        one = data.isel(model=at)
+        row = {
+            "model": str(name),
+            "grade": str(one["grade"].item()),
+            "status": str(one["status"].item()),
+            "outside_validity": [doubt.short for doubt in read_doubts(one["doubts"].item())],
+            "doubts": json.loads(one["doubts"].item()),
+            "measured_error": json.loads(one["measured_error"].item()),
+            "measured_film_error": json.loads(one["measured_film_error"].item()),
+            "why_not": one["why_not"].item() or None,
+            "family": one["family_of_curve"].item() or None,
+            "plastic_junctions_resist": one["plastic_junctions_resist"].item() or None,
+            "command": run_command(data, str(name), exact=True),
+        }
+        row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
+        row |= _over_methods(one)
+        rows.append(row | {"curve": {key: one[key].values for key in RESULTS}})
+    left_out = dict(line.split(": ", 1) for line in data.attrs["left_out"].splitlines())
+    attributes = {name: value for name, value in data.attrs.items() if name not in ("left_out", "sources", "criteria")}
+    attributes["criteria"] = data.attrs["criteria"].splitlines()
+    return attributes | {"units": units, "models": rows, "left_out": left_out, "sources": data.attrs["sources"].split()}
+
+
+def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
+    """What one model says of every way to find asperities in a measured surface, at the working load."""
+    name = "friction_coefficient_at_load"
+    if f"{name}_by_method" not in one:
+        return {}
+    each = one[f"{name}_by_method"]
+    return {
+        "friction_coefficient_by_method": dict(zip(each["asperity_method"].values.tolist(), each.values.tolist(), strict=True)),
+        "friction_coefficient_low": one[f"{name}_low"].item(),
+        "friction_coefficient_high": one[f"{name}_high"].item(),
+    }
+
+
+def comparison_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
+    """Heads and rows of a table: every point of every model."""
+    heads = [_head(data, name) for name in RESULTS]
+    columns = [data[name].values for name in RESULTS]
+    points = range(data.sizes["point"])
+    names = data["model"].values
+    rows = ([str(name), *(float(column[at, point]) for column in columns)] for at, name in enumerate(names) for point in points)
+    return ["model", *heads], rows
+
+
+def _head(data: "xarray.Dataset", name: str) -> str:
+    unit = data[name].attrs.get("units", "1")
+    return name if unit == "1" else f"{name} [{unit}]"
+
+
+def at_load_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
+    """Heads and rows of a table: what every model says at the working load; of a measured surface also the lowest and the
+    highest friction coefficient over the methods of finding asperities."""
+    names = [f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1])]
+    names[1:1] = [f"{names[0]}_{end}" for end in ("low", "high") if f"{names[0]}_{end}" in data]
+    heads = [_head(data, name).replace("_at_load", "") for name in names]
+    names += ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
+    heads += names[-3:]
+    texts = ("plastic_junctions_resist", "status", "outside_validity", "why_not")
+    rows = (
+        [str(one[name].item()) for name in ("model", "grade")]
+        + [one[name].item() for name in names]
+        + [str(one[name].item()) for name in texts]
+        for one in (data.isel(model=at) for at in range(data.sizes["model"]))
+    )
+    return ["model", "grade", *heads, *texts], rows
+
+
+_MU = "friction_coefficient_at_load"
+_ALIKE = 1.1  # ratio of mu within which models say the same
+GROUP_HEADS = ("models that say the same", "mu", "area off by", "status")
+
+
+@dataclass(frozen=True)
+class Group:
+    """Models that say the same.
+
+    family: what their friction rests on. names: in the order of mu. low, high: of mu. errors: mean errors of the area on solved
+    surfaces, of the models of which it is known. least, most: mu without its error there, at the ends of 90 %; as low and high
+    where nothing is known. status: of the first.
+    """
+
+    family: str
+    names: list[str]
+    low: float
+    high: float
+    errors: list[float]
+    least: float
+    most: float
+    status: str
+
+    @property
+    def title(self) -> str:
+        """Return the first model, and how many say the same."""
+        return self.names[0] + (f" +{len(self.names) - 1}" if len(self.names) > 1 else "")
+
+    @property
+    def fits(self) -> bool:
+        """Return whether the contact fits the models."""
+        return self.status.startswith("fits")
+
+    @property
+    def kind(self) -> tuple[str, bool, str]:
+        """Return what models of one row have in common beside mu."""
+        return self.family, self.possible, self.status if self.fits else ""
+
+    @property
+    def possible(self) -> bool:
+        """Return whether they can be right here."""
+        return not self.status.startswith("cannot")
+
+
+def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
+    """Return the groups of a comparison at its working load: those that fit first, then possible ones, by family and mu.
+
+    every: each model by itself.
+    """
+    models = [data.isel(model=at) for at in range(data.sizes["model"])]
+    alone = [_group([one]) for one in models if np.isfinite(one[_MU].item())]
+    alone.sort(key=lambda one: (not one.fits, not one.possible, one.family == FAMILIES[False], one.low))
+    if every:
+        return alone
+    by_name = {str(one["model"].item()): one for one in models}
+    found: list[list[Group]] = []
+    for one in alone:
+        last = found[-1][0] if found else None
+        alike = last is not None and last.kind == one.kind
+        if last is not None and alike and one.high <= _ALIKE * max(last.low, 1e-300):
+            found[-1].append(one)
+        else:
+            found.append([one])
+    return [_group([by_name[one.names[0]] for one in some]) for some in found]
+
+
+def _group(models: "list[xarray.Dataset]") -> Group:
+    mu = [float(one[_MU].item()) for one in models]
+    ends = [end for one, value in zip(models, mu, strict=True) for end in _ends(one, value)]
+    errors = [float(one["measured_area_error"].item()) for one in models]
+    names = [str(one["model"].item()) for one in models]
+    known = [one for one in errors if math.isfinite(one)]
+    first = models[0]
+    return Group(
+        first["family_of_curve"].item(), names, mu[0], mu[-1], known, min(ends), max(ends), str(first["status"].item())
+    )
+
+
+def _ends(one: "xarray.Dataset", mu: float) -> list[float]:
+    """Return mu, over 1 plus its error on solved surfaces at the ends of 90 %."""
+    errors = json.loads(one["measured_error"].item()) or {}
+    ends = [errors.get(f"area_{end}") or [None] for end in ("high", "low")]
+    return [mu if end[0] is None else mu / (1.0 + end[0]) for end in ends]
+
+
+def group_row(group: Group) -> tuple[str, str, str, str]:
+    """Return the texts of GROUP_HEADS for a group."""
+    mu = " to ".join(dict.fromkeys((number(group.low), number(group.high))))
+    ends = dict.fromkeys(f"{end:+.0%}" for end in (min(group.errors), max(group.errors))) if group.errors else ["-"]
+    return group.title, mu, " to ".join(ends), group.status
+
+
+def groups_table(groups: list[Group], room: int | None = None) -> Iterator[Table | Text]:
+    """Yield rows for groups, as many as fit into so many lines, and a line on what is left out."""
+    shown = groups if room is None else [group for group in groups if group.possible]
+    while room is not None and shown and lines_of(_table(shown)) > room - 1:
+        shown = shown[:-1]
+    if shown:
+        yield replace(_table(shown), whole=room is None)
+    if text := left_out_in_words(groups, shown):
+        yield Text(text, style="dim")
+
+
+def _table(groups: list[Group]) -> Table:
+    names, mu, error, status = GROUP_HEADS
+    columns = [Column(names, wrap=True, most=34), *numbers(mu, error), Column(status, wrap=True)]
+    return Table(columns, [group_row(group) for group in groups])
+
+
+def left_out_in_words(groups: list[Group], shown: list[Group]) -> str:
+    """Return how many models the rows leave out, "" for none."""
+    counts = [
+        (sum(len(one.names) for one in groups if one.possible and one not in shown), "not shown"),
+        (sum(len(one.names) for one in groups if not one.possible and one not in shown), "cannot be right here"),
+    ]
+    words = [f"{count} {text}" for count, text in counts if count]
+    return "; ".join([*words, "--all lists every model"]) if words else ""
+
 
 # Rows of the answer that stand above the models, with mu.
 _OF_ANSWER = ("friction force", "warning", "not used")
@@ -44,7 +264,7 @@ def comparison_view(
             yield from (Text(line) for line in data.attrs["criteria"].splitlines())
             yield from (Text(f"left out: {line}", style="dim") for line in data.attrs["left_out"].splitlines())
             if measured is not None:
-                from stiction.report.surface_tables import roughness_notes, roughness_table
+                from stiction.report.views.surface import roughness_notes, roughness_table
 
                 yield from (roughness_table(measured), *roughness_notes(measured))
 

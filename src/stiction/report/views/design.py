@@ -1,18 +1,95 @@
-"""A design as it is shown."""
+"""A design: its tables, sentences and files."""
 
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from rich.text import Text
 
-from stiction.report.design_tables import design_notes, design_rows, design_table
-from stiction.report.files import record, write_rows
-from stiction.report.number_table import few_rows
+from stiction.quantities.table import QUANTITIES
+from stiction.report.files import record, rows_of, write_rows
+from stiction.report.table import Table, numbers, shown
 from stiction.report.view import Picture, View
+from stiction.studies.design.plan import quantity_of
 
 if TYPE_CHECKING:
+    import xarray
+
     from stiction.studies.design.run import Designing
+
+
+_ROWS = 12
+
+
+def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
+    """Name of a column -> its variable, of the best designs or of the front."""
+    before = "front_" if along == "front" else ""
+    names = [str(name) for name in data.data_vars if data[name].dims == (along,)]
+    return {name.removeprefix(before): name for name in names}
+
+
+def design_table(data: "xarray.Dataset", along: str) -> Table:
+    """A row for each design, at most about twelve."""
+    columns = columns_of(data, along)
+    shown_columns = [name for name in columns if name not in ("broken", "violated")]
+    rows = [[_cell(name, data[columns[name]].values[at]) for name in shown_columns] for at in range(data.sizes[along])]
+    return Table(numbers(*map(_head, shown_columns), wrap=True), rows).few(_ROWS, spaced=along == "front")
+
+
+def _head(name: str) -> str:
+    last = name.rpartition(".")[2]
+    if name.endswith("_off_target"):
+        return "off target"
+    if last != quantity_of(last):
+        return f"{QUANTITIES[quantity_of(last)].symbol} {last.rpartition('_')[2]}"
+    return {"kept": "limits"}.get(last, QUANTITIES[last].symbol if last in QUANTITIES else last.replace("_", " "))
+
+
+def _cell(name: str, value: Any) -> str:
+    if name == "kept":
+        return "kept" if value else "broken"
+    if name.endswith("_off_target"):
+        percent = 100.0 * float(value)
+        return f"{percent:+.3g} %" if abs(percent) >= 0.005 else "0 %"
+    last = name.rpartition(".")[2]
+    if isinstance(value, str | np.str_):
+        return str(value)
+    return shown(float(value), quantity_of(last), 3) if quantity_of(last) in QUANTITIES else f"{float(value):.3g}"
+
+
+def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
+    """What was wished, and what did not come true."""
+    used = data.attrs
+    yield Text("wished: " + "; ".join(used["wishes"].split("\n")))
+    if used["limits"]:
+        yield Text("limits: " + "; ".join(used["limits"].split("\n")))
+    if used["uncertain"]:
+        yield Text(f"of what is uncertain ({used['uncertain']}) wishes and limits hold for 95 %")
+    for words in filter(None, used["missed"].split("\n")):
+        yield Text(f"objective missed: {words}; widen the ranges or choose another number", style="bold yellow")
+    if used["verdict"]:
+        yield Text(used["verdict"], style="bold yellow")
+    for at in range(min(data.sizes["design"], _ROWS)):
+        for words in filter(None, data["violated"].values[at].split("\n")):
+            yield Text(f"broken{_which(data, at)}: {words}", style="yellow")
+    if used["stopped"]:
+        yield Text("stopped before the end: the best so far", style="bold")
+
+
+def _which(data: "xarray.Dataset", at: int) -> str:
+    """Return which design this is, by what it takes from lists, where there are several."""
+    taken = [data[name].values[at] for name in data.data_vars if name != "violated" and data[name].dtype.kind in "UO"]
+    return f" ({', '.join(map(str, taken)) or f'design {at + 1}'})" if data.sizes["design"] > 1 else ""
+
+
+def design_rows(data: "xarray.Dataset", along: str) -> tuple[list[str], list[list[Any]]]:
+    """Heads and rows for a file, in SI units."""
+    columns = columns_of(data, along)
+    heads = [
+        f"{name} [{unit}]" if (unit := data[one].attrs.get("units", "1")) != "1" else name for name, one in columns.items()
+    ]
+    return heads, rows_of(data, columns.values())
 
 
 def design_view(found: "Designing", folder: Path | None = None) -> View:
@@ -33,10 +110,10 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
         if "case" in data.attrs:
             yield Text(data.attrs["case"], style="bold")
         yield f"model {data.attrs['model']}; {data.attrs['asked']} designs asked"
-        yield few_rows(design_table(data, "design"), 4, spaced=False)
+        yield design_table(data, "design").few(4, spaced=False)
         yield from design_notes(data)
         if data.sizes.get("front"):
-            yield few_rows(design_table(data, "front"), 4)
+            yield design_table(data, "front").few(4)
 
     def drawn() -> Any:
         from stiction.report.design_pictures import design_figure

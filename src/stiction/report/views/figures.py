@@ -1,10 +1,10 @@
-"""The pictures of the 2015 paper and the map of its claims, as they are shown."""
+"""The pictures of the 2015 paper and the map of its claims: tables and files."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from stiction.report.claims_tables import claims_meaning, claims_table
 from stiction.report.files import write_rows
+from stiction.report.table import Column, Table, facts, numbers
 from stiction.report.view import View, picture
 from stiction.studies.paper.claims import claim_rows, summary
 from stiction.studies.paper.figures import curve_rows
@@ -12,6 +12,33 @@ from stiction.studies.paper.figures import curve_rows
 if TYPE_CHECKING:
     from stiction.studies.paper.claims import ClaimMap
     from stiction.studies.paper.figures import PanelCurves
+
+
+def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
+    """The claims map in words: for each claim and reading the share of the plane where it holds, and where. here: the indices
+    at which the last column tells the share of films for which it holds."""
+    some, not_comparable, there = numbers("for some", "not com-\nparable", here, wrap=True)
+    columns = [Column("claim"), Column("reading"), Column("holds for all films", wrap=True), some,
+               Column("for none", wrap=True), not_comparable, there]  # fmt: skip
+    cells = [
+        (
+            f"({row['claim']})",
+            row["reading"],
+            f"{row['holds_for_all']:.0%}: {row['where_all']}",
+            f"{row['holds_for_some']:.0%}",
+            f"{row['holds_for_none']:.0%}: {row['where_none']}",
+            f"{row['not_comparable']:.0%}",
+            "-" if row["share_here"] is None else f"{row['share_here']:.0%}",
+        )
+        for row in rows
+    ]
+    return Table(columns, cells, ruled=True, gap=1)
+
+
+def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
+    """What each claim says and how it was made precise."""
+    unique = {row["claim"]: f"{row['says']}\nholds if {row['definition']}" for row in rows}
+    return facts((f"({key})", text) for key, text in unique.items())
 
 
 def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[str, float], reading: str) -> View:

@@ -1,13 +1,13 @@
-"""Stresses in a film as they are shown."""
+"""Stresses in a film: their table, sentences and files."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from rich.text import Text
 
 from stiction.report.files import comments_of, record, write_csv, write_netcdf
-from stiction.report.film_tables import MEANINGS, film_table
-from stiction.report.number_table import few_rows
+from stiction.report.table import Table, numbers, short, shown, some
 from stiction.report.tables import in_brief, outside_validity, run_summary
 from stiction.report.view import View, picture
 from stiction.studies.stresses.film_section import film_section
@@ -17,6 +17,36 @@ if TYPE_CHECKING:
     import xarray
 
     from stiction.case.read import Case
+
+
+_ROWS = 12
+# What the columns are.
+MEANINGS = (
+    "a/t: contact radius of the mean touching asperity over the thickness of a film",
+    "stress / Y, where: largest von Mises stress over the yield stress there, and in what",
+    "tension / Y_w, shear / k_w: largest at the interface, over yield and shear yield stress of the weaker of film and body",
+)
+_HEADS = {
+    "mean_separation": "separation", "load": "load", "friction_coefficient": "mu", "contact_over_thickness": "a/t",
+    "stress_over_yield": "stress\n/ Y", "yields_first": "where", "interface_tension": "tension\n/ Y_w",
+    "interface_shear": "shear\n/ k_w",
+}  # fmt: skip
+
+
+def film_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
+    """About twelve points of a result of `film_stresses`, or all; every number with its unit where it has one."""
+    count = max(data["load"].size, 1)
+    chosen = some(count, count if all_rows else _ROWS)
+    names = [name for name in _HEADS if name in data]
+    columns = [np.broadcast_to(np.ravel(data[name].values), count)[chosen] for name in names]
+    rows = [[_cell(value, data[name]) for value, name in zip(row, names, strict=True)] for row in zip(*columns, strict=True)]
+    return Table(numbers(*(_HEADS[name] for name in names)), rows)
+
+
+def _cell(value: Any, variable: "xarray.DataArray") -> str:
+    if variable.dtype.kind in "OU":
+        return str(value) or "-"
+    return short(value) if variable.attrs.get("units", "1") == "1" else shown(float(value), str(variable.name))
 
 
 def film_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:
@@ -31,7 +61,7 @@ def film_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with
             yield beyond
 
     def short() -> Iterator[Any]:
-        yield from (*in_brief(case, data), few_rows(film_table(data), 4), *(Text(one, style="dim") for one in MEANINGS))
+        yield from (*in_brief(case, data), film_table(data).few(4), *(Text(one, style="dim") for one in MEANINGS))
 
     files: dict[str, Any] = {"film.csv": lambda path: write_csv(data, path, comments_of(data))}
     pictures = {}

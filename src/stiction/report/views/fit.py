@@ -1,18 +1,18 @@
-"""A fit as it is shown."""
+"""A fit: its tables, sentences and files."""
 
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from rich.text import Text
 
-from stiction.report.files import record, write_csv, write_rows
-from stiction.report.fit_tables import evidence_table, fit_notes, parameter_rows, parameter_table, prediction_names, row_rows
-from stiction.report.number_table import few_rows
+from stiction.quantities.units import show
+from stiction.report.files import record, rows_of, write_csv, write_rows
+from stiction.report.table import Column, Table, numbers
 from stiction.report.view import Picture, View
 from stiction.report.views.prediction import prediction_view
-from stiction.report.whole_keys import WholeKeys
 from stiction.studies.fit.predicted import fitted_case
 
 if TYPE_CHECKING:
@@ -20,6 +20,67 @@ if TYPE_CHECKING:
 
     from stiction.case.read import Case
     from stiction.studies.fit.run import Fitting
+
+
+def parameter_table(data: "xarray.Dataset") -> Table:
+    """A row for each free number: its best value, and its interval."""
+    rows = []
+    for at, name in enumerate(data["parameter"].values.tolist()):
+        one, quantity = data.isel(parameter=at), name.partition(" (")[0].rpartition(".")[2]
+        value, low, high, least, most = (
+            show(float(one[key]), quantity, 4) for key in ("value", "low", "high", "least", "most")
+        )
+        ends = [f"{end} (open)" if bool(one[f"open_{side}"]) else end for end, side in ((low, "low"), (high, "high"))]
+        rows.append([name, value, *ends, f"{least} to {most}"])
+    return Table([Column("free", wrap=True), *numbers("best", "95 % from", "to", "searched")], rows)
+
+
+def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
+    """How good the fit is, and what the data do not say."""
+    used = data.attrs
+    good = f"chi square {used['chi_square']:.4g} of " if "chi_square" in used else ""
+    yield Text(f"{good}{used['values']} values, {used['free']} free; errors: {used['errors']}")
+    for line in filter(None, used["verdict"].split("\n")):
+        yield Text(line, style="yellow")
+    names = data["parameter"].values
+    for i, j in zip(*np.tril_indices(len(names), -1), strict=True):
+        yield Text(f"correlation of {names[j]} and {names[i]}: {data['correlation'].values[i, j]:.3f}", style="dim")
+    if used["stopped"]:
+        yield Text("stopped before the end: predictions or other models are missing", style="bold")
+
+
+def evidence_table(data: "xarray.Dataset") -> Table:
+    """Models by what the data say for them."""
+    left = "chi_square" if "chi_square" in data else "scatter"
+    rows: list[list[Any]] = []
+    for at, name in enumerate(data["model"].values.tolist()):
+        one = data.isel(model=at)
+        if str(one["why_not"].values):
+            rows.append([name, Text(str(one["why_not"].values), style="dim"), "", "", ""])
+            continue
+        cells = [f"{float(one[key]):.4g}" for key in (left, "aicc")]
+        rows.append([name, *cells, f"{float(one['weight']):.2g}", f"{float(one['left_out']):.3g}"])
+    heads = left.replace("_", " "), "AICc", "weight", data["left_out"].attrs["long_name"]
+    return Table([Column("model", wrap=True), *numbers(*heads, wrap=True)], rows, whole=True)
+
+
+def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
+    """Heads and rows of the table of free numbers, for a file."""
+    keys = ["unit", "value", "low", "high", "open_low", "open_high", "standard_error"]
+    heads = ["parameter", *keys]
+    rows = zip(rows_of(data, heads), data["correlation"].values.tolist(), strict=True)
+    return [*heads, *(f"correlation with {name}" for name in data["parameter"].values)], [[*row, *more] for row, more in rows]
+
+
+def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
+    """Heads and rows of the measured values with what the model says, in SI units."""
+    keys = ["sample", "quantity", "measured_load", "measured", "error", "fitted", "residual"]
+    return keys, rows_of(data, keys)
+
+
+def prediction_names(data: "xarray.Dataset") -> list[str]:
+    return [str(name) for name in data.data_vars if str(name).startswith("predicted_") and np.size(data[name])]
+
 
 _OTHERS = ("parameter", "other_parameter", "row", "model")
 
@@ -33,7 +94,7 @@ def fit_view(found: "Fitting", folder: Path | None = None) -> View:
             yield Text(title, style="bold")
         yield from (f"model {data.attrs['model']}", "", parameter_table(data), "", *fit_notes(data))
         if "model" in data.dims:
-            yield from ("", WholeKeys(evidence_table(data)))
+            yield from ("", evidence_table(data))
 
     def fitted() -> Any:
         from stiction.report.fit_pictures import fit_figure
@@ -75,4 +136,4 @@ def _short(title: str, data: "xarray.Dataset") -> Iterator[Any]:
         yield Text(title, style="bold")
     yield from (f"model {data.attrs['model']}", parameter_table(data), *list(fit_notes(data))[:3])
     if "model" in data.dims:
-        yield WholeKeys(few_rows(evidence_table(data), 4, spaced=False))
+        yield evidence_table(data).few(4, spaced=False)

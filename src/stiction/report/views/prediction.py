@@ -11,7 +11,8 @@ from rich.text import Text
 from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record
 from stiction.report.files import comment_lines, record, write_csv
 from stiction.report.several_tables import several_table
-from stiction.report.tables import curve_table, facts
+from stiction.report.table import facts
+from stiction.report.tables import curve_table
 from stiction.report.view import MOST_LINES, View, lines_of, picture
 
 if TYPE_CHECKING:

@@ -1,18 +1,20 @@
-"""A solved case as it is shown."""
+"""A solved case: tables, sentences and files."""
 
-from collections.abc import Iterator
+import json
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from rich.text import Text
 
 from stiction.quantities.dimensions import in_columns
+from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import model_record
 from stiction.report.files import comments_of, record, write_csv
-from stiction.report.number_table import few_rows
-from stiction.report.several_tables import several_table
+from stiction.report.several_tables import of_point, points_dimension, several_table, shown_quantity, varied
+from stiction.report.table import Table, numbers, short, some
 from stiction.report.tables import curve_table, in_brief, outside_validity, rows_shown, run_notes, run_summary
-from stiction.report.uncertainty_tables import band_lines
 from stiction.report.view import Picture, View, picture
 from stiction.solving.method_spread import METHOD
 
@@ -20,6 +22,62 @@ if TYPE_CHECKING:
     import xarray
 
     from stiction.case.read import Case
+
+
+_ROWS = 12
+
+
+def band_table(data: "xarray.Dataset") -> Table | Text:
+    """The nominal result and its quantiles at about twelve of the points, with the largest error of their sampling."""
+    name = shown_quantity(data)
+    if f"{name}_quantile" not in data:
+        return Text(f"{name} does not vary with what is uncertain", style="dim")
+    dim, several = points_dimension(data), varied(data)
+    heads = numbers("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "sampling\nerror")
+    rows = []
+    # Where numbers are several, of each the first: the files have them all.
+    whole = data.isel({one: 0 for one in several})
+    for at in some(data.sizes[dim] if dim else 1, _ROWS):
+        one = whole.isel({dim: int(at)}) if dim else whole
+        band, error = one[f"{name}_quantile"].values, one[f"{name}_quantile_error"].values
+        worst = float(np.nanmax(error)) if np.isfinite(error).any() else np.nan
+        rows.append([of_point(data, int(at)), *(short(value) for value in (float(one[name]), *band)), short(worst, 2)])
+    return Table(heads, rows, whole=True)
+
+
+def band_lines(data: "xarray.Dataset") -> Iterator[Any]:
+    """Yield the table of quantiles, whole on a terminal of any width, and what is uncertain."""
+    yield band_table(data)
+    yield from uncertain_notes(data)
+
+
+def uncertain_notes(data: "xarray.Dataset") -> Iterator[Text]:
+    """What is uncertain, how it was drawn, and how often nothing is known."""
+    used = data.attrs
+    for line in used["uncertain_inputs"].splitlines():
+        yield Text(f"uncertain: {line}", style="dim")
+    if "uncertainty" in used:
+        yield Text(draws_in_words(used), style="dim")
+    if used.get("impossible_draws"):
+        yield Text(f"impossible, and excluded from the band: {used['impossible_draws']:.2g} of the draws", style="dim")
+    for text, share in json.loads(used.get("doubts_of_points", "{}")).items():
+        yield Text(in_draws(share, with_meaning(text)), style="dim")
+
+
+def draws_in_words(used: Mapping[str, Any]) -> str:
+    """How many draws there were, and by which seed, by the attributes of a result."""
+    return f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}"
+
+
+def with_meaning(doubt: str) -> str:
+    """A doubt that begins with the name of a quantity, with what that means in its place."""
+    name, _, rest = doubt.partition(" ")
+    return f"{QUANTITIES[name].meaning} {rest}" if name in QUANTITIES else doubt
+
+
+def in_draws(share: float, text: str) -> str:
+    """How often something holds of what was drawn."""
+    return f"in {share:.1%} of the random draws, each a possible set of the uncertain inputs: {text}"
 
 
 _FEW = 5  # rows of a short answer
@@ -40,7 +98,7 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
 
     def short() -> Iterator[Any]:
         yield from in_brief(case, data)
-        yield few_rows(several_table(data) if case.is_several else curve_table(data), _FEW)
+        yield (several_table(data) if case.is_several else curve_table(data)).few(_FEW)
 
     return View(
         "curve", data, lambda: _parts(case, data, all_rows), found, {"curve.csv": table}, _pictures(case, data), short=short
@@ -55,11 +113,11 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
     if "uncertain_inputs" in data.attrs:
         yield from (*band_lines(data), "")
     if "point_spacing" in data:
-        from stiction.report.surface_tables import map_notes
+        from stiction.report.views.surface import map_notes
 
         yield from (*map_notes(data), "")
     elif case.measured is not None:
-        from stiction.report.surface_tables import roughness_notes, roughness_table
+        from stiction.report.views.surface import roughness_notes, roughness_table
 
         yield from (roughness_table(case.measured, data), *roughness_notes(case.measured), "")
     yield from (Text(note, style="dim") for note in run_notes(data))

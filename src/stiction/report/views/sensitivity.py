@@ -1,22 +1,127 @@
-"""A sensitivity study as it is shown."""
+"""Sensitivity: inputs from the most to the least important at the working load, as tables, sentences and files."""
 
+import json
 from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from rich.table import Table
+import numpy as np
 from rich.text import Text
 
-from stiction.report.answer import answer_record, headline
+from stiction.laws.validity import doubts_of
+from stiction.report.answer import answer_record, headline, part_name
 from stiction.report.files import record, write_csv
-from stiction.report.number_table import few_rows
-from stiction.report.sensitivity_tables import elasticities_table, indices_table, sensitivity_notes, share_tables
+from stiction.report.model_line import model_line
+from stiction.report.several_tables import of_point, points_dimension
+from stiction.report.table import Column, Table, numbers
 from stiction.report.view import Picture, View
 from stiction.report.views.prediction import plain
-from stiction.report.whole_keys import WholeKeys
+from stiction.report.views.run import draws_in_words, in_draws
+from stiction.solving.pointwise import WHY_NOT
 
 if TYPE_CHECKING:
     import xarray
+
+
+_LEAST = 5e-5  # an elasticity that is less is none
+_HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", "pull_off_force": "pull-off"}
+
+
+def results_of(data: "xarray.Dataset", end: str) -> list[str]:
+    """The results of which there are such tables, by how their names end, friction first; those of which nothing is known left
+    out, but for the first."""
+    there = [name for name in _HEADS if f"{name}_{end}" in data]
+    return there[:1] + [name for name in there[1:] if np.isfinite(data[f"{name}_{end}"].values).any()]
+
+
+def head_of(name: str) -> str:
+    return _HEADS[name]
+
+
+def working_place(data: "xarray.Dataset") -> int:
+    """The place of the working load among the points; the middle one where none presses."""
+    dim = points_dimension(data)
+    count = data.sizes[dim] if dim else 1
+    if "working_load" not in data.attrs or dim != "load":
+        return (count - 1) // 2
+    return int(np.argmin(np.abs(data["load"].values - data.attrs["working_load"])))
+
+
+def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
+    """The results at the working load."""
+    dim = points_dimension(data)
+    return data.isel({dim: working_place(data)}) if dim else data
+
+
+def ranked(one: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
+    """The places along a dimension, from the largest size of a table down; what is not known last."""
+    size = np.abs(one[f"{name}_{end}"].values)
+    return np.argsort(np.where(np.isfinite(size), -size, np.inf), kind="stable")
+
+
+def indices_table(data: "xarray.Dataset") -> Table:
+    """Sobol indices and Morris effects of friction (or the first result there is) at the working load, and of the others the
+    total indices; the most important input first."""
+    one, (first, *others) = at_working_load(data), results_of(data, "total_order")
+    heads = [f"{_HEADS[first]}\ntotal", "\n95 %", "\nfirst", "\neffect", *(f"{_HEADS[name]}\ntotal" for name in others)]
+    rows = []
+    for at in ranked(one, first, "total_order", "input"):
+        row = one.isel(input=int(at))
+        low, high = (float(row[f"{first}_total_order_{end}"]) for end in ("low", "high"))
+        cells = [_share(row, f"{first}_total_order"), f"{max(low, 0.0):.2f} to {high:.2f}" if np.isfinite(low) else "-"]
+        cells += [_share(row, f"{first}_first_order"), _share(row, f"{first}_effect")]
+        rows.append([str(row["input"].item()), *cells, *(_share(row, f"{name}_total_order") for name in others)])
+    return Table([Column(f"{of_point(data, working_place(data))}\n"), *numbers(*heads)], rows, whole=True)
+
+
+def _share(row: "xarray.Dataset", name: str) -> str:
+    value = float(row[name])
+    return f"{value:.2f}".replace("-0.00", "0.00") if np.isfinite(value) else "-"
+
+
+def elasticities_table(data: "xarray.Dataset") -> Table:
+    """d ln y/d ln x of every number of the contact at the working load, the largest of friction first."""
+    one, names = at_working_load(data), results_of(data, "elasticity")
+    order: Any = ranked(one, names[0], "elasticity", "number") if names else []
+    rows = [[str(one["number"].values[at]), *(_signed(float(one[f"{name}_elasticity"][at])) for name in names)] for at in order]
+    return Table([Column("1 % more of"), *numbers(*(f"{_HEADS[name]}, %" for name in names))], rows)
+
+
+def _signed(value: float) -> str:
+    if not np.isfinite(value):
+        return "-"
+    return "0" if abs(value) < _LEAST else f"{value:+.3g}"
+
+
+def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
+    """Yield the parts of the width of a prediction, and what one per cent more of the main numbers does to mu."""
+    parts = zip(data["input"].values.tolist(), data["friction_coefficient_share"].values.tolist(), strict=True)
+    rows = [(part_name(name), f"{share:.0%}") for name, share in parts]
+    yield Table([Column("mu varies with"), *numbers("share")], rows)
+    yield elasticities_table(data)
+
+
+def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
+    """What was varied, how, and what is doubtful of the nominal contact."""
+    used = data.attrs
+    if "input" in data.dims:
+        for line in used["uncertain_inputs"].splitlines():
+            yield Text(f"uncertain: {line}", style="dim")
+        if used["methods"]:
+            yield Text(f"methods of finding asperities, each as likely: {', '.join(used['methods'].split())}", style="dim")
+        models = ", ".join(f"{name} {weight:.0%}" for name, weight in json.loads(used["models"]).items())
+        yield Text(f"models: {models}", style="dim")
+        yield Text(draws_in_words(used), style="dim")
+        for text, share in json.loads(used["doubts_of_points"]).items():
+            if text in WHY_NOT:
+                yield Text(f"left out: {in_draws(share, text)}", style="bold yellow")
+        yield Text("total, first: share of the variance of the logarithm; effect: its change from end to end", style="dim")
+    else:
+        yield Text('nothing is uncertain: give numbers errors, "0.5 +/- 0.1 GPa", or use --ranges', style="bold")
+    yield Text(f"elasticities: by {model_line(used)}, at the nominal numbers", style="dim")
+    for doubt in doubts_of(data):
+        yield Text(f"doubtful: {doubt}", style="bold yellow")
+
 
 _SHARE = "friction_coefficient_share"
 # Table -> dimension of its rows.
@@ -31,13 +136,12 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
             yield from (Text(f"{data.attrs['case']}: {headline(data)}".removeprefix(": "), style="bold"), *share_tables(data))
             return
         if "input" in data.dims:
-            yield from (WholeKeys(indices_table(data)), "")
+            yield from (indices_table(data), "")
         yield from (elasticities_table(data), "", *sensitivity_notes(data))
 
     def short() -> Iterator[Any]:
         for part in parts():
-            table = part.table if isinstance(part, WholeKeys) else part
-            yield few_rows(table, 5, spaced=False) if isinstance(table, Table) else part
+            yield part.few(5, spaced=False) if isinstance(part, Table) else part
 
     def drawn() -> Any:
         from stiction.report.sensitivity_pictures import sensitivity_figure

@@ -1,4 +1,4 @@
-"""A contact moved aside, as it is shown."""
+"""A contact moved aside: its table, sentences and files."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -6,14 +6,38 @@ from typing import TYPE_CHECKING, Any
 from rich.text import Text
 
 from stiction.report.files import comments_of, record, write_csv
-from stiction.report.sliding import sliding_notes, sliding_table
-from stiction.report.tables import in_brief, outside_validity, run_summary
+from stiction.report.table import Table
+from stiction.report.tables import curve_table, in_brief, outside_validity, run_notes, run_summary
 from stiction.report.view import View, picture
 
 if TYPE_CHECKING:
     import xarray
 
     from stiction.case.read import Case
+
+
+_HEADS = {
+    "mean_separation": "separation",
+    "load": "load",
+    "friction_coefficient": "mu",
+    "largest_friction_coefficient": "largest F/P",
+    "sliding_displacement": "at displacement",
+    "tangential_stiffness": "stiffness",
+}
+
+
+def sliding_table(data: "xarray.Dataset") -> Table:
+    """A row for each point: mu, the largest force on the way over the load, where it is, and the stiffness at rest."""
+    return curve_table(data.drop_dims("displacement"), True, _HEADS)
+
+
+def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
+    """What a user should know of this result, one line each."""
+    used = data.attrs
+    yield f"mu: all asperities at their strength together; {used['sliding']}"
+    if used["kept"] == 1.0:
+        yield "the force then tends to that, and the displacement is where it has come to 99 % of it"
+    yield from run_notes(data)
 
 
 def sliding_view(case: "Case", data: "xarray.Dataset") -> View:

@@ -1,28 +1,245 @@
-"""A measured surface as it is shown."""
+"""A measured surface: its tables, sentences and files."""
 
+import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from rich.text import Text
+
+from stiction.case.text import inline
+from stiction.quantities.units import show
 from stiction.report.files import as_json, write_csv, write_netcdf, write_rows
-from stiction.report.surface_tables import (
-    asperity_table,
-    contact_notes,
-    contact_table,
-    surface_in_short,
-    surface_notes,
-    surface_summary,
-    use_this,
-)
+from stiction.report.table import Column, Table, facts, numbers, short, shown
 from stiction.report.view import Picture, View, picture
-from stiction.studies.scans.analysis import spectrum_rows, summary
+from stiction.studies.scans.analysis import Analysis, spectrum_rows, summary
 from stiction.studies.scans.map_contact import summary_of_contact
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.spikes import SUSPICIOUS
+from stiction.surfaces.statistics import ProfileMoments
 
 if TYPE_CHECKING:
     import xarray
 
     from stiction.studies.scans.analysis import Analysis
     from stiction.studies.scans.map_contact import ContactOfMap
+    from stiction.surfaces.measured import Measured
+
+
+def surface_summary(analysis: Analysis) -> Table:
+    """The scan, its statistics and its spectral moments."""
+    surface, found, spectrum = analysis.surface, analysis.statistics, analysis.spectrum
+    rows, columns = surface.heights.shape
+    y, x = (shown(length, "scan_size") for length in surface.size)
+    dy, dx = (shown(length, "scan_size") for length in surface.pitch)
+    along = surface.is_profile
+    lengths = {name: shown(getattr(found, name), "scan_size") for name in ("Sq", "Sa", "Sz")}
+    slopes = [f"{found.slope_x:.4g} along x"]
+    curvatures = [f"{found.curvature_x:.4g} 1/m along x"]
+    if not along:
+        slopes += [f"{found.slope_y:.4g} along y", f"{found.slope:.4g} of the gradient (Sdq)"]
+        curvatures += [f"{found.curvature_y:.4g} 1/m along y", f"{found.curvature:.4g} 1/m of half the Laplacian"]
+    ends = [shown(length, "scan_size") for length in (spectrum.shortest, spectrum.longest)]
+    there = spectrum.shortest < spectrum.longest
+    reliable = f"wavelengths {ends[0]} to {ends[1]}" if there else "no wavelength: too few points"
+    return facts(
+        [
+            ("scan", surface.name),
+            ("size", f"{x}, pitch {dx}" if along else f"{x} x {y} (x, y), pitch {dx} x {dy}"),
+            ("points", f"{columns} of a profile" if along else f"{columns} x {rows}"),
+            ("missing", _missing(surface)),
+            ("done", "\n".join(surface.history)),
+            ("heights", ", ".join(f"{name} = {length}" for name, length in lengths.items())),
+            ("", f"skewness Ssk = {round(found.Ssk, 4) + 0.0:g}, kurtosis Sku = {found.Sku:.4g} (3 of a Gaussian)"),
+            ("rms slope", ", ".join(slopes)),
+            ("rms curvature", ", ".join(curvatures)),
+            ("reliable", reliable),
+            ("moments", _moments(analysis.by_differences)),
+            ("", _moments(analysis.by_spectrum)),
+        ]
+    )  # fmt: skip
+
+
+def surface_in_short(analysis: Analysis) -> Table:
+    """Return the scan, its heights, with the kind of surface, and its asperities in a line each."""
+    surface, found = analysis.surface, analysis.statistics
+    rows, columns = surface.heights.shape
+    y, x = (shown(length, "scan_size", 3) for length in surface.size)
+    size = f"{x}, {columns} points" if surface.is_profile else f"{x} x {y}, {columns} x {rows} points"
+    slope = found.slope_x if surface.is_profile else found.slope
+    missing = f", {_missing(surface)} missing" if surface.missing else ""
+    spikes = f"{analysis.spikes} points stand out: mask them with --spikes {SUSPICIOUS:g}" if analysis.spikes else ""
+    kind = analysis.kind or "not found"
+    heights = (
+        f"Sq {shown(found.Sq, 'scan_size', 3)}, skewness {round(found.Ssk, 2) + 0.0:g}, rms slope {slope:.2g}; kind: {kind}"
+    )
+    return facts(
+        [
+            ("Scan", f"{size}{missing}"),
+            ("Heights", heights),
+            ("Spikes", spikes),
+            ("Asperities", _in_short(analysis)),
+        ]
+    )  # fmt: skip
+
+
+def _in_short(analysis: Analysis) -> str:
+    each = analysis.asperities
+    if not each:
+        return "none found: see --details"
+    radii = [one.radius for one in each.values()]
+    ends = [shown(end, "asperity_radius", 2) for end in (min(radii), max(radii))]
+    return f"by {analysis.standing}; R {ends[0]} to {ends[1]} by {len(each)} ways of finding them"
+
+
+def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
+    """Return the lines of a case file that use this surface: the scan itself, and its asperities as numbers.
+
+    case_table: the roughness of a case file that reads the scan again.
+    """
+    numbers = asperity_numbers(analysis)
+    lines = ["Use this in a case:", *_lines(case_table, "the scan itself")]
+    lines += _lines(numbers, "or its asperities") if numbers else []
+    return [Text(line, no_wrap=True) for line in lines]
+
+
+def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
+    """Return the roughness of a case file with the asperities that stand for the surface; empty where none were found.
+
+    Heights that no formula describes are Gaussian here.
+    """
+    if not analysis.standing:
+        return {}
+    one, heights = analysis.asperities[analysis.standing], analysis.heights[analysis.standing]
+    parameters = {name: float(f"{value:.3g}") for name, value in heights.parameters.items() if heights.name == "weibull"}
+    return {
+        "asperity_height_deviation": show(one.deviation, "asperity_height_deviation", 3).replace("µ", "u"),
+        "asperity_radius": show(one.radius, "asperity_radius", 3).replace("µ", "u"),
+        "asperity_density": f"{one.density:.3g} 1/m^2",
+        **({"height_distribution": "weibull", "height_parameters": parameters} if parameters else {}),
+        **({} if analysis.kind is None else {"kind": analysis.kind}),
+    }
+
+
+def _lines(table: Mapping[str, Any], comment: str) -> list[str]:
+    return [f"[contact.roughness]  # {comment}", *(f"{key} = {inline(value)}" for key, value in table.items())]
+
+
+def _missing(surface: HeightMap) -> str:
+    return f"{surface.missing} points ({surface.missing / surface.heights.size:.2%})" if surface.missing else "none"
+
+
+def _moments(one: ProfileMoments) -> str:
+    found = one.equivalent or one.isotropic
+    return (
+        f"m0 = {found.m0:.4g} m², m2 = {found.m2:.4g}, m4 = {found.m4:.4g} 1/m², Nayak's alpha = {found.alpha:.4g} by "
+        f"{one.method}, cutoff {shown(one.cutoff, 'scan_size')}"
+    )
+
+
+def asperity_table(analysis: Analysis) -> Table:
+    """sigma, R, N by every method."""
+    rows = []
+    for method, one in analysis.asperities.items():
+        cells = _cells(one.deviation, one.radius, one.density)
+        count = str(one.count) if one.count else "-"
+        rows.append([method, *cells, count, analysis.heights[method].name, short(one.skewness, 3)])
+    return _table(rows, "found", "heights", "skewness")
+
+
+def surface_notes(analysis: Analysis) -> list[Text]:
+    """What each method rests on, and why one found nothing."""
+    lines = []
+    if analysis.spikes:
+        lines.append(
+            f"doubtful: {analysis.spikes} points are more than {SUSPICIOUS:g} robust deviations from the median: spikes? "
+            f"They set Sq, Sz and the threshold of persistent summits; --spikes {SUSPICIOUS:g} masks them"
+        )
+    lines += [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
+    lines += [f"{method}: {one.note}; {analysis.heights[method].reason}" for method, one in analysis.asperities.items()]
+    lines += [f"{method} found nothing: {why}" for method, why in analysis.failures.items()]
+    return [Text(line, style="dim") for line in lines]
+
+
+def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) -> Table:
+    """sigma, R, N by every method, and mu at the ends of the compressive loads of a result with a spread over methods; the
+    method that stands for the surface is bold."""
+    friction = None if data is None else data.get("friction_coefficient_by_method")
+    loads = _ends(data) if friction is not None and data is not None else []
+    rows = []
+    for method, one in measured.by_method.items():
+        cells = _cells(one.asperity_height_deviation, one.asperity_radius, one.asperity_density)
+        mu = [] if friction is None else friction.sel(asperity_method=method).values.ravel()[[at for at, _ in loads]].tolist()
+        rows.append([method, *cells, one.height_distribution, *(short(one, 3) for one in mu)])
+    table = _table(rows, "heights", *(f"mu at\n{shown(load, 'load', 3)}" for _, load in loads))
+    return replace(table, looks=["bold" if method == measured.method else "" for method in measured.by_method])
+
+
+def roughness_notes(measured: "Measured") -> list[Text]:
+    """What found nothing, what was done to the scans, and what the band is."""
+    count = measured.counts[measured.method]
+    found = f" ({count} asperities)" if count else ""
+    band = "; a band of mu is the spread over all methods" if len(measured.by_method) > 1 else ""
+    lines = [f"taken: {measured.method}{found}{band}"]
+    lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
+    lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
+    return [Text(line, style="dim") for line in lines]
+
+
+def map_notes(data: "xarray.Dataset") -> list[Text]:
+    """What was done to the maps whose contact was solved, how well they are resolved, and both areas at the last load."""
+    last = data.isel({name: -1 for name in data["load"].dims})
+    every = int(last["point_spacing"])
+    lines = [
+        *data.attrs["scans"].splitlines(),
+        f"solved: {'every point' if every == 1 else f'every {every}th point along rows and columns'}, "
+        f"{float(last['points_in_shortest_wave']):.3g} points of the map in its shortest waves, "
+        f"{float(last['longest_waves_on_a_side']):.3g} of its longest on a side, gradient {float(last['map_gradient']):.3g}",
+        f"at {shown(float(last['load']), 'load', 3)}: area {shown(float(last['contact_area']), 'contact_area', 3)}, "
+        f"{shown(float(last['contact_area_pixels']), 'contact_area', 3)} counted in points; "
+        f"{float(last['load_share_plastic']):.1%} of the load on points that bear the hardness",
+    ]
+    return [Text(line, style="dim") for line in lines]
+
+
+def contact_table(contact: "ContactOfMap") -> Table:
+    """The contact of a map: a row for each nominal pressure."""
+    heads = (re.sub(r" (?=in |load)|(?=/\(|/Sq)", "\n", head) for head in contact.columns)
+    rows = [[short(one, 3) for one in row] for row in zip(*contact.columns.values(), strict=True)]
+    return Table(numbers(*heads, wrap=True), rows)
+
+
+def contact_notes(contact: "ContactOfMap") -> list[Text]:
+    """How the contact of a map was solved, and what is doubtful."""
+    yields = "elastic" if contact.hardness is None else f"no pressure above {contact.hardness:g} E* h'"
+    of_map = contact.curve.of_map
+    solved = (
+        f"contact: {yields}, h' = {contact.gradient:.3g}, {of_map['points_in_shortest_wave']:.3g} points in the shortest, "
+        f"{of_map['longest_waves_on_a_side']:.3g} of the longest waves on a side"
+    )
+    lines = [Text(solved, style="dim"), *(Text(f"doubtful: {one}", style="bold yellow") for one in contact.all_doubts())]
+    return lines
+
+
+def _table(rows: list[list[str]], *more: str) -> Table:
+    return Table([Column("method"), *numbers("sigma", "R", "N\n1/m²", "N R\nsigma", *more)], rows, gap=1)
+
+
+def _cells(deviation: float, radius: float, density: float) -> list[str]:
+    lengths = shown(deviation, "asperity_height_deviation", 3), shown(radius, "asperity_radius", 3)
+    return [*lengths, f"{density:.2e}", short(deviation * radius * density, 3)]
+
+
+def _ends(data: "xarray.Dataset") -> list[tuple[int, float]]:
+    """Place and load [N] of the least and the largest compressive load."""
+    loads = np.atleast_1d(data["load"].values).ravel()
+    pressed = np.flatnonzero(loads > 0.0)
+    if not pressed.size:
+        return []
+    order = pressed[np.argsort(loads[pressed])]
+    return [(int(at), float(loads[at])) for at in dict.fromkeys((order[0], order[-1]))]
 
 
 def surface_view(

@@ -1,0 +1,134 @@
+"""Lists of what the package has: models and laws, materials, states of an interface."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from rich.console import Group, RenderableType
+from rich.padding import Padding
+from rich.text import Text
+
+from stiction.contact.interfaces import interfaces
+from stiction.contact.materials import Material, material, material_names, symbols_of
+from stiction.quantities.data_files import GRADES
+from stiction.quantities.ranges import range_in_words
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
+from stiction.report.table import Column, Table
+
+LISTED = ("youngs_modulus", "poissons_ratio", "hardness", "surface_energy")
+
+
+def material_rows(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
+    """Name and numbers of these presets, or of all: value, unit, low and high end, and source of each. Raises InputError for
+    an unknown name."""
+    return [_row(material(name)) for name in (material_names() if names is None else names)]
+
+
+def _row(preset: Material) -> dict[str, Any]:
+    sources = preset.source if isinstance(preset.source, dict) else {}
+    numbers = {
+        name: {
+            "value": getattr(preset, name),
+            "unit": QUANTITIES[name].unit or "1",
+            "range": list(preset.range[name]),
+            "source": sources[name],
+        }
+        for name in sources
+    }
+    return {"name": preset.name, "symbols": list(symbols_of(preset.name)), "numbers": numbers}
+
+
+def with_range(preset: Material, name: str) -> str:
+    """A number with its range, as text: "82 GPa (82 to 83 GPa)"; "" if there is none."""
+    value = getattr(preset, name)
+    if value is None:
+        return ""
+    ends = f" ({range_in_words(*preset.range[name], name)})" if name in preset.range else ""
+    return show(value, name) + ends
+
+
+def materials_table(names: Iterable[str]) -> Table:
+    """A line for each of these presets: its numbers, each with its range."""
+    columns = [Column("material\n"), *(Column(f"{QUANTITIES[name].symbol}\nrange", wrap=True) for name in LISTED)]
+    rows = [
+        [_lines(name, ", ".join(symbols_of(name))), *(_two_lines(material(name), quantity) for quantity in LISTED)]
+        for name in names
+    ]
+    return Table(columns, rows, ruled=True, gap=1)
+
+
+def _two_lines(preset: Material, name: str) -> Text:
+    """A number, and its range below."""
+    number, _, ends = with_range(preset, name).partition(" (")
+    return _lines(number, ends.removesuffix(")"))
+
+
+def _lines(first: str, second: str) -> Text:
+    """Return two lines of a cell, the second one dim."""
+    return Text(first) + Text(f"\n{second}", style="dim")
+
+
+def material_in_full(name: str) -> Group:
+    """Every number of a preset, with its range and its source."""
+    preset = material(name)
+    symbols = "".join(f", {one}" for one in symbols_of(preset.name))
+    lines: list[RenderableType] = [Text(preset.name, style="bold") + Text(symbols)]
+    for quantity, source in (preset.source if isinstance(preset.source, dict) else {}).items():
+        row = QUANTITIES[quantity]
+        lines.append(Text(f"{row.symbol}, {row.meaning.partition(',')[0]}: {with_range(preset, quantity)}"))
+        lines.append(Padding(Text(source), (0, 0, 0, 4)))
+    return Group(*lines)
+
+
+# What a strength without a unit is multiplied by.
+_TIMES = {"interfacial_shear_strength": "", "shear_strength": " H", "strength_over_shear_modulus": " G"}
+
+
+def median_in_words(number: Mapping[str, Any] | None) -> str:
+    """Return a median as text: "25 MPa", "0.15 H" or "0.4 G"; "none" for a number that the state does not have."""
+    if number is None:
+        return "none"
+    return show(number["value"], number["quantity"]) + _TIMES.get(number["quantity"], "")
+
+
+def range_of(number: Mapping[str, Any] | None) -> str:
+    """Return the 5 and 95 % quantiles as text."""
+    return "" if number is None else number["range_in_words"] + _TIMES.get(number["quantity"], "")
+
+
+def grade_of(number: Mapping[str, Any] | None) -> str:
+    """Return the grade of a number, "" where there is none."""
+    return "" if number is None else number["grade"]
+
+
+def interfaces_table() -> Group:
+    """Return a line for each state, 80 columns wide at most, and what the letters mean."""
+    rows = []
+    for row in interfaces():
+        numbers = row["strength"], row["pressure_coefficient"]
+        cells = [text for number in numbers for text in (median_in_words(number), range_of(number), grade_of(number))]
+        rows.append([row["name"], *cells])
+    table = Table([*map(Column, ("state", "tau_0", "90 % range", "", "alpha", "90 % range", ""))], rows, ruled=True, gap=1)
+    letters = [Text(f"{letter}: {meaning}") for letter, meaning in GRADES.items()]
+    meaning = Text("Strength tau_0 + alpha p; H, G: hardness, shear modulus of the softer body")
+    return Group(table, meaning, *letters, _how_to_state("oxidised metal"))
+
+
+def _how_to_state(name: str) -> Text:
+    return Text(f'In a case, under [contact]: interface = "{name}"\nIn Python: st.Contact(..., interface="{name}")')
+
+
+def interface_in_full(name: str) -> Group:
+    """Return all of a state: its numbers, their sources, the pairs that allow it and where it must not be used."""
+    (row,) = interfaces([name])
+    lines: list[RenderableType] = [Text(name, style="bold")]
+    for number in filter(None, (row["strength"], row["pressure_coefficient"])):
+        told = f"{median_in_words(number)}, 90 % range {range_of(number)}, grade {number['grade']}"
+        lines += [
+            Text(f"{QUANTITIES[number['quantity']].symbol}: {told}"),
+            Padding(Text(number["source"]), (0, 0, 0, 4)),
+        ]
+    with_one = f"; one body of {' or '.join(row['only_with'])}" if row["only_with"] else ""
+    lines.append(Text(f"allowed between: {'; '.join(row['pairs'])}{with_one}"))
+    lines += [Text(f"not for: {row['not_for']}"), _how_to_state(name)]
+    return Group(*lines)

@@ -1,0 +1,134 @@
+"""Tables as data, which a terminal, a page and a report render; and how a number stands in them."""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from rich.box import SIMPLE_HEAD
+from rich.cells import cell_len
+from rich.console import Console, ConsoleOptions
+from rich.segment import Segment
+from rich.table import Table as Printed
+from rich.text import Text
+
+from stiction.quantities.units import show
+
+_MARK = "\ue000"  # of private use: no name has it
+_WIDE = 10_000
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column; right: whether it holds numbers; wrap: whether its cells may be broken; most: of its characters."""
+
+    head: str
+    right: bool = False
+    wrap: bool = False
+    most: int | None = None
+
+
+def numbers(*heads: str, wrap: bool = False) -> list[Column]:
+    """Return columns of numbers."""
+    return [Column(head, True, wrap) for head in heads]
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of cells, each a text or, on a page, a list of lines; the first of a row is its name.
+
+    looks: of each row, "bold", "dim" or "". ruled: whether a line stands below the heads. gap: between columns. whole: a name
+    that has no room beside its row stands on a line above it, so that it can be copied. stacked: on a narrow page cells stand
+    below one another, each beside the head of its column.
+    """
+
+    columns: Sequence[Column]
+    rows: Sequence[Sequence[Any]]
+    caption: str = ""
+    looks: Sequence[str] = ()
+    ruled: bool = False
+    gap: int = 2
+    whole: bool = False
+    stacked: bool = False
+
+    @property
+    def heads(self) -> list[str]:
+        """Return the heads of the columns; all are empty where the names are bold in their place."""
+        return [column.head for column in self.columns]
+
+    def few(self, most: int, spaced: bool = True) -> "Table":
+        """Return at most so many of the rows: evenly spaced ones with both ends, or the first ones."""
+        chosen = some(len(self.rows), most) if spaced else range(min(len(self.rows), most))
+        looks = [self.looks[at] for at in chosen] if self.looks else ()
+        return replace(self, rows=[self.rows[at] for at in chosen], looks=looks)
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Any]:
+        names = [row[0] for row in self.rows]
+        if not self.whole:
+            yield self._printed(names, self.heads[0])
+            return
+        others = console.measure(self._printed([""] * len(names)), options=options.update(width=_WIDE))
+        # As wide as the other columns would be, if one name has room then, else wrapped.
+        room = options.max_width - others.maximum
+        room = room if room >= min(map(len, names), default=0) else options.max_width - others.minimum
+        above = [name for name in names if len(name) > room]
+        table = self._printed([_MARK if name in above else name for name in names], self.heads[0] if room else "")
+        for line in console.render_lines(table, options, pad=False):
+            for part in line:
+                edge, mark, _ = part.text.partition(_MARK)
+                yield Segment(edge + above.pop(0), part.style) if mark else part
+                if mark:
+                    break
+            yield Segment.line()
+
+    def _printed(self, names: list[Any], head: str = "") -> Printed:
+        """Return the table of a terminal with these names; a row whose name is the mark begins a line further down."""
+        headed = any(self.heads)
+        box = SIMPLE_HEAD if self.ruled else None
+        table = Printed(box=box, header_style="bold", pad_edge=False, padding=(0, self.gap, 0, 0), show_header=headed)
+        for at, column in enumerate(self.columns):
+            whole, fixed = self.whole and not at, self.whole and at and not column.wrap
+            cells = [column.head, *(str(row[at]) for row in self.rows)]
+            table.add_column(
+                Text(column.head if at else head),
+                justify="right" if column.right else "left",
+                no_wrap=whole or not column.wrap,
+                overflow="fold" if self.ruled or column.most else "ellipsis",
+                max_width=None if whole else column.most,
+                min_width=max(cell_len(line) for cell in cells for line in cell.splitlines() or [""]) if fixed else None,
+                style="" if headed or at else "bold",
+            )
+        for at, (name, row) in enumerate(zip(names, self.rows, strict=True)):
+            texts = [cell if isinstance(cell, Text) else Text(cell) for cell in (name, *row[1:])]
+            if name == _MARK:
+                texts[1:] = [Text.assemble("\n", text) for text in texts[1:]]
+            table.add_row(*texts, style=self.looks[at] if self.looks else None)
+        return table
+
+
+def some(count: int, most: int) -> np.ndarray:
+    """Return places of at most so many of `count`, evenly, both ends among them."""
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
+
+
+def short(value: float, digits: int = 4) -> str:
+    """Return a number with a few digits; "-" if it is none."""
+    return f"{float(f'{value:.{digits}g}'):g}" if np.isfinite(value) else "-"
+
+
+def shown(value: float, name: str, digits: int = 4) -> str:
+    """Return a value of the named quantity, given in SI, with a fitting prefix, to a few digits; "-" if it is no number."""
+    return show(value, name, digits).replace("m^2", "m²") if np.isfinite(value) else "-"
+
+
+def prefix(quantity: str, largest: float) -> tuple[float, str]:
+    """Return what values up to this one, in SI, are multiplied by, and the unit with a fitting prefix that they then have."""
+    size = 10.0 ** math.floor(math.log10(largest)) if largest > 0.0 else 1.0
+    text, _, unit = show(size, quantity).partition(" ")
+    return float(text) / size, unit.replace("m^2", "m²")
+
+
+def facts(pairs: Iterable[tuple[str, Any]]) -> Table:
+    """Return rows of a bold name and a text; those without text are left out."""
+    return Table([Column(""), Column("", wrap=True)], [pair for pair in pairs if pair[1]])
