@@ -1,4 +1,4 @@
-"""The command line: a file for each command. What is slow to import is imported inside the commands, so that
+"""The command line. What is slow to import is imported inside the commands, so that
 `stiction --help` answers at once."""
 
 import atexit
@@ -9,25 +9,7 @@ from stiction.cli.interrupting import ended_by_interrupts
 with ended_by_interrupts():
     # isort: off
     # In the order of the help.
-    from stiction.cli import (  # noqa: F401
-        run,
-        serve,
-        sweep,
-        sensitivity,
-        fit,
-        design,
-        compare,
-        film,
-        report,
-        validate,
-        surface,
-        figures,
-        models,
-        materials,
-        interfaces,
-        cite,
-        schema,
-    )
+    from stiction.cli import run, serve, sweep, studies, surface, figures, lists  # noqa: F401
 
     # isort: on
     from stiction.cli.output import readable, said_if_unwritable

@@ -1,11 +1,8 @@
 """`stiction figures`: the pictures of the 2015 paper, and the map of its claims."""
 
 from pathlib import Path
-from typing import Annotated
 
-import typer
-
-from stiction.cli.program import Json, Out, app, bar, present, solving
+from stiction.cli.program import Json, Out, app, bar, option, present, solving
 from stiction.quantities.extras import require
 from stiction.quantities.table import QUANTITIES
 
@@ -18,14 +15,11 @@ def _bounds(name: str) -> str:
 
 @app.command()
 def figures(
-    theta: Annotated[float, typer.Option(help=_bounds("theta"))] = 40.0,
-    lam: Annotated[float, typer.Option(help=_bounds("lam"))] = 10.0,
-    reading: Annotated[
-        str | None,
-        typer.Option(
-            help="Of figures 1 to 3: corrected (default), published, or layered: its asperities on a film that is solved."
-        ),
-    ] = None,
+    theta: float = option(_bounds("theta"), 40.0),
+    lam: float = option(_bounds("lam"), 10.0),
+    reading: str | None = option(
+        "Of figures 1 to 3: corrected (default), published, or layered: its asperities on a film that is solved."
+    ),
     out: Out = Path("figures"),
     json: Json = False,
 ) -> None:

@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from textwrap import wrap
 from typing import TYPE_CHECKING, Annotated, Any
@@ -21,7 +22,9 @@ from stiction.quantities.notices import Notice
 from stiction.quantities.uninterrupted import uninterrupted
 
 if TYPE_CHECKING:
+    from stiction.case.read import Case
     from stiction.report.view import View
+    from stiction.solving.choice import Choice
 
 _BAD_INPUT = 2
 _TABLE = re.compile(r"\[(?=[a-z])")
@@ -143,11 +146,6 @@ class TakesOptionsOfRecords(TyperCommand):
 _OPTIONS = "stiction.options"
 
 
-def options_of_records(context: typer.Context) -> dict[str, str]:
-    """The options of models and laws that were given to a command."""
-    return context.meta.get(_OPTIONS, {})
-
-
 def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
     """The options of records among the words of a command line, by name, and the other words; own: the command's options."""
     from stiction.records.registry import all_options
@@ -167,6 +165,16 @@ def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
     return found, rest
 
 
+def option(told: str, default: Any = None, *names: str, **more: Any) -> Any:
+    """Return an option of a command; names: by default that of its parameter."""
+    return typer.Option(default, *names, help=told, **more)
+
+
+def argument(metavar: str, told: str, default: Any = ..., **more: Any) -> Any:
+    """Return an argument of a command, required where it has no default."""
+    return typer.Argument(default, metavar=metavar, help=told, **more)
+
+
 def keys_of(kind: str) -> Callable[[str], list[str]]:
     """What completes a word on the command line to the keys of the records of a kind, by its keyword in `solve`."""
 
@@ -179,11 +187,33 @@ def keys_of(kind: str) -> Callable[[str], list[str]]:
     return complete
 
 
+def names_of(module: str, function: str) -> Callable[[str], list[str]]:
+    """Return what completes a word to a name that a function of the package lists."""
+    return lambda incomplete: [name for name in getattr(import_module(module), function)() if name.startswith(incomplete)]
+
+
 def every_key(incomplete: str) -> list[str]:
     """What completes a word to the key of any record."""
     from stiction.records.registry import records
 
     return [one.key for one in records() if one.key.startswith(incomplete)]
+
+
+def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Case":
+    """Return the case of a file, at one load if one is given; ranges: in place of what the case says."""
+    with busy("Reading the case"):
+        from stiction.case.read import read_case
+
+        case = read_case(path, ranges=ranges)
+        return case if load is None else case.at_load(load)
+
+
+def chosen_laws(context: typer.Context, case: "Case", **fixed: str) -> "Choice":
+    """Return the laws and options of a case, with those that a command was given in their place."""
+    from stiction.solving.choice import LAWS
+
+    laws = {name: context.params.get(name) for name in LAWS} | fixed
+    return case.choice.with_changes(laws, context.meta.get(_OPTIONS, {}))
 
 
 def folder(text: str | Path) -> Path:
@@ -221,7 +251,6 @@ Tangential = Annotated[
 ]
 AllRows = Annotated[bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")]
 Details = Annotated[bool, typer.Option("--details", help="Print all that the answer rests on.")]
-Reading = Annotated[str | None, typer.Option(help="corrected (default), or published: the 2015 paper to the letter.")]
 
 
 def _version(wanted: bool) -> None:

@@ -1,9 +1,8 @@
 """`stiction run`: one case, solved."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -18,20 +17,19 @@ from stiction.cli.program import (
     TakesOptionsOfRecords,
     Tangential,
     app,
-    busy,
+    argument,
+    chosen_laws,
     keys_of,
-    options_of_records,
+    option,
     present,
+    read,
     solving,
 )
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 
 if TYPE_CHECKING:
-    import xarray
-
-    from stiction.case.read import Case
-    from stiction.report.view import View
+    pass
 
 # Inputs of the Python interface that no case file has.
 _NOT_IN_CASES = ("interfacial_energy", "equilibrium_distance")
@@ -47,32 +45,20 @@ def case_numbers() -> str:
 @app.command(cls=TakesOptionsOfRecords, epilog=case_numbers())
 def run(
     context: typer.Context,
-    case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file: what is in contact and what to solve.")],
+    case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
     out: Out = None,
-    model: Annotated[
-        str | None,
-        typer.Option(help="Any model that stiction compare shows, or: recommended.", autocompletion=keys_of("model")),
-    ] = None,
+    model: str | None = option("Any model that stiction compare shows, or: recommended.", autocompletion=keys_of("model")),
     asperity: Asperity = None,
     tangential: Tangential = None,
-    film: Annotated[str | None, typer.Option(help="Film law in place of its own.", autocompletion=keys_of("film"))] = None,
-    presliding: Annotated[str | None, typer.Option(help="mindlin_1949: also the tangential stiffness before sliding.")] = None,
-    meniscus: Annotated[
-        str | None, typer.Option(help="Law of menisci of a liquid; none: without.", autocompletion=keys_of("meniscus"))
-    ] = None,
-    ageing: Annotated[
-        str | None, typer.Option(help="Law of strengthening at rest; none: without.", autocompletion=keys_of("ageing"))
-    ] = None,
-    contamination: Annotated[
-        str | None, typer.Option(help="Law of junctions that differ; none: without.", autocompletion=keys_of("contamination"))
-    ] = None,
-    sliding: Annotated[
-        bool,
-        typer.Option("--sliding", help="Tangential force against displacement up to sliding, at five of the points at most."),
-    ] = False,
-    kept: Annotated[
-        float, typer.Option(help="With --sliding: share of its strength that an asperity keeps once it slides, 0 to 1.")
-    ] = 1.0,
+    film: str | None = option("Film law in place of its own.", autocompletion=keys_of("film")),
+    presliding: str | None = option("mindlin_1949: also the tangential stiffness before sliding."),
+    meniscus: str | None = option("Law of menisci of a liquid; none: without.", autocompletion=keys_of("meniscus")),
+    ageing: str | None = option("Law of strengthening at rest; none: without.", autocompletion=keys_of("ageing")),
+    contamination: str | None = option("Law of junctions that differ; none: without.", autocompletion=keys_of("contamination")),
+    sliding: bool = option(
+        "Tangential force against displacement up to sliding, at five of the points at most.", False, "--sliding"
+    ),
+    kept: float = option("With --sliding: share of its strength that an asperity keeps once it slides, 0 to 1.", 1.0),
     load: Load = None,
     all_rows: AllRows = False,
     details: Details = False,
@@ -91,64 +77,25 @@ def run(
     materials vary within their --ranges, mu has a band, with the error of its sampling, drawn in uncertainty.png. Where the
     case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
     """
-    with busy("Reading the case"):
-        from stiction.case.read import read_case
-
-        chosen = read_case(case, ranges=ranges)
-        chosen = chosen if load is None else chosen.at_load(load)
-    laws = {
-        "model": model,
-        "asperity": asperity,
-        "tangential": tangential,
-        "film": film,
-        "presliding": presliding,
-        "meniscus": meniscus,
-        "ageing": ageing,
-        "contamination": contamination,
-    }
     if kept != 1.0 and not sliding:
         raise InputError("--kept", kept, "nothing without --sliding")
-    if sliding:
+    chosen = read(case, load, ranges)
+    laws = chosen_laws(context, chosen)
+    with solving():
+        from stiction.studies.case_results import slide_case, solve_case
+        from stiction.studies.prediction.predict import is_predicted, predict
+
+        predicted = not sliding and is_predicted(replace(chosen, choice=laws))
+        data = predict(chosen) if predicted else slide_case(chosen, laws, kept) if sliding else solve_case(chosen, laws)
+    if predicted:
+        from stiction.report.views.prediction import prediction_view
+
+        present(prediction_view(chosen, data, str(case), details), out, json)
+    elif sliding:
         from stiction.report.views.sliding import sliding_view
 
-        present(sliding_view(chosen, _slide(chosen, laws, options_of_records(context), kept)), out, json, details)
-        return
-    options = options_of_records(context)
-    if _is_predicted(chosen, laws, options):
-        present(_predicted(chosen, str(case), details), out, json)
-        return
-    data = _solve(chosen, laws, options)
-    chosen = chosen.with_surface_moments(data.attrs["model"])
-    from stiction.report.views.run import run_view
+        present(sliding_view(chosen, data), out, json, details)
+    else:
+        from stiction.report.views.run import run_view
 
-    present(run_view(chosen, data, all_rows), out, json, details or all_rows)
-
-
-def _is_predicted(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str]) -> bool:
-    from stiction.studies.prediction.predict import is_predicted
-
-    return is_predicted(replace(case, choice=case.choice.with_changes(laws, options)))
-
-
-def _predicted(case: "Case", file: str, details: bool) -> "View":
-    with solving():
-        from stiction.studies.prediction.predict import predict
-
-        data = predict(case)
-    from stiction.report.views.prediction import prediction_view
-
-    return prediction_view(case, data, file, details)
-
-
-def _solve(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str]) -> "xarray.Dataset":
-    with solving():
-        from stiction.studies.case_results import solve_case
-
-        return solve_case(case, case.choice.with_changes(laws, options))
-
-
-def _slide(case: "Case", laws: Mapping[str, str | None], options: Mapping[str, str], kept: float) -> "xarray.Dataset":
-    with solving():
-        from stiction.studies.case_results import slide_case
-
-        return slide_case(case, case.choice.with_changes(laws, options), kept)
+        present(run_view(chosen.with_surface_moments(data.attrs["model"]), data, all_rows), out, json, details or all_rows)

@@ -2,11 +2,8 @@
 
 import sys
 from pathlib import Path
-from typing import Annotated
 
-import typer
-
-from stiction.cli.program import app, busy
+from stiction.cli.program import app, argument, busy, option
 from stiction.quantities.extras import require
 
 _LOOPBACK = ("127.0.0.1", "localhost", "::1")
@@ -14,16 +11,11 @@ _LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 @app.command()
 def serve(
-    case: Annotated[
-        Path | None, typer.Argument(metavar="[CASE.toml]", help="Case file to begin with; without one, silver on steel.")
-    ] = None,
-    port: Annotated[int, typer.Option(min=1, max=65535, help="Port of the page.")] = 8080,
-    host: Annotated[
-        str,
-        typer.Option(
-            help="Address to bind. The default is this machine alone; any other lets whoever reaches it use the page."
-        ),
-    ] = "127.0.0.1",
+    case: Path | None = argument("[CASE.toml]", "Case file to begin with; without one, silver on steel.", None),
+    port: int = option("Port of the page.", 8080, min=1, max=65535),
+    host: str = option(
+        "Address to bind. The default is this machine alone; any other lets whoever reaches it use the page.", "127.0.0.1"
+    ),
 ) -> None:
     """A page in the browser, with a knob for every number: friction, models, surfaces and studies of a case, drawn anew as they
     turn.

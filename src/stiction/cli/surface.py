@@ -2,11 +2,9 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
-import typer
-
-from stiction.cli.program import Json, Out, app, bar, busy, present, solving
+from stiction.cli.program import Json, Out, app, argument, bar, busy, option, present, solving
 from stiction.quantities.errors import InputError
 
 if TYPE_CHECKING:
@@ -19,31 +17,26 @@ if TYPE_CHECKING:
 
 @app.command()
 def surface(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="Scan: an array, numbers in text, or what an instrument wrote.")],
-    size: Annotated[str | None, typer.Option(help='Size along x, e.g. "10 um", in place of what the file says.')] = None,
-    unit: Annotated[str | None, typer.Option(help="Length unit of the numbers in the file, e.g. nm.")] = None,
-    height_unit: Annotated[str | None, typer.Option(help="Length unit of the heights, if another.")] = None,
-    height_scale: Annotated[float | None, typer.Option(help="Factor on the heights, not 0.")] = None,
-    channel: Annotated[str | None, typer.Option(help="Name or place of a channel, of a file with several.")] = None,
-    form: Annotated[int, typer.Option(min=0, max=4, help="Order of the polynomial taken off: 1 a plane, 0 nothing.")] = 1,
-    spikes: Annotated[float | None, typer.Option(help="Mask points this many robust deviations off the median: 10.")] = None,
-    fill: Annotated[str | None, typer.Option(help="Fill missing points: harmonic or nearest; else they stay missing.")] = None,
-    shortest: Annotated[str | None, typer.Option(help='Shortest wavelength kept, e.g. "200 nm".')] = None,
-    longest: Annotated[str | None, typer.Option(help='Longest wavelength kept, e.g. "5 um".')] = None,
-    tip_radius: Annotated[str | None, typer.Option(help='Of the stylus, e.g. "2 um": ends the reliable band.')] = None,
-    case: Annotated[
-        Path | None, typer.Option(help="Case file: draw its mu in the resolution study, with this surface in it.")
-    ] = None,
-    load: Annotated[str | None, typer.Option(help='Load of that, e.g. "1 N"; default: the middle load of the case.')] = None,
-    contact: Annotated[
-        str | None,
-        typer.Option(help="Solve its contact at these nominal pressures over E* h' (h': rms gradient), e.g. \"0.01 0.1\"."),
-    ] = None,
-    hardness: Annotated[float | None, typer.Option(help="Of that contact, over E* h'; else it is elastic.")] = None,
-    periodic: Annotated[
-        bool, typer.Option("--periodic", help="One period of a surface without end: no form is taken off.")
-    ] = False,
-    details: Annotated[bool, typer.Option("--details", help="Also moments, and every way of finding asperities.")] = False,
+    file: Path = argument("FILE", "Scan: an array, numbers in text, or what an instrument wrote."),
+    size: str | None = option('Size along x, e.g. "10 um", in place of what the file says.'),
+    unit: str | None = option("Length unit of the numbers in the file, e.g. nm."),
+    height_unit: str | None = option("Length unit of the heights, if another."),
+    height_scale: float | None = option("Factor on the heights, not 0."),
+    channel: str | None = option("Name or place of a channel, of a file with several."),
+    form: int = option("Order of the polynomial taken off: 1 a plane, 0 nothing.", 1, min=0, max=4),
+    spikes: float | None = option("Mask points this many robust deviations off the median: 10."),
+    fill: str | None = option("Fill missing points: harmonic or nearest; else they stay missing."),
+    shortest: str | None = option('Shortest wavelength kept, e.g. "200 nm".'),
+    longest: str | None = option('Longest wavelength kept, e.g. "5 um".'),
+    tip_radius: str | None = option('Of the stylus, e.g. "2 um": ends the reliable band.'),
+    case: Path | None = option("Case file: draw its mu in the resolution study, with this surface in it."),
+    load: str | None = option('Load of that, e.g. "1 N"; default: the middle load of the case.'),
+    contact: str | None = option(
+        "Solve its contact at these nominal pressures over E* h' (h': rms gradient), e.g. \"0.01 0.1\"."
+    ),
+    hardness: float | None = option("Of that contact, over E* h'; else it is elastic."),
+    periodic: bool = option("One period of a surface without end: no form is taken off.", False, "--periodic"),
+    details: bool = option("Also moments, and every way of finding asperities.", False, "--details"),
     out: Out = None,
     json: Json = False,
 ) -> None:

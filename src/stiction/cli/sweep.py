@@ -2,26 +2,19 @@
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Annotated
+from time import monotonic
 
-import typer
-
-from stiction.cli.program import Details, Json, app, busy, folder, present
+from stiction.cli.program import Details, Json, app, argument, busy, folder, option, present
 
 
 @app.command()
 def sweep(
-    case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file in which numbers of the contact are several.")],
-    out: Annotated[
-        Path, typer.Option("--out", parser=folder, metavar="STORE", help="Folder of the store: new, or of this case, to go on.")
-    ],
-    workers: Annotated[int, typer.Option(metavar="N", help="How many processes of this machine share the work.")] = 1,
-    scheduler: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ADDRESS", help="Scheduler of a dask.distributed cluster that does the work, e.g. tcp://host:8786."
-        ),
-    ] = None,
+    case: Path = argument("CASE.toml", "Case file in which numbers of the contact are several."),
+    out: Path = option("Folder of the store: new, or of this case, to go on.", ..., "--out", parser=folder, metavar="STORE"),
+    workers: int = option("How many processes of this machine share the work.", 1, metavar="N"),
+    scheduler: str | None = option(
+        "Scheduler of a dask.distributed cluster that does the work, e.g. tcp://host:8786.", metavar="ADDRESS"
+    ),
     details: Details = False,
     json: Json = False,
 ) -> None:
@@ -31,13 +24,11 @@ def sweep(
     be interrupted at any time; calling it again goes on where it was. The store is the same, bit for bit, whoever does
     the work.
     """
-    from time import perf_counter
-
     if not _stderr().is_terminal:
         _stderr().print("Reading the case")  # at once: the first points take longer
     with busy("Reading the case"):
         from stiction.studies.sweep.run import run_sweep
-    begun = perf_counter()
+    begun = monotonic()
     shown = _Shown()
     try:
         store = run_sweep(case, out, workers, scheduler, shown)
@@ -45,7 +36,7 @@ def sweep(
         stopped = f"stopped: {shown.done} of {shown.size} points are in {out}; call again to go on"
         _stderr().print(stopped, style="bold", highlight=False, markup=False, soft_wrap=True)
         raise
-    seconds = perf_counter() - begun
+    seconds = monotonic() - begun
     from stiction.report.views.sweep import sweep_view
 
     present(sweep_view(store, out, shown.computed, seconds), None, json, details)
@@ -58,21 +49,10 @@ class _Shown:
         self.done = self.size = self.computed = 0
 
     def __call__(self, done: int, size: int, steps: Iterable[int]) -> Iterator[int]:
-        self.done, self.size = done, size
-        terminal = _stderr()
-        over = self._with_bar(terminal, steps) if terminal.is_terminal else self._with_lines(terminal, steps)
-        yield from over
-
-    def _counted(self, steps: Iterable[int]) -> Iterator[int]:
-        for points in steps:
-            self.done += points
-            self.computed += points
-            yield points
-
-    def _with_bar(self, terminal, steps: Iterable[int]) -> Iterator[int]:
         from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
-        texts = TextColumn("{task.description}"), TextColumn("{task.fields[rate]}")
+        self.done, self.size = done, size
+        terminal, texts = _stderr(), [TextColumn(f"{{task.{name}}}") for name in ("description", "fields[rate]")]
         columns = (
             texts[0],
             BarColumn(),
@@ -82,24 +62,20 @@ class _Shown:
             TextColumn("left"),
             TimeRemainingColumn(),
         )
-        with Progress(*columns, console=terminal, transient=True) as progress:
-            task = progress.add_task("Sweeping", total=self.size, completed=self.done, rate="")
-            for points in self._counted(steps):
-                speed = progress.tasks[0].speed
-                rate = f"{self.done:.3g} of {self.size:.3g} points" + (f", {speed:.3g}/s" if speed else "")
-                progress.update(task, completed=self.done, rate=rate)
-                yield points
-
-    def _with_lines(self, terminal, steps: Iterable[int]) -> Iterator[int]:
-        from time import monotonic
-
         begun = said = monotonic()
-        self._say(terminal, 0.0)
-        for points in self._counted(steps):
-            if monotonic() - said > _EVERY:
-                said = monotonic()
-                self._say(terminal, self.computed / (said - begun))
-            yield points
+        with Progress(*columns, console=terminal, transient=True, disable=not terminal.is_terminal) as progress:
+            task = progress.add_task("Sweeping", total=size, completed=done, rate="")
+            if progress.disable:
+                self._say(terminal, 0.0)
+            for points in steps:
+                self.done += points
+                self.computed += points
+                rate = self.computed / (monotonic() - begun)
+                progress.update(task, completed=self.done, rate=f"{self.done:.3g} of {size:.3g} points, {rate:.3g}/s")
+                if progress.disable and monotonic() - said > _EVERY:
+                    said = monotonic()
+                    self._say(terminal, rate)
+                yield points
 
     def _say(self, terminal, rate: float) -> None:
         left = f", {rate:.3g} points/s, {(self.size - self.done) / rate:.0f} s left" if rate else ""

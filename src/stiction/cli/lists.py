@@ -1,0 +1,94 @@
+"""What the package has: models and laws, materials, states of an interface, citations, the schema of a case."""
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from stiction.cli.output import print_json
+from stiction.cli.program import Json, app, argument, every_key, names_of, option, show
+from stiction.quantities.errors import InputError
+
+
+def _show(rows: Any, json: bool, parts: Iterable[Any]) -> None:
+    if json:
+        print_json(rows)
+    else:
+        show(parts)
+
+
+@app.command()
+def models(
+    keys: list[str] | None = argument("[KEY]...", "Say all of these; else a line of each.", None, autocompletion=every_key),
+    json: Json = False,
+) -> None:
+    """Every model and law: key, kind, provenance grade, source, range of validity; what is missing where there is none.
+    With KEY also its assumptions, equations and check numbers."""
+    from stiction.report.tables import grades, model_in_full, models_tables
+    from stiction.solving.overview import models as all_models
+
+    rows = all_models(keys or None)
+    in_full = (part for row in rows for part in (model_in_full(row), ""))
+    _show(rows, json, in_full if keys else (models_tables(rows), grades()))
+
+
+@app.command()
+def materials(
+    names: list[str] | None = argument(
+        "[NAME]...",
+        "Also the source of every number of these; else a line of each.",
+        None,
+        autocompletion=names_of("stiction.contact.materials", "material_names"),
+    ),
+    json: Json = False,
+) -> None:
+    """Presets of materials: modulus, Poisson's ratio, hardness, surface energy, each with its range. With NAME also where each
+    number comes from; stiction cite KEY prints what stands in brackets."""
+    from stiction.report.lists import material_in_full, material_rows, materials_table
+
+    rows = material_rows(names or None)
+    in_full = (part for name in names or () for part in (material_in_full(name), ""))
+    _show(rows, json, in_full if names else [materials_table([row["name"] for row in rows])])
+
+
+@app.command()
+def interfaces(
+    names: list[str] | None = argument(
+        "[NAME]...",
+        'Also sources, and where each must not be used, of these: "oxidised metal".',
+        None,
+        autocompletion=names_of("stiction.contact.interfaces", "interface_names"),
+    ),
+    json: Json = False,
+) -> None:
+    """States of an interface: shear strength and how it grows with pressure, each with range and grade. With NAME also where
+    the numbers come from and where the state must not be used; stiction cite KEY prints what stands in brackets."""
+    from stiction.contact.interfaces import interfaces as rows_of
+    from stiction.report.lists import interface_in_full, interfaces_table
+
+    in_full = (part for name in names or () for part in (interface_in_full(name), ""))
+    _show(rows_of(names or None), json, in_full if names else [interfaces_table()])
+
+
+@app.command()
+def cite(
+    keys: list[str] | None = argument("[KEY]...", "Models or entries; all if none.", None, autocompletion=every_key),
+) -> None:
+    """BibTeX of models, film laws and entries of the bibliography."""
+    from stiction.solving.overview import cite as bibtex_of
+
+    print(bibtex_of(keys or None), end="")
+
+
+@app.command()
+def schema(out: Path | None = option("File to write to; else it is printed.")) -> None:
+    """JSON schema of a case file, for editors that complete and check TOML."""
+    from stiction.case.read import json_schema
+    from stiction.report.files import as_json
+
+    if out is None:
+        print_json(json_schema())
+        return
+    try:
+        out.write_text(as_json(json_schema()) + "\n", encoding="utf-8")
+    except OSError as error:
+        raise InputError("--out", str(out), f"a file that can be written ({error.strerror})") from None
