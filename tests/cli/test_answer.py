@@ -159,6 +159,15 @@ def test_what_is_not_used_and_the_warning_are_never_left_out():
     assert {"warning", "not used", "state"} <= set(shown.columns[0].cells)
 
 
+def test_models_without_friction_are_counted_where_the_interface_is_not_stated(case):
+    assert "give an area alone" not in run("compare", case)
+    case.write_text(CASE.replace('interface = "oxidised metal"\n', ""), encoding="utf-8")
+    lines = run("compare", case).splitlines()
+    count = int(re.search(r"(\d+) give an area alone: state the interface", " ".join(lines)).group(1))
+    data = st.compare(st.read_case(case).subject, load="10 N")
+    assert count == int(data.friction_coefficient_at_load.isnull().sum()) > 10 and len(lines) <= 15
+
+
 def test_the_same_mu_to_two_digits_everywhere(tmp_path):
     """From run, compare, sweep (one row of it), report, Python and the page's export."""
     from stiction.web.asked import Question, solved

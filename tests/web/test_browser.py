@@ -184,14 +184,13 @@ def test_one_asperity_yields_where_it_is_pressed(page):
 
 def test_studies_are_made_and_stopped(page):
     _tab(page, "Studies")
-    page.get_by_label("wished mu").fill("0.2")
-    page.get_by_role("button", name="Design", exact=True).click()
-    page.get_by_text(re.compile("wished: friction_coefficient next to 0.2")).wait_for()
+    page.get_by_role("button", name="Design", exact=True).click()  # a wish that the free number reaches, as it stands there
+    page.get_by_text(re.compile("wished: friction_coefficient next to ")).wait_for()
     assert not page.get_by_text(re.compile("^Objective missed")).count()
     page.get_by_label("wished mu").fill("0.5")  # beyond what the ends of the free number give
     page.get_by_role("button", name="Design", exact=True).click()
     page.get_by_role("alert").get_by_text(
-        re.compile(r"^Objective missed: friction_coefficient = 0\.2\d+, \d\d.* % below 0\.5\.$")
+        re.compile(r"^Objective missed: friction_coefficient = 0\.\d+, \d\d.* % below 0\.5\.$")
     ).wait_for()
     page.get_by_role("button", name="Sensitivity", exact=True).click()
     page.get_by_role("button", name="Stop").click()
@@ -211,7 +210,7 @@ def test_a_measured_series_calibrates_a_number(page):
     _give(page, upload, "measured.csv", f"load [N],friction_coefficient,friction_coefficient_error\n{rows}".encode())
     page.get_by_text("measured.csv is here, until the page is closed").wait_for()
     page.get_by_role("button", name="Calibrate").click()
-    page.get_by_role("img", name="measured and fitted").first.wait_for()
+    page.get_by_text(re.compile(r"^5 values: .*work of adhesion .* to ")).wait_for()  # of the prediction, as no model is named
 
 
 def test_a_lost_upload_can_be_tried_again(page):

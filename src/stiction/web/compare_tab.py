@@ -30,7 +30,7 @@ class CompareTab:
     def _work(self, progress: Any) -> tuple[Any, ...]:
         answer, load = self._explorer.good, self._explorer.load
         case, data, prediction = compared(answer.question, load if load > 0.0 else None, progress)
-        few = Shown(list(comparison_view(case, data, prediction).parts()), [])
+        few = Shown(list(comparison_view(case, data, prediction, more="").parts()), [])
         return few, Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
 
     def _show(self, found: tuple[Any, ...]) -> None:

@@ -95,13 +95,15 @@ class StudiesTab:
 
         self._study("Sensitivity", lambda question, progress: what_matters(asked(question), progress))
 
-    def _free_number(self) -> Callable[[], dict[str, Any]]:
-        """Ask which number is free, between which ends; return what tells them, as tables [design.choose] and [fit.free]."""
+    def _free_number(self, *likely: str) -> Callable[[], dict[str, Any]]:
+        """Ask which number is free, between which ends; return what tells them, as tables [design.choose] and [fit.free].
+        likely: which numbers stand first, where the case has them."""
 
         def places() -> dict[str, tuple[Number, float]]:
             tables = self._explorer.good.question.tables
             each = [(one, one.si(got(tables, one.path))) for part in parts_of(tables) for one in numbers_of(part)]
-            return {".".join(one.path[1:]): (one, value) for one, value in each if value is not None}
+            named = {".".join(one.path[1:]): (one, value) for one, value in each if value is not None}
+            return {name: named[name] for name in (*likely, *named) if name in named}
 
         def filled() -> None:
             if which.value in places():
@@ -126,8 +128,10 @@ class StudiesTab:
         return free
 
     def _design(self) -> None:
-        wish = ui.number("wished mu", value=0.1, min=0.0, format="%.4g").props("dense outlined")
-        free = self._free_number()
+        mu = self._explorer.good.at(self._explorer.here).get("friction_coefficient")
+        near = 0.1 if mu is None or not float(mu) > 0.0 else float(f"{0.9 * float(mu):.2g}")
+        wish = ui.number("wished mu", value=near, min=0.0, format="%.4g").props("dense outlined")
+        free = self._free_number("coating.thickness", "roughness.asperity_height_deviation")
 
         def work(question: Question, progress: Progress) -> View:
             load: Any = self._explorer.load
@@ -145,7 +149,7 @@ class StudiesTab:
             said.set_text(f"{name} is here, until the page is closed")
 
         upload_button(self._explorer, "Upload measured series, .csv", uploaded, said.set_text, 2**21)
-        free = self._free_number()
+        free = self._free_number("interfacial_shear_strength", "work_of_adhesion")
 
         def work(question: Question, progress: Progress) -> View:
             if not data:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
+from stiction.contact.contact import Contact
 from stiction.laws.validity import read_doubts
 from stiction.quantities.units import show
 from stiction.report.answer import answer_lines, answer_record, number
@@ -121,6 +122,7 @@ def at_load_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]
 
 _MU = "friction_coefficient_at_load"
 _ALIKE = 1.1  # ratio of mu within which models say the same
+ALL = "--all lists every model"
 GROUP_HEADS = ("models that say the same", "mu", "area off by", "status")
 
 
@@ -211,15 +213,23 @@ def group_row(group: Group) -> tuple[str, str, str, str]:
     return group.title, mu, " to ".join(ends), group.status
 
 
-def groups_table(groups: list[Group], room: int | None = None) -> Iterator[Table | Text]:
-    """Yield rows for groups, as many as fit into so many lines, and a line on what is left out."""
+def groups_table(groups: list[Group], room: int | None = None, silent: int = 0, more: str = ALL) -> Iterator[Table | Text]:
+    """Yield rows for groups, as many as fit into so many lines, and a line on what is left out.
+
+    silent: number of models without friction, as the interface is not stated; more: where every model is listed.
+    """
     shown = groups if room is None else [group for group in groups if group.possible]
-    while room is not None and shown and lines_of(_table(shown)) > room - 1:
+
+    def left_out() -> Text:
+        text = left_out_in_words(groups, shown, silent)
+        return Text("; ".join(filter(None, [text, more if text and room is not None else ""])), style="dim")
+
+    while room is not None and shown and lines_of(_table(shown)) > room - max(1, lines_of(left_out())):
         shown = shown[:-1]
     if shown:
         yield replace(_table(shown), whole=room is None)
-    if text := left_out_in_words(groups, shown):
-        yield Text(text, style="dim")
+    if text := left_out():
+        yield text
 
 
 def _table(groups: list[Group]) -> Table:
@@ -228,14 +238,22 @@ def _table(groups: list[Group]) -> Table:
     return Table(columns, [group_row(group) for group in groups])
 
 
-def left_out_in_words(groups: list[Group], shown: list[Group]) -> str:
+def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) -> str:
     """Return how many models the rows leave out, "" for none."""
     counts = [
         (sum(len(one.names) for one in groups if one.possible and one not in shown), "not shown"),
         (sum(len(one.names) for one in groups if not one.possible and one not in shown), "cannot be right here"),
+        (silent, "give an area alone: state the interface"),
     ]
-    words = [f"{count} {text}" for count, text in counts if count]
-    return "; ".join([*words, "--all lists every model"]) if words else ""
+    return "; ".join(f"{count} {text}" for count, text in counts if count)
+
+
+def silent_models(case: "Case", data: "xarray.Dataset") -> int:
+    """Return the number of models that have no friction as neither the interface nor its strength is stated."""
+    contact = case.subject
+    if not isinstance(contact, Contact) or contact.interface is not None or contact.interfacial_shear_strength is not None:
+        return 0
+    return int((data[_MU].isnull() & data["contact_area_at_load"].notnull()).sum())
 
 
 # Rows of the answer that stand above the models, with mu.
@@ -243,10 +261,10 @@ _OF_ANSWER = ("friction force", "warning", "not used")
 
 
 def comparison_view(
-    case: "Case", data: "xarray.Dataset", prediction: "xarray.Dataset | None" = None, every: bool = False
+    case: "Case", data: "xarray.Dataset", prediction: "xarray.Dataset | None" = None, every: bool = False, more: str = ALL
 ) -> View:
     """Return what all models of a case show, below its prediction; every: each model in a row of its own, and all that is said
-    of it."""
+    of it; more: where every model is listed."""
     measured = case.measured
     groups = groups_of(data, every) if "working_load" in data.attrs else []
 
@@ -259,7 +277,8 @@ def comparison_view(
         if not groups:
             above.append(Text("no model says anything of friction at a load above 0 here"))
         yield from above
-        yield from groups_table(groups, None if every else MOST_LINES - sum(map(lines_of, above)))
+        room = None if every else MOST_LINES - sum(map(lines_of, above))
+        yield from groups_table(groups, room, silent_models(case, data) if groups else 0, more)
         if every:
             yield from (Text(line) for line in data.attrs["criteria"].splitlines())
             yield from (Text(f"left out: {line}", style="dim") for line in data.attrs["left_out"].splitlines())
