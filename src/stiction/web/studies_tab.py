@@ -41,8 +41,8 @@ def designed(question: Question, load: str | float, wish: float, free: dict[str,
     return design_view(run_design(make_design_plan(tables, question.folder), progress.tell))
 
 
-def calibrated(question: Question, data: Path, free: dict[str, Any], progress: Progress) -> View:
-    """Numbers of the case, fitted to measured series. Raises InputError."""
+def calibrated(question: Question, load: str | float, data: Path, free: dict[str, Any], progress: Progress) -> View:
+    """Numbers of the case, fitted to measured series; load: at which a prediction is made. Raises InputError."""
     from stiction.report.views.fit import fit_view
     from stiction.report.views.prediction import prediction_view
     from stiction.studies.fit.plan import make_fit_plan
@@ -50,7 +50,8 @@ def calibrated(question: Question, data: Path, free: dict[str, Any], progress: P
     from stiction.studies.fit.run import run_fit
 
     tables = {**question.tables, "fit": {"free": free}}
-    if (answer := fit_prediction(tables, data, question.folder)) is not None:
+    here = {**question.at_load(load).tables, "fit": tables["fit"]}
+    if (answer := fit_prediction(here, data, question.folder)) is not None:
         return prediction_view(*answer, "case.toml")
     return fit_view(run_fit(make_fit_plan(tables, data, question.folder), progress))
 
@@ -84,6 +85,11 @@ class StudiesTab:
 
         Study(self._explorer, label, result, show)
         below = ui.column().classes("w-full")
+
+    def _load(self, question: Question) -> str | float:
+        """Return the load of the Contact tab as a case has it."""
+        load = self._explorer.load
+        return load if "indices" in question.tables else f"{load!r} N"
 
     def _sure(self) -> None:
         vary = "numbers of materials vary within their ranges"
@@ -134,9 +140,9 @@ class StudiesTab:
         free = self._free_number("coating.thickness", "roughness.asperity_height_deviation")
 
         def work(question: Question, progress: Progress) -> View:
-            load: Any = self._explorer.load
-            load = load if "indices" in question.tables else f"{load!r} N"
-            return designed(question, load, math.nan if wish.value is None else float(wish.value), free(), progress)
+            return designed(
+                question, self._load(question), math.nan if wish.value is None else float(wish.value), free(), progress
+            )
 
         self._study("Design", work)
 
@@ -156,7 +162,7 @@ class StudiesTab:
                 raise InputError("measured series", None, "a .csv file with load and what was measured at it")
             ((path, name),) = data
             try:
-                return calibrated(question, Path(path), free(), progress)
+                return calibrated(question, self._load(question), Path(path), free(), progress)
             except InputError as error:
                 raise InputError(error.field.replace(path, name), error.value, error.allowed) from None
 

@@ -14,7 +14,7 @@ __all__ = ["Measured", "chosen_draws", "read_measured"]
 # Relative standard error of a measured coefficient whose error is not stated: that of the values among themselves where they
 # are three or more, and at least the first; else the second. Judgements (grade C).
 _LEAST_ERROR, _USUAL_ERROR = 0.05, 0.15
-_FEW = 10.0  # draws that count, below which the measured values are beyond what is predicted
+_FEW = 50.0  # draws that count at least, for an interval
 
 
 @dataclass(frozen=True)
@@ -62,19 +62,30 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
 
     Notes
     -----
-    A draw counts by its likelihood, exp(-chi^2/2), of values with independent lognormal errors. Rows are resampled
-    systematically in the order of mu, so that its quantiles scatter least (Kitagawa 1996).
+    A draw counts by its likelihood, exp(-chi^2/2), of values with independent lognormal errors. Where fewer than _FEW draws
+    would count, as by chance or as no draw is near, errors are taken so much larger that these do: an interval of one draw has
+    no width. Rows are resampled systematically in the order of mu, so that its quantiles scatter least (Kitagawa 1996).
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         squares = ((np.log(mu) - measured.log_mu) / measured.error) ** 2
     chi = np.where(np.isfinite(squares).all(axis=1), squares.sum(axis=1), np.inf)
-    weights = np.exp(-0.5 * (chi - chi.min()))
-    weights /= weights.sum()
+    larger = 1.0
+    while _counting(_weights(chi, larger)) < min(_FEW, np.isfinite(chi).sum()):
+        larger *= 1.1
+    weights = _weights(chi, larger)
     order = np.argsort(mu[:, 0], kind="stable")  # the draws are an even sequence, which even steps along it would not be
     rows = order[np.minimum(np.searchsorted(np.cumsum(weights[order]), (np.arange(count) + 0.5) / count), len(order) - 1)]
     if chi.min() / len(measured.log_mu) > 9.0:
         return rows, ["The measured friction is beyond what the stated contact allows: check the interface and the inputs."]
-    few = 1.0 / np.sum(weights**2) < _FEW
-    return rows, [
-        "Few draws meet the measured friction: its interval is rough; check inputs, narrow free numbers."
-    ] if few else []
+    text = f"Measured errors are taken {larger:.2g} times larger, as few draws meet them: check the inputs."
+    return rows, [text] if larger > 1.0 else []
+
+
+def _weights(chi: np.ndarray, larger: float) -> np.ndarray:
+    weights = np.exp(-0.5 * (chi - chi.min()) / larger**2)
+    return weights / weights.sum()
+
+
+def _counting(weights: np.ndarray) -> float:
+    """Return the number of draws that count: of as many with the same weight a mean scatters as much (Kish 1965)."""
+    return float(1.0 / np.sum(weights**2))
