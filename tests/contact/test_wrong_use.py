@@ -112,7 +112,6 @@ def surface() -> st.HeightMap:
     [
         (lambda: st.resolution_study(contact()), "surface: 'Contact'; allowed: a HeightMap, a topography"),
         (lambda: st.resolution_study(surface().heights), "surface: 'ndarray'; allowed: a HeightMap, a topography"),
-        (lambda: st.resolution_study(surface(), loads="1 N"), "loads: '1 N'; allowed: no argument of that name; a resolution"),
         (lambda: st.resolution_study(surface(), contact=contact()), "load: not given; allowed: both contact and load"),
         (lambda: st.resolution_study(surface(), load="1 N"), "contact: not given; allowed: both contact and load"),
         (lambda: st.resolution_study(surface(), methods=["mcool"]), "methods: ['mcool']; allowed: one or more of three_point"),

@@ -1,6 +1,5 @@
 """Every model that applies, on one contact: what each says of its friction, and whether the contact fits it."""
 
-import json
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -17,8 +16,7 @@ from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import reason_of, several_in_words
 from stiction.records.registry import Criterion, of_kind
-from stiction.solving.accuracy import film_errors
-from stiction.solving.accuracy.measured_error import MeasuredErrors, measured_errors
+from stiction.solving.accuracy import film_errors, measured_error
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding, leaves_out_liquid
@@ -135,28 +133,34 @@ FAMILIES = {
 }
 
 
+# Texts of each model -> what stands for one that it does not say; and numbers.
+_TEXTS = {
+    "grade": "",
+    "family_of_curve": "",
+    "plastic_junctions_resist": "",
+    "measured_film_error": "[]",
+    "measured_error": "null",
+    "measured_error_in_words": "",
+}
+_NUMBERS = ("measured_area_error", "measured_area_error_rms", "measured_friction_error")
+
+
 @dataclass
 class _Answer:
     """What one candidate says, in the units of the contact.
 
     curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
-    carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. of_interface: its
-    friction is the shear strength that the contact states; yielded: what its plastic junctions resist, of registry.YIELDED, ""
-    for contact only. dry: leaves out the liquid of the contact. measured: its error on solved surfaces near this contact and
-    load; film_errors: that of its film law, as JSON. why_not: why it says nothing, or nothing of friction.
+    carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. told: of _TEXTS
+    and _NUMBERS. dry: leaves out the liquid of the contact. why_not: why it says nothing, or nothing of friction.
     """
 
     candidate: Candidate
-    grade: str = ""
     curve: dict[str, np.ndarray] = field(default_factory=dict)
     doubtful: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
     at_load: dict[str, float] | None = None
     outside: list[Doubt] = field(default_factory=list)
-    of_interface: bool = False
-    yielded: str = ""
+    told: dict[str, Any] = field(default_factory=dict)
     dry: bool = False
-    measured: MeasuredErrors | None = None
-    film_errors: str = "[]"
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
 
@@ -183,28 +187,39 @@ def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
     except InputError as error:
         answer.why_not = reason_of(error)
         return answer
-    records = problem.records()
-    answer.grade = max(record.grade for record in records)
-    answer.sources = list(dict.fromkeys(source.key for record in records for source in record.sources))
+    answer.sources = [source.key for record in problem.records() for source in record.sources]
     if not problem.friction:
         answer.why_not = "of contact only: it needs an interfacial_shear_strength to say anything of friction"
-    at_load = None
-    if situation.target is not None:
-        at_load = _at_working_load(problem, situation.target, answer)
+    rows = {name: table[None, :] for name, table in curve.items()}
+    at_load = None if situation.target is None else _at_working_load(problem, situation.target, answer)
+    answer.told = _of_laws(problem)
     if at_load or situation.target is None:  # of a load that is not carried there is nothing to doubt
-        judged = at_load or {name: table[None, :] for name, table in curve.items()}
-        answer.outside = answer.outside + doubts_of_results(problem, judged)
-        answer.film_errors = film_errors.as_attributes(problem, judged)["measured_film_error"]
-        if at_load:
-            answer.measured = measured_errors(problem, at_load)
-    answer.of_interface = problem.chosen.tangential is not None and "shear_strength" in problem.chosen.tangential.needs
-    answer.yielded = problem.chosen.yielded
+        answer.outside = answer.outside + doubts_of_results(problem, at_load or rows)
+        answer.told |= film_errors.as_attributes(problem, at_load or rows)
     answer.dry = leaves_out_liquid(problem)
     answer.curve = _in_units(problem, curve)
-    answer.doubtful = doubtful_points(problem, {name: table[None, :] for name, table in curve.items()})
+    answer.doubtful = doubtful_points(problem, rows)
     if at_load:
+        answer.told |= _measured(measured_error.measured_errors(problem, at_load))
         answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
     return answer
+
+
+def _of_laws(problem: Problem) -> dict[str, str]:
+    """The grade of a model, and what its friction and its plastic junctions rest on."""
+    grade = max(record.grade for record in problem.records())
+    tangential = problem.chosen.tangential
+    if tangential is None:
+        return {"grade": grade}
+    family = FAMILIES["shear_strength" in tangential.needs]
+    return {"grade": grade, "family_of_curve": family, "plastic_junctions_resist": problem.chosen.yielded}
+
+
+def _measured(errors: measured_error.MeasuredErrors) -> dict[str, Any]:
+    """The measured error at the working load: of the area and of mu on average, root mean square of the area's, relative; not a
+    number where it was not measured near."""
+    numbers = np.expm1(errors.area[0]), errors.relative[0], np.expm1(errors.friction[0])
+    return measured_error.as_attributes(errors) | dict(zip(_NUMBERS, numbers, strict=True))
 
 
 def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -258,41 +273,21 @@ def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.D
         single = {name: np.array([(one.at_load or {}).get(name, np.nan) for one in shown]) for name in RESULTS}
         found = labelled(contact, single, as_it_is, {"model": len(shown)}, {"model": data["model"]})
         data = data.merge(found.rename({name: f"{name}_at_load" for name in RESULTS}))
-    texts = {
-        "grade": [one.grade for one in shown],
+    numbers = {name: np.array([one.told.get(name, np.nan) for one in shown]) for name in _NUMBERS}
+    texts = {name: [one.told.get(name, nothing) for one in shown] for name, nothing in _TEXTS.items()} | {
         "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
         "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
-        "measured_film_error": [one.film_errors for one in shown],
         "status": [one.status for one in shown],
         "why_not": [one.why_not for one in shown],
-        "plastic_junctions_resist": [one.yielded if "friction_coefficient" in one.curve else "" for one in shown],
-        "family_of_curve": [FAMILIES[one.of_interface] if "friction_coefficient" in one.curve else "" for one in shown],
     }
-    data = data.assign({name: ("model", np.array(values, dtype=object)) for name, values in texts.items()})
+    told = numbers | {name: np.array(values, dtype=object) for name, values in texts.items()}
+    data = data.assign({name: ("model", values) for name, values in told.items()})
     shape = (len(shown), dims["point"])
     doubtful = np.full(shape, DOUBTFUL)
     for row, one in zip(doubtful, shown, strict=True):
         row[: one.doubtful.size] = one.doubtful
     data = data.assign(doubtful=(("model", "point"), doubtful))
-    data = data.assign({name: ("model", values) for name, values in _measured(shown).items()})
     return data.assign_attrs(_attributes(contact, answers, target))
-
-
-def _measured(answers: list[_Answer]) -> dict[str, np.ndarray]:
-    """Of each model its measured error at the working load: of the area and of mu on average, root mean square of the area's,
-    relative, not a number where it was not measured near; and in words, and as JSON."""
-    every = [one.measured for one in answers]
-    numbers = {
-        "measured_area_error": [np.nan if one is None else np.expm1(one.area[0]) for one in every],
-        "measured_area_error_rms": [np.nan if one is None else one.relative[0] for one in every],
-        "measured_friction_error": [np.nan if one is None else np.expm1(one.friction[0]) for one in every],
-    }
-    words = ["" if one is None else one.words for one in every]
-    data = ["null" if one is None else json.dumps(one.as_data()) for one in every]
-    return {name: np.array(values) for name, values in numbers.items()} | {
-        "measured_error_in_words": np.array(words, dtype=object),
-        "measured_error": np.array(data, dtype=object),
-    }
 
 
 def _or_nothing(values: np.ndarray | None, points: int) -> np.ndarray:

@@ -26,8 +26,6 @@ from stiction.solving.solve import solve
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Entry", "entries_in", "read_entry", "validate"]
-
 # What is compared by ratios: of a separation there is none.
 _NOT_COMPARED = ("mean_separation",)
 _TABLES = ("title", "materials", "contact", "indices", "measured")
@@ -134,39 +132,20 @@ def validate(entry: Any, *, progress: Steps = iter) -> "xarray.Dataset":
     """
     one = entry if isinstance(entry, Entry) else read_entry(entry)
     subjects = one.subjects()
-    answers, left_out = [], []
-    for candidate in progress(candidates(subjects[0][0])):
-        answer = _answer(candidate.name, one.values, subjects)
-        if answer.answered:
-            answers.append(answer)
-        else:
-            left_out.append(f"{candidate.name}: {answer.why_not}")
-    answers.sort(key=lambda each: (-each.answered, each.factor, each.name))
-    return _dataset(one, answers, left_out)
+    answers = [_answer(each.name, one.values, subjects) for each in progress(candidates(subjects[0][0]))]
+    shown = sorted(
+        (each for each in answers if each["answered"]), key=lambda each: (-each["answered"], each["factor"], each["model"])
+    )
+    left_out = [f"{each['model']}: {each['why_not']}" for each in answers if not each["answered"]]
+    return _dataset(one, shown, left_out)
 
 
-@dataclass(frozen=True)
-class _Answer:
-    """What a model says of the measured values (n,)."""
-
-    name: str
-    predicted: np.ndarray
-    ratio: np.ndarray
-    grade: str
-    sources: tuple[str, ...]
-    doubts: tuple[Doubt, ...]
-    why_not: str
-
-    @property
-    def answered(self) -> int:
-        return int(np.isfinite(self.ratio).sum())
-
-    @property
-    def factor(self) -> float:
-        return float(np.exp(np.sqrt(np.nanmean(np.log(self.ratio) ** 2))))
+# Variables over the models.
+_OF_MODELS = ("bias", "factor", "in_errors", "answered", "grade", "outside_validity", "outside")
 
 
-def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.ndarray]]) -> _Answer:
+def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.ndarray]]) -> dict[str, Any]:
+    """What a model says of the measured values (n,): _OF_MODELS, predicted (n,), sources, and why it says nothing."""
     predicted = np.full(len(values), np.nan)
     grades: set[str] = set()
     sources: dict[str, None] = {}
@@ -189,36 +168,34 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
         grades.add(data.attrs["grade"])
         sources |= dict.fromkeys(data.attrs["sources"].split())
         doubts |= {doubt.rule: doubt for doubt in doubts_of(data)}
-    ratio = np.where(predicted > 0.0, predicted / values.value, np.nan)
-    return _Answer(name, predicted, ratio, max(grades, default=""), tuple(sources), tuple(doubts.values()), why)
+    logarithm = np.log(np.where(predicted > 0.0, predicted / values.value, np.nan))
+    return {
+        "model": name, "predicted": predicted, "sources": sources, "why_not": why,
+        "bias": np.exp(_mean(logarithm)),
+        "factor": np.exp(np.sqrt(_mean(logarithm**2))),
+        "in_errors": np.sqrt(_mean(((predicted - values.value) / values.error) ** 2)),
+        "answered": int(np.isfinite(logarithm).sum()),
+        "grade": max(grades, default=""),
+        "outside_validity": "; ".join(doubt.short for doubt in doubts.values()),
+        "outside": ", ".join(_symbols(doubts.values())),
+    }  # fmt: skip
 
 
-def _dataset(entry: Entry, answers: list[_Answer], left_out: list[str]) -> "xarray.Dataset":
+def _dataset(entry: Entry, answers: list[dict[str, Any]], left_out: list[str]) -> "xarray.Dataset":
     import xarray
 
     values = entry.values
-    predicted = np.array([one.predicted for one in answers]).reshape(len(answers), len(values))
-    logarithms = np.log(np.array([one.ratio for one in answers]).reshape(predicted.shape))
-    off = (predicted - values.value) / values.error
-    over_models = {
-        "bias": np.exp([_mean(one) for one in logarithms]),
-        "factor": [one.factor for one in answers],
-        "in_errors": np.sqrt([_mean(one**2) for one in off]),
-        "answered": [one.answered for one in answers],
-        "grade": [one.grade for one in answers],
-        "outside_validity": ["; ".join(doubt.short for doubt in one.doubts) for one in answers],
-        "outside": [", ".join(_symbols(one.doubts)) for one in answers],
-    }
+    predicted = np.array([one["predicted"] for one in answers]).reshape(len(answers), len(values))
     over_rows = {
         "measured": values.value, "error": values.error, "load": values.load,
         "quantity": list(values.quantity), "sample": list(values.sample), "line": list(values.line),
     }  # fmt: skip
-    used = dict.fromkeys(key for one in answers for key in one.sources)
+    used = dict.fromkeys(key for one in answers for key in one["sources"])
     return xarray.Dataset(
-        {name: ("model", table) for name, table in over_models.items()}
+        {name: ("model", [one[name] for one in answers]) for name in _OF_MODELS}
         | {name: ("row", table) for name, table in over_rows.items()}
         | {"predicted": (("model", "row"), predicted)},
-        coords={"model": [one.name for one in answers]},
+        coords={"model": [one["model"] for one in answers]},
         attrs={"title": entry.title, "left_out": "\n".join(left_out), "sources": " ".join(used)}
         | entry.origin.model_dump(exclude={"file"}),
     )

@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from numbers import Real
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -60,25 +60,17 @@ def default_cutoffs(surface: HeightMap) -> np.ndarray:
     return np.concatenate([[0.0], np.geomspace(shortest, longest, _CUTOFFS)])
 
 
-class Asked(TypedDict, total=False):
-    """What of friction may be asked of a resolution study."""
-
-    contact: Contact | None
-    load: Any
-    choice: Choice | None
-
-
 @dataclass(frozen=True)
 class _Friction:
     """The contact whose friction is wanted, at which load, by which model; nothing is where there is no contact. InputError for
     what no asperities could make good."""
 
-    contact: Contact | None = None
-    load: Any = None
-    choice: Choice | None = None
+    contact: Contact | None
+    load: Any
+    choice: Choice
 
     def __post_init__(self) -> None:
-        if self.choice is not None and not isinstance(self.choice, Choice):
+        if not isinstance(self.choice, Choice):
             raise InputError("choice", self.choice, "a stiction.solving.choice.Choice, e.g. Choice(model=...)")
         if (self.contact is None) != (self.load is None):
             missing, given = ("load", "contact") if self.load is None else ("contact", "load")
@@ -88,9 +80,9 @@ class _Friction:
         if not isinstance(self.contact, Contact):
             raise InputError("contact", type(self.contact).__name__, "a stiction.Contact")
         groups, _ = Groups.of(self.contact.indices())
-        tangential = with_interface(self.chosen, groups).tangential or find(self.chosen.model_key, RoughSurface).tangential
+        tangential = with_interface(self.choice, groups).tangential or find(self.choice.model_key, RoughSurface).tangential
         if tangential == "none":
-            raise InputError("model", self.chosen.model_key, "a model of friction, or a model with a tangential law")
+            raise InputError("model", self.choice.model_key, "a model of friction, or a model with a tangential law")
         for name, array in self.contact.arrays():
             raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
         asked = to_si(self.load, "load")
@@ -98,14 +90,9 @@ class _Friction:
             raise InputError("load", self.load, "one load > 0 N")
 
     @property
-    def chosen(self) -> Choice:
-        """The model and laws that answer."""
-        return self.choice or Choice()
-
-    @property
     def of_map(self) -> bool:
         """Whether the map is solved, and no asperities are asked."""
-        return find(self.chosen.model_key, RoughSurface).of_map is not None
+        return find(self.choice.model_key, RoughSurface).of_map is not None
 
     def coefficient(
         self, seen: HeightMap, to_solve: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]
@@ -113,7 +100,7 @@ class _Friction:
         """Static friction coefficient of the contact with these asperities for its rough surface. Theories of the whole surface
         take its moments, whatever was found, and what solves a map takes that; options: of the methods."""
         assert self.contact is not None
-        if takes_surface_moments(self.chosen.model_key):
+        if takes_surface_moments(self.choice.model_key):
             key = method_of_moments()
             found = asperities(seen, key, **options.get(key, {}))
             heights = height_model(found)
@@ -121,7 +108,7 @@ class _Friction:
         if self.of_map:
             one = one.attached(measured=of_one_map(one, found, to_solve))
         other = self.contact.model_copy(update={"roughness": one})
-        return float(solve(other, load=self.load, **self.chosen.arguments())["friction_coefficient"])
+        return float(solve(other, load=self.load, **self.choice.arguments())["friction_coefficient"])
 
 
 def resolution_study(
@@ -132,7 +119,9 @@ def resolution_study(
     options: dict[str, dict[str, Any]] | None = None,
     points_per_cutoff: float | None = None,
     progress: Steps = iter,
-    **friction: Unpack[Asked],
+    contact: Contact | None = None,
+    load: Any = None,
+    choice: Choice | None = None,
 ) -> "xarray.Dataset":
     """sigma, R, N and, with a contact, mu, for each method and each shortest wavelength that is left in the map.
 
@@ -151,20 +140,14 @@ def resolution_study(
     contact cannot carry the load. Raises InputError for cutoffs, methods, options, or a contact, load or choice that will not
     do.
     """
-    import xarray
-
-    unknown = [name for name in friction if name not in Asked.__annotations__]
-    if unknown:
-        known = "cutoffs, methods, options, points_per_cutoff, progress, contact, load and choice"
-        raise InputError(unknown[0], friction[unknown[0]], f"no argument of that name; a resolution study takes {known}")  # type: ignore[literal-required]
     surface = as_height_map(surface, "surface")
     wanted = _cutoffs(default_cutoffs(surface) if cutoffs is None else cutoffs)
     keys = _methods(surface, methods)
-    asked = _Friction(**friction)
+    asked = _Friction(contact, load, choice or Choice())
     given = options or {}
     if set(given) - set(keys):
         raise InputError("options", tuple(given), f"of the methods {', '.join(keys)}")
-    names = [*_KEPT, _FRICTION] if asked.contact is not None else [*_KEPT]
+    names = [*_KEPT, _FRICTION] if contact is not None else [*_KEPT]
     numbers = {name: np.full((len(keys), len(wanted)), math.nan) for name in names}
     words = {name: np.full((len(keys), len(wanted)), "", dtype=object) for name in ("height_distribution", "failure")}
     for j, cutoff in enumerate(progress(wanted.tolist())):
@@ -177,13 +160,13 @@ def resolution_study(
                     numbers[name][i, j] = getattr(found, attribute)
                 heights = height_model(found)
                 words["height_distribution"][i, j] = heights.name
-                if asked.contact is not None:
+                if contact is not None:
                     numbers[_FRICTION][i, j] = asked.coefficient(seen, to_solve, found, heights, given)
             except InputError as error:
-                if error.field in (*given.get(key, {}), *asked.chosen.arguments()):
+                if error.field in (*given.get(key, {}), *asked.choice.arguments()):
                     raise  # what was asked for, not what was found
                 words["failure"][i, j] = str(error)
-    return _labelled(xarray, surface, keys, wanted, numbers, words)
+    return _labelled(surface, keys, wanted, numbers, words)
 
 
 def _cutoffs(cutoffs: Iterable[float]) -> np.ndarray:
@@ -238,7 +221,9 @@ def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> Heig
     return fewer if whole else fewer.alone()
 
 
-def _labelled(xarray, surface, keys, cutoffs, numbers, words) -> "xarray.Dataset":
+def _labelled(surface, keys, cutoffs, numbers, words) -> "xarray.Dataset":
+    import xarray
+
     dims = (METHOD, "cutoff")
     meanings = {name: {"long_name": meaning, "units": unit} for name, (_, meaning, unit) in _KEPT.items()}
     meanings |= {

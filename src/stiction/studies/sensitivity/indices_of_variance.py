@@ -105,20 +105,13 @@ def trajectories(columns: int, count: int, seed: int) -> np.ndarray:
 def effects(points: np.ndarray, values: np.ndarray) -> Effects:
     """The elementary effects of a function at `trajectories`, values (count, k + 1): how much it changes over the whole of each
     column. Source: Morris 1991, eq. 1; the mean of sizes Campolongo, Cariboni & Saltelli 2007, eq. 3."""
+    from pandas import DataFrame
+
     steps = np.diff(points, axis=1)
     column = np.abs(steps).argmax(axis=2)
     ratio = np.diff(values, axis=1) / np.take_along_axis(steps, column[:, :, None], axis=2)[..., 0]
     each = np.take_along_axis(ratio, column.argsort(axis=1), axis=1)
-    known = np.isfinite(each)
-    count = known.sum(axis=0)
-    enough = count >= max(2, len(each) // 2)
-
-    def mean(table: np.ndarray) -> np.ndarray:
-        return np.where(enough, np.where(known, table, 0.0).sum(axis=0) / np.maximum(count, 1), np.nan)
-
-    size, middle = mean(np.abs(each)), mean(each)
-    rest = np.maximum(count - 1, 1)
-    deviation = np.sqrt(np.where(known, (each - middle) ** 2, 0.0).sum(axis=0) / rest)
-    scatter = np.sqrt(np.where(known, (np.abs(each) - size) ** 2, 0.0).sum(axis=0) / rest)
-    error = np.where(enough, scatter / np.sqrt(np.maximum(count, 1)), np.nan)
-    return Effects(size, error, middle, np.where(enough, deviation, np.nan))
+    enough = np.isfinite(each).sum(axis=0) >= max(2, len(each) // 2)
+    known = DataFrame(np.where(enough & np.isfinite(each), each, np.nan))  # which leaves out what is not known
+    sizes = known.abs()
+    return Effects(*(one.to_numpy() for one in (sizes.mean(), sizes.sem(), known.mean(), known.std())))

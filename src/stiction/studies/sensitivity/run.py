@@ -200,6 +200,20 @@ def _drawn(case: Case, variation: _Variation, shares: np.ndarray, progress: Any)
     return draw(case, shares[:, : len(variation.numbers)], variation.variants, rows, OUTPUTS, progress)
 
 
+# How the names of indices and effects end -> field, and meaning.
+_MEANINGS = {
+    "first_order": ("first", "first Sobol index of the logarithm"),
+    "first_order_low": ("first_low", "low end of its 95 % interval, first Sobol index of the logarithm"),
+    "first_order_high": ("first_high", "high end of its 95 % interval, first Sobol index of the logarithm"),
+    "total_order": ("total", "total Sobol index of the logarithm"),
+    "total_order_low": ("total_low", "low end of its 95 % interval, total Sobol index of the logarithm"),
+    "total_order_high": ("total_high", "high end of its 95 % interval, total Sobol index of the logarithm"),
+    "effect": ("size", "mean size of the effects of Morris on the logarithm, from end to end"),
+    "effect_error": ("size_error", "standard error of the mean size of the effects"),
+    "effect_deviation": ("deviation", "deviation of the effects: how much they depend on where the others are"),
+}
+
+
 def _of_result(
     name: str, drawn: Draws, screened: Draws, points: np.ndarray, paths: np.ndarray
 ) -> Iterator[tuple[str, tuple[np.ndarray, dict[str, str]]]]:
@@ -208,22 +222,9 @@ def _of_result(
     logs = [_log(one.tables[name]).reshape(*grid.shape[:-1], -1) for one, grid in ((drawn, points), (screened, paths))]
     indices = [sobol_indices(logs[0][..., at]) for at in range(logs[0].shape[-1])]
     screens = [effects(paths, logs[1][..., at]) for at in range(logs[1].shape[-1])]
-
-    def table(rows: list, field: str) -> np.ndarray:
-        return np.stack([getattr(one, field) for one in rows], axis=-1).reshape(-1, *shape)
-
-    for order in ("first", "total"):
-        text = f"{order} Sobol index of the logarithm"
-        yield f"{order}_order", (table(indices, order), {"units": "1", "long_name": text})
-        for end in ("low", "high"):
-            said = {"units": "1", "long_name": f"{end} end of its 95 % interval, {text}"}
-            yield f"{order}_order_{end}", (table(indices, f"{order}_{end}"), said)
-    for end, field, text in (
-        ("effect", "size", "mean size of the effects of Morris on the logarithm, from end to end"),
-        ("effect_error", "size_error", "standard error of the mean size of the effects"),
-        ("effect_deviation", "deviation", "deviation of the effects: how much they depend on where the others are"),
-    ):
-        yield end, (table(screens, field), {"units": "1", "long_name": text})
+    for end, (field, text) in _MEANINGS.items():
+        rows = [getattr(one, field) for one in (indices if "order" in end else screens)]
+        yield end, (np.stack(rows, axis=-1).reshape(-1, *shape), {"units": "1", "long_name": text})
 
 
 def _log(values: np.ndarray) -> np.ndarray:

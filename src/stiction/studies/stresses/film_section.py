@@ -16,7 +16,13 @@ from stiction.quantities.errors import InputError
 from stiction.solvers.layered.bodies import Bodies, bodies_of
 from stiction.solvers.layered.first_yield import Yield, first_yield
 from stiction.solvers.layered.stresses import Stresses, cartesian
-from stiction.studies.stresses.film_stress import LEAST, MOST, contact_over_thickness, part_that_yields, pressure_over_yield
+from stiction.studies.stresses.film_stress import (
+    coated_bodies,
+    contact_over_thickness,
+    part_that_yields,
+    pressure_over_yield,
+    require_proportion,
+)
 from stiction.studies.stresses.one_asperity import section
 
 if TYPE_CHECKING:
@@ -65,8 +71,7 @@ def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tupl
     factors = subject.scales().factors()
     one, force = area / count / factors["m^2"] * factors["count"], load / count / factors["N"] * factors["count"]
     radius = contact_over_thickness(groups, one)
-    if not LEAST <= radius <= MOST:
-        raise InputError("thickness", f"a/t = {radius:.3g}", f"{LEAST:g} to {MOST:g} times as wide a contact")
+    require_proportion(radius)
     pressure = pressure_over_yield(groups, one, force)
     traction = float(point["friction_force"]) / load if "friction_force" in point else 0.0
     if not isinstance(subject, Contact):
@@ -79,7 +84,7 @@ def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tupl
 
 def _worst(bodies: Bodies, radius: float, traction: float, strength: float) -> tuple[Stresses, Yield]:
     """Of the coated bodies that which comes nearer to yield."""
-    each = [Stresses(bodies.pair, body, radius) for body in dict.fromkeys(bodies.coated)]
+    each = coated_bodies(bodies, radius)
     return max(((one, first_yield(one, traction, strength)) for one in each), key=lambda pair: pair[1].excess)
 
 

@@ -67,6 +67,12 @@ def require_film(subject: Subject) -> None:
         raise InputError("coating", None, "a film with its material and thickness: its stresses are computed")
 
 
+def require_proportion(radius: float) -> None:
+    """Raise InputError for a contact radius, over the thickness of the film, at which stresses were not compared."""
+    if not LEAST <= radius <= MOST:
+        raise InputError("thickness", f"a/t = {radius:.3g}", f"{LEAST:g} to {MOST:g} times as wide a contact")
+
+
 def part_that_yields(subject: Subject, where: str) -> str:
     """Return "counterbody" in place of "film" where the body that meets the film is the softer one; else where it yields."""
     softer = isinstance(subject, Contact) and subject.softer_counterbody is not None
@@ -104,17 +110,16 @@ def pressure_over_yield(groups: Groups, area: float, load: float) -> float:
 
 
 def _worst(bodies: Bodies, radius: float, pressure: float, traction: float, strength: float) -> tuple[float, float, float, str]:
-    """Of the coated bodies the one that comes off worst, each by itself."""
-    weaker = min(strength, 1.0)
-    yields, tensions, shears = [], [], []
-    for body in dict.fromkeys(bodies.coated):
-        stresses = Stresses(bodies.pair, body, radius)
-        yields.append(first_yield(stresses, traction, strength))
-        tension, shear = at_interface(stresses, traction)
-        tensions.append(pressure * tension / weaker)
-        shears.append(pressure * shear * 3.0**0.5 / weaker)
-    first = max(yields)
-    return pressure * first.excess, max(tensions), max(shears), first.where
+    """Evaluate each coated body separately and return the largest stresses."""
+    each, weaker = coated_bodies(bodies, radius), min(strength, 1.0)
+    first = max(first_yield(stresses, traction, strength) for stresses in each)
+    tension, shear = map(max, zip(*(at_interface(stresses, traction) for stresses in each), strict=True))
+    return pressure * first.excess, pressure * tension / weaker, pressure * shear * 3.0**0.5 / weaker, first.where
+
+
+def coated_bodies(bodies: Bodies, radius: float) -> list[Stresses]:
+    """Return the stresses of each coated body under a contact of this radius, over the thickness of its film."""
+    return [Stresses(bodies.pair, body, radius) for body in dict.fromkeys(bodies.coated)]
 
 
 def _with_results(data: "xarray.Dataset", subject: Subject, rows: list[tuple]) -> "xarray.Dataset":

@@ -24,10 +24,10 @@ from stiction.solvers.layered.bodies import bodies_of
 from stiction.solvers.layered.first_yield import first_yield as first_yield_of_layers
 from stiction.solvers.layered.sphere import respond
 from stiction.solvers.layered.stresses import Stresses, cartesian
+from stiction.studies.stresses.film_stress import require_proportion
 
 _X = np.linspace(-1.8, 1.8, 73)
 _Z = np.linspace(0.0, 1.8, 49)
-_LEAST, _MOST = 1e-3, 1e3  # contact radius over film thickness that the layered solid was tried at
 
 
 @dataclass(frozen=True)
@@ -82,8 +82,7 @@ def _bare(groups: Groups, radius: float, traction: float) -> OneAsperity:
 def _coated(groups: Groups, radius: float, traction: float) -> OneAsperity:
     """On one film of thickness t/films; where both bodies have one, the first of them."""
     over_film = radius / float(groups.film_aspect[0] / groups.films[0])
-    if not _LEAST <= over_film <= _MOST:
-        raise InputError("thickness", f"a/t = {over_film:.3g}", f"{_LEAST:g} to {_MOST:g} times as wide a contact")
+    require_proportion(over_film)
     (bodies, *_), _ = bodies_of(groups)
     body, n_E, n_H = bodies.coated[0], float(groups.n_E[0]), float(groups.n_H[0])
     response = respond(bodies.pair, over_film)
