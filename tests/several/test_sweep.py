@@ -167,7 +167,7 @@ def test_a_block_that_is_larger_than_what_is_solved_at_once_is_solved_in_pieces(
 def test_pieces_of_a_grid_are_all_of_it_once(monkeypatch):
     monkeypatch.setattr(sweep_plan, "AT_ONCE", 6)
     plan = make_plan(changed(GRID, sweep={"block": 1000}))
-    pieces = plan.pieces(plan.region(0))
+    pieces = plan.pieces(0)
     held = np.zeros(tuple(plan.dims.values()), dtype=int)
     for piece in pieces:
         held[tuple(piece.values())] += 1
@@ -190,7 +190,7 @@ def test_statistics_have_larger_blocks_where_there_are_many_points():
 def test_blocks_of_statistics_leave_no_small_rest_that_is_solved_by_itself(count):
     given = {"sample": {"method": "sobol", "count": count}, "statistics": ["mean"]}
     plan = make_plan({**DRAWN, "sweep": given})
-    sizes = {one["sample"].stop - one["sample"].start for one in plan.pieces(plan.region(0))}
+    sizes = {one["sample"].stop - one["sample"].start for one in plan.pieces(0)}
     assert sizes == {131_072 // 3}
 
 

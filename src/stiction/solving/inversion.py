@@ -47,9 +47,9 @@ class Inversion:
 
     h: np.ndarray
     residual: np.ndarray
-    evaluations: int
     tension: np.ndarray
     where: np.ndarray
+    evaluations: int = 0
 
     def with_rows(self, rows: np.ndarray, found: "Inversion") -> "Inversion":
         """Put what was found of some contacts in their rows, in place, and return the whole."""
@@ -105,7 +105,7 @@ def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[
 
 def _whole(parts: list[Inversion]) -> Inversion:
     h, residual, tension, where = (np.concatenate([getattr(part, name) for part in parts]) for name in _ARRAYS)
-    return Inversion(h, residual, max(part.evaluations for part in parts), tension, where)
+    return Inversion(h, residual, tension, where, max(part.evaluations for part in parts))
 
 
 def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inversion, np.ndarray | None]:
@@ -147,7 +147,7 @@ def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, 
     sums = np.full((len(of_each), *known.shape, of_each.shape[-1]), np.nan)
     sums[:, known] = of_each
     good = start.plain & (tension >= 0.0) & ~np.isnan(excess).any(axis=1) & ~_is_bounded(problem, where)
-    return Inversion(h, _relative(excess, targets, tension), evaluations, tension, where), good, sums
+    return Inversion(h, _relative(excess, targets, tension), tension, where, evaluations), good, sums
 
 
 def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
@@ -200,7 +200,7 @@ def _from_tables(problem: ClosedForm, targets: np.ndarray) -> tuple[Inversion, n
     h, residual = np.full((2, *targets.shape), np.nan)
     found = (np.abs(least) <= _GOOD * _LEFT) & (best >= _FIRST[-1])
     h[law[found], at[found]], residual[law[found], at[found]] = best[found], np.expm1(least[found])
-    return Inversion(h, residual, evaluations, np.zeros(laws), np.full(laws, np.nan)), ~np.isnan(h).any(axis=1)
+    return Inversion(h, residual, np.zeros(laws), np.full(laws, np.nan), evaluations), ~np.isnan(h).any(axis=1)
 
 
 def _log_of(share: np.ndarray) -> np.ndarray:
@@ -230,7 +230,7 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
     h, loads, size = _loads_past(problem, targets)
     tension, where = _tension_past(problem, h, loads, size)
     if not targets.size:
-        return Inversion(targets.copy(), targets.copy(), 0, tension, where)
+        return Inversion(targets.copy(), targets.copy(), tension, where)
     adheres = tension > 0.0
     start = np.where(adheres, np.searchsorted(-h, -where, side="right"), 1)  # the first grid point nearer
     nearer = np.arange(h.size) >= start[:, None]
@@ -244,7 +244,7 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
     separation, excess = np.full((2, *targets.shape), np.nan)
     bracket = h[first][carried], left[carried]
     separation[carried], excess[carried], evaluations = _roots(problem, np.nonzero(carried)[0], targets[carried], bracket)
-    return Inversion(separation, _relative(excess, targets, tension), evaluations, tension, where)
+    return Inversion(separation, _relative(excess, targets, tension), tension, where, evaluations)
 
 
 def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -1,7 +1,8 @@
 """Many contacts at once, of which some may be refused or carry less than is asked: not a number there, and why as data."""
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any, TypeVar
 
 import numpy as np
@@ -77,6 +78,11 @@ def solve_pointwise(
     return Pointwise(variables, (tuple(points.dims), doubts), rules_of(problem), problem.subject, attributes)
 
 
+def meanings_of(rules: Sequence[Validity]) -> list[str]:
+    """Return what each bit of `Pointwise.doubts` means."""
+    return [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
+
+
 def _solved(points: Points) -> tuple[Solved, np.ndarray]:
     """Results, and bits of WHY_NOT (contacts, points)."""
     try:
@@ -98,7 +104,8 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
             tables.setdefault(name, np.full(shape, np.nan))[rows] = table
         why_not[rows] = why
         if part.found is not None:
-            found = (_no_inversion(shape) if found is None else found).with_rows(rows, part.found)
+            h, residual, tension, where = (np.full(size, np.nan) for size in (shape, shape, shape[:1], shape[:1]))
+            found = (found or Inversion(h, residual, tension, where)).with_rows(rows, part.found)
     return Solved({name: table.reshape(points.wanted.shape) for name, table in tables.items()}, found), why_not
 
 
@@ -132,6 +139,23 @@ def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Reg
         yield part, found
 
 
+def tiles(sizes: Mapping[str, int], room: int) -> dict[str, int]:
+    """Return lengths along dimensions, whole along the last ones, that make `room` contacts at most."""
+    found: dict[str, int] = {}
+    for dim in reversed(list(sizes)):
+        found[dim] = max(1, min(sizes[dim], room))
+        room //= found[dim]
+    return {dim: found[dim] for dim in sizes}
+
+
+def pieces(region: Region, room: int) -> Iterator[Region]:
+    """Yield a region in parts of at most `room` contacts."""
+    steps = tiles({dim: some.stop - some.start for dim, some in region.items()}, room)
+    starts = (range(some.start, some.stop, steps[dim]) for dim, some in region.items())
+    for at in product(*starts):
+        yield {dim: slice(start, min(start + steps[dim], region[dim].stop)) for dim, start in zip(region, at, strict=True)}
+
+
 def _halves(region: Region) -> list[Region]:
     """The two halves along the longest dimension, the second one first; none of a single contact."""
     dim = max(region, key=lambda name: region[name].stop - region[name].start, default="")
@@ -139,11 +163,6 @@ def _halves(region: Region) -> list[Region]:
         return []
     middle = (region[dim].start + region[dim].stop) // 2
     return [region | {dim: slice(middle, region[dim].stop)}, region | {dim: slice(region[dim].start, middle)}]
-
-
-def _no_inversion(shape: tuple[int, ...]) -> Inversion:
-    h, tension = np.full(shape, np.nan), np.full(shape[:1], np.nan)
-    return Inversion(h, h.copy(), 0, tension, tension.copy())
 
 
 def _taken(points: Points) -> tuple[Solved, np.ndarray]:

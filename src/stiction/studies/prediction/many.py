@@ -13,7 +13,7 @@ from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import arranged, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import RECOMMENDED
-from stiction.solving.pointwise import Pointwise, Region, bisected
+from stiction.solving.pointwise import Pointwise, Region, bisected, pieces
 from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.mixture import Mixture
 from stiction.studies.prediction.predict import COUNT, draws_of, intervals, with_uncertain
@@ -84,7 +84,8 @@ def predict_many(
 
     refusal, taken = None, False
     sizes = dimensions([*numbers.values(), load])
-    for piece in _pieces({dim: size for dim, size in sizes.items() if along is None or _named(dim) in along}):
+    whole = {dim: slice(0, size) for dim, size in sizes.items() if along is None or _named(dim) in along}
+    for piece in pieces(whole, _AT_ONCE):
         for region, found in bisected(piece, predicted):
             region = {_named(dim): some for dim, some in region.items()}
             if isinstance(found, Exception):
@@ -110,18 +111,6 @@ def _named_back(found: Pointwise) -> Pointwise:
     """Return results along the dimensions of the numbers that were given."""
     variables = {name: (tuple(map(_named, dims)), *rest) for name, (dims, *rest) in found.variables.items()}
     return replace(found, variables=variables, doubts=(tuple(map(_named, found.doubts[0])), found.doubts[1]))
-
-
-def _pieces(sizes: Mapping[str, int]) -> Iterator[Region]:
-    """Yield regions of at most _AT_ONCE points."""
-    room, steps = _AT_ONCE, {}
-    for dim in reversed(list(sizes)):
-        steps[dim] = max(1, min(sizes[dim], room))
-        room //= steps[dim]
-    starts = [range(0, sizes[dim], steps[dim]) for dim in sizes]
-    for at in np.ndindex(*(len(one) for one in starts)):
-        first = {dim: one[i] for dim, one, i in zip(sizes, starts, at, strict=True)}
-        yield {dim: slice(start, min(start + steps[dim], sizes[dim])) for dim, start in first.items()}
 
 
 def _part(value: Any, region: Region) -> Any:

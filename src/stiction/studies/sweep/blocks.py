@@ -1,15 +1,13 @@
 """One block of a sweep: its contacts solved, those that are refused left out, and what is stored of them."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.quotient import quotient
-from stiction.records.claims import Validity
 from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.pointwise import Pointwise, Region
 from stiction.studies.evaluate_many import evaluate_many
@@ -35,7 +33,7 @@ def solve_block(plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple
     shape = {dim: some.stop - some.start for dim, some in plan.region(block).items()} | dict(sizes)
     results = {name: np.full([shape[dim] for dim in of], np.nan) for name, of in dims.items()}
     doubts = np.full(tuple(shape.values()), 1, dtype=np.uint32)
-    for place, solved in _solved(plan, choice, plan.region(block), list(dims)):
+    for place, solved in _solved(plan, choice, block, list(dims)):
         for name, of in dims.items():
             if name in solved.variables:
                 have, values, _ = solved.variables[name]
@@ -45,10 +43,11 @@ def solve_block(plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple
     return Block(results, doubts)
 
 
-def _solved(plan: Plan, choice: Choice, block: Region, keep: list[str]) -> Iterator[tuple[Region, Pointwise]]:
+def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator[tuple[Region, Pointwise]]:
     """Places within a block that can be solved, with their results."""
+    first = plan.region(block)
     for piece in plan.pieces(block):
-        starts = {dim: some.start - block[dim].start for dim, some in piece.items()}
+        starts = {dim: some.start - first[dim].start for dim, some in piece.items()}
         for region, solved in solved_of(plan, choice, piece, keep):
             if solved is not None:
                 moved = {dim: (some, starts.get(dim, 0)) for dim, some in region.items()}
@@ -102,10 +101,3 @@ def merged(parts: Iterable[np.ndarray]) -> dict[str, np.ndarray]:
         *(np.where(none, np.nan, end) for end in (least, most)),
     )
     return dict(zip(MOMENTS, rows, strict=True))
-
-
-def rules_as_data(rules: Sequence[Validity]) -> list[dict[str, Any]]:
-    """The rules, for programs."""
-    return [
-        {"quantity": rule.quantity, "low": rule.low, "high": rule.high, "why": rule.why, "kind": rule.kind} for rule in rules
-    ]

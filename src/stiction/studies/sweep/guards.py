@@ -1,9 +1,8 @@
 """One sweep of a store at a time."""
 
 import os
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
 
 from stiction.quantities.errors import InputError
 
@@ -19,16 +18,11 @@ def locked(path: Path):
         return
     handle = os.open(path, os.O_RDONLY)
     try:
-        _lock(fcntl, handle, path)
+        with suppress(OSError):  # of a file system without locks
+            try:
+                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                raise InputError("--out", str(path), "a store that no other sweep is writing to") from None
         yield
     finally:
         os.close(handle)
-
-
-def _lock(fcntl: Any, handle: int, path: Path) -> None:
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise InputError("--out", str(path), "a store that no other sweep is writing to") from None
-    except OSError:  # a file system without locks
-        return

@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -16,6 +16,7 @@ from stiction.case.study_tables import study_table
 from stiction.case.uncertain import SAMPLE, Uncertain, expanded
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.inputs import Input, require_names
+from stiction.solving.pointwise import Region, pieces, tiles
 from stiction.studies.prediction.predict import is_predicted
 from stiction.studies.sweep.table import LARGEST_BLOCK, Sample, Sweep
 from stiction.surfaces.roughness import Roughness
@@ -58,18 +59,15 @@ class Plan:
     def _tiles(self) -> list[int]:
         return [-(-length // self.tile[dim]) for dim, length in self.dims.items()]
 
-    def region(self, block: int) -> dict[str, slice]:
+    def region(self, block: int) -> Region:
         """Which contacts are in a block: a slice along each dimension."""
         places = np.unravel_index(block, self._tiles()) if self.dims else ()
         starts = {dim: int(at) * self.tile[dim] for dim, at in zip(self.dims, places, strict=True)}
         return {dim: slice(start, min(start + self.tile[dim], self.dims[dim])) for dim, start in starts.items()}
 
-    def pieces(self, region: Mapping[str, slice]) -> list[dict[str, slice]]:
-        """A region cut along its dimensions, so that no part has more points than are solved together, where that can be."""
-        found, room = [dict(region)], max(1, AT_ONCE // self.points)
-        for dim in region:
-            found = [piece for one in found for piece in _cut_along(one, dim, room)]
-        return found
+    def pieces(self, block: int) -> Iterator[Region]:
+        """The contacts of a block in parts of as many points as are solved together."""
+        return pieces(self.region(block), AT_ONCE // self.points)
 
     def contacts(self, block: int) -> int:
         """How many contacts are in a block."""
@@ -98,14 +96,6 @@ class Plan:
         plain = json.loads(json.dumps(content, default=_plain))
         plain = with_values(plain, {path: one.as_table() for path, one in self.several.items()})
         return json.dumps(plain | {"sweep": self.sweep.model_dump()}, sort_keys=True)
-
-
-def _cut_along(region: dict[str, slice], dim: str, room: int) -> list[dict[str, slice]]:
-    """Parts of a region, one after another along a dimension, of so many contacts or of one place of that dimension."""
-    some = region[dim]
-    contacts = math.prod(one.stop - one.start for one in region.values())
-    step = max(1, room * (some.stop - some.start) // max(contacts, 1))
-    return [region | {dim: slice(at, min(at + step, some.stop))} for at in range(some.start, some.stop, step)]
 
 
 def _plain(value: Any) -> Any:
@@ -183,11 +173,7 @@ def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
     size = math.prod(lengths.values()) * plan.points
     times = min(max(1, size // (64 * AT_ONCE)), 8) if plan.sweep.statistics else 1
     room = max(1, plan.sweep.block // plan.points if plan.sweep.block else times * (AT_ONCE // plan.points))
-    tile: dict[str, int] = {}
-    for dim in reversed(list(lengths)):
-        tile[dim] = max(1, min(lengths[dim], room))
-        room //= tile[dim]
-    cut = replace(plan, dims=dict(lengths), tile={dim: tile[dim] for dim in lengths})
+    cut = replace(plan, dims=dict(lengths), tile=tiles(lengths, room))
     if cut.blocks > _MOST_BLOCKS:
         allowed = f"{_MOST_BLOCKS} blocks at most: fewer points, or a larger sweep.block, up to {LARGEST_BLOCK}"
         raise InputError("sweep", f"{cut.size} points in {cut.blocks} blocks", allowed)

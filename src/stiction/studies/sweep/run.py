@@ -64,14 +64,10 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
         left = store.left()
         points = [plan.contacts(block) * plan.points for block in left]
         done = _done(store, left, workers, scheduler)
-        for _ in (progress or _silently)(plan.size - sum(points), plan.size, done):
+        for _ in (progress or (lambda done, size, steps: steps))(plan.size - sum(points), plan.size, done):
             pass
         store.finish()
     return store
-
-
-def _silently(done: int, size: int, steps: Iterable[int]) -> Iterable[int]:
-    return steps
 
 
 def _planned(case: Any) -> tuple[Plan, str, str]:
@@ -95,7 +91,7 @@ def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) 
         elif workers > 1 and len(left) > 1:
             yield from sweep_workers.done_in_processes(store, left, min(workers, len(left)))
         else:
-            yield from sweep_workers.done_here(store, left)
+            yield from map(store.do, left)
     except OSError as error:
         full = error.errno in (errno.ENOSPC, errno.EDQUOT)
         why = "room on its disk, which is full" if full else f"a place that can be written ({error.strerror or error})"

@@ -22,11 +22,11 @@ from stiction.case.read import case_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.paths import require_place
 from stiction.quantities.uninterrupted import uninterrupted
-from stiction.solving.choice import LAWS, RECOMMENDED, Choice
-from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT
+from stiction.solving.choice import RECOMMENDED, Choice
+from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT, meanings_of
 from stiction.studies.prediction.many import count_of
 from stiction.studies.prediction.predict import is_predicted
-from stiction.studies.sweep.blocks import merged, rules_as_data, solve_block, solved_of, statistics_of
+from stiction.studies.sweep.blocks import merged, solve_block, solved_of, statistics_of
 from stiction.studies.sweep.plan import SAMPLE, Plan, check_kept
 from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of
 
@@ -139,9 +139,7 @@ class Store:
         counts = np.zeros(self.group[_DONE].shape[1], dtype=np.int64)
         for row in _each_row(self.group[_DONE]):
             counts += np.where(row == _NOTHING, 0, row)
-        said = json.loads(self.group[_DONE].attrs["rules"])
-        texts = [*WHY_NOT, *(f"{rule['quantity']} outside {rule['low']:g} to {rule['high']:g}: {rule['why']}" for rule in said)]
-        return {text: int(count) for text, count in zip(texts, counts, strict=True) if count}
+        return {text: int(count) for text, count in zip(self.group[_DONE].attrs["meanings"], counts, strict=True) if count}
 
 
 def _percentiles(plan: Plan) -> dict[str, float]:
@@ -212,17 +210,13 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
     try:
         shutil.rmtree(beside, ignore_errors=True)
         beside.parent.mkdir(parents=True, exist_ok=True)
-        _fill(beside, plan, first, {"case": title, "case_file": text, "choice": json.dumps(_of_choice(choice))})
+        _fill(beside, plan, first, {"case": title, "case_file": text, "choice": json.dumps(vars(choice), default=dict)})
         if path.exists():
             path.rmdir()
         beside.rename(path)
     except OSError as error:
         shutil.rmtree(beside, ignore_errors=True)
         raise InputError("--out", str(path), f"a place that can be written ({error.strerror or error})") from None
-
-
-def _of_choice(choice: Choice) -> dict[str, Any]:
-    return {name: getattr(choice, name) for name in LAWS} | {"options": dict(choice.options)}
 
 
 def _first(plan: Plan) -> tuple[Choice, Any]:
@@ -286,14 +280,12 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     else:
         _arrays(group, plan, layout, sizes, solved)
     group.attrs["coordinates"] = " ".join(_coordinates(group, plan, case, points))
-    bits_known = len(WHY_NOT) + len(solved.rules)
+    meanings = meanings_of(solved.rules)
     done = group.create_array(
-        _DONE, shape=(plan.blocks, bits_known), chunks=(1, bits_known), dtype="int64", fill_value=_NOTHING,
+        _DONE, shape=(plan.blocks, len(meanings)), chunks=(1, len(meanings)), dtype="int64", fill_value=_NOTHING,
         dimension_names=("block", "rule"),
     )  # fmt: skip
-    done.attrs.update(
-        {"long_name": "points of a block at which a rule is left", "rules": json.dumps(rules_as_data(solved.rules))}
-    )
+    done.attrs.update({"long_name": "points of a block at which a rule is left", "meanings": meanings})
 
 
 def _of_sample(plan: Plan) -> dict[str, Any]:
@@ -313,17 +305,15 @@ def _arrays(group: Any, plan: Plan, layout: Mapping[str, tuple], sizes: Mapping[
             fill_value=int(NOT_COMPUTED) if doubts else float("nan"),
             dimension_names=dims,
         )
-        array.attrs.update(_doubts_attributes(solved.rules) if doubts else solved.variables[name][2])
+        array.attrs.update(_doubts_attributes(meanings_of(solved.rules)) if doubts else solved.variables[name][2])
 
 
-def _doubts_attributes(rules: list) -> dict[str, Any]:
-    meanings = [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules), "not computed yet"]
-    masks = [1 << bit for bit in range(len(meanings) - 1)] + [int(NOT_COMPUTED)]
+def _doubts_attributes(meanings: list[str]) -> dict[str, Any]:
     return {
         "long_name": "doubts",
         "comment": "bits, by flag_masks and flag_meanings",
-        "flag_masks": masks,
-        "flag_meanings": meanings,
+        "flag_masks": [1 << bit for bit in range(len(meanings))] + [int(NOT_COMPUTED)],
+        "flag_meanings": [*meanings, "not computed yet"],
     }
 
 

@@ -37,15 +37,9 @@ def make_ready() -> Any:
     return context
 
 
-def done_here(store: "Store", blocks: list[int]) -> Iterator[int]:
-    """Do the blocks, one after another; the points of each as it is done."""
-    for block in blocks:
-        yield store.do(block)
-
-
 def done_in_processes(store: "Store", blocks: list[int], workers: int) -> Iterator[int]:
-    """The same in so many processes. Those that die are replaced, and their blocks begun again. Raises InputError where they
-    die again and again."""
+    """Do the blocks in so many processes; yields the points of each as it is done. Processes that die are replaced, and their
+    blocks begun again. Raises InputError where they die again and again."""
     from concurrent.futures.process import BrokenProcessPool
 
     left, deaths = list(blocks), 0

@@ -13,7 +13,7 @@ from stiction.quantities.errors import InputError
 from stiction.records.registry import RoughSurface, find
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import excludes
-from stiction.solving.pointwise import WHY_NOT, Pointwise
+from stiction.solving.pointwise import WHY_NOT, Pointwise, meanings_of
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
 # What is asked of contacts that are drawn.
@@ -146,8 +146,7 @@ def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
             found.tables[name][rows] = arranged(values, have, (SAMPLE, *wanted))
     times = len(rows) * found.points // bits.size
     found.impossible += times * int(impossible.sum())
-    meanings = [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in solved.rules)]
-    for bit, text in enumerate(meanings):
+    for bit, text in enumerate(meanings_of(solved.rules)):
         _count(found, text, times * int(((bits >> np.uint32(bit)) & 1).sum()))
 
 
