@@ -1,5 +1,6 @@
 """What the command line prints: rich tables and text, made from results and records."""
 
+import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -17,7 +18,7 @@ from stiction.report.answer import model_record, number
 from stiction.report.model_line import grade_line, model_line
 from stiction.report.plain_formulas import as_text
 from stiction.report.table import Column, Table, facts, numbers, prefix, short, shown, some
-from stiction.solving.accuracy.film_errors import in_words, read_film_errors
+from stiction.solving.accuracy.film_errors import in_words
 from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:
@@ -195,7 +196,7 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
     if used.get("measured_error_in_words"):
         notes.append(f"measured error: {used['measured_error_in_words']}")
     notes += [one.say("--") for one in unused_of(data)]
-    notes += _measured(read_film_errors(used.get("measured_film_error", "[]")))
+    notes += _measured(json.loads(used.get("measured_film_error", "[]")))
     notes += [used["remarks"]] if used.get("remarks") else []
     for kind in _NOTED:
         key = used[kind.keyword]

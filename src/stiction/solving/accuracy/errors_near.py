@@ -5,6 +5,7 @@ model says nothing on one, fades out towards that side, so that no number jumps.
 """
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -150,28 +151,27 @@ def _averaged(found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: li
 
 
 def _between(known: SolvedSet, table: np.ndarray, pressure: float, hardness: float) -> tuple[np.ndarray, np.ndarray]:
-    """Values (s,) at a pressure and a hardness, read off between those of the set by straight lines over their logarithms, and
-    how far each counts: 1, and less towards an end that is missing."""
+    """Values (s,) of a table (s, h, p) of the set at a pressure and a hardness, and how far each counts."""
     hard = np.minimum(known["hardnesses"], ELASTIC)
     order = np.argsort(hard)
-    right = int(np.clip(np.searchsorted(hard[order], min(hardness, ELASTIC)), 1, len(order) - 1))
-    ends = order[right - 1], order[right]
-    part = math.log(min(hardness, ELASTIC) / hard[ends[0]]) / math.log(hard[ends[1]] / hard[ends[0]])
-    (lower, of_lower), (upper, of_upper) = (_at_pressure(known["loads"], table[:, end, :], pressure) for end in ends)
-    only_lower, only_upper = max(1.0 - 2.0 * part, 0.0), max(2.0 * part - 1.0, 0.0)
+
+    def at_pressure(place: int) -> tuple[np.ndarray, np.ndarray]:
+        column = table[:, order[place]]
+        return _read_off(known["loads"], pressure, lambda at: (column[:, at], 1.0 * np.isfinite(column[:, at])), 1.0)
+
+    return _read_off(hard[order], min(hardness, ELASTIC), at_pressure, 2.0)
+
+
+def _read_off(grid: np.ndarray, place: float, column: Callable, fade: float) -> tuple[np.ndarray, np.ndarray]:
+    """Values (s,) between two points of an ascending grid, by straight lines over its logarithm, and how far each counts.
+
+    column(at): the same at a point of the grid. A value that is known on one side alone stands for both, and counts the less
+    the farther that is, by so much over the whole step.
+    """
+    right = int(np.clip(np.searchsorted(grid, place), 1, len(grid) - 1))
+    part = math.log(place / grid[right - 1]) / math.log(grid[right] / grid[right - 1])
+    (lower, of_lower), (upper, of_upper) = column(right - 1), column(right)
     both = lower + part * (upper - lower)
     values = np.where(of_lower == 0.0, upper, np.where(of_upper == 0.0, lower, both))
-    of_both = np.minimum(of_lower, of_upper)
-    counts = np.maximum(of_both, np.maximum(of_lower * only_lower, of_upper * only_upper))
-    return values, np.where(np.isfinite(values), counts, 0.0)
-
-
-def _at_pressure(loads: np.ndarray, table: np.ndarray, pressure: float) -> tuple[np.ndarray, np.ndarray]:
-    """The same at a pressure; the last that was solved stands for some more."""
-    right = int(np.clip(np.searchsorted(loads, pressure), 1, len(loads) - 1))
-    part = math.log(pressure / loads[right - 1]) / math.log(loads[right] / loads[right - 1])
-    left, next_one = table[:, right - 1], table[:, right]
-    has_left, has_next = np.isfinite(left), np.isfinite(next_one)
-    between = left + part * (next_one - left)
-    values = np.where(has_left & has_next, between, np.where(has_left, left, next_one))
-    return values, np.where(has_left & has_next, 1.0, np.where(has_left, 1.0 - part, np.where(has_next, part, 0.0)))
+    alone = np.maximum(of_lower * max(1.0 - fade * part, 0.0), of_upper * max(1.0 - fade * (1.0 - part), 0.0))
+    return values, np.where(np.isfinite(values), np.maximum(np.minimum(of_lower, of_upper), alone), 0.0)

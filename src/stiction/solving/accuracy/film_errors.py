@@ -30,17 +30,11 @@ def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dic
     leaves the solved set, at some of the results; why_not: why there is no error, where there is none. Nothing for a contact
     without a film.
     """
-    law = _law(problem)
+    law = problem.chosen.film or (problem.record if problem.record.on_film else None)
     if law is None:
         return []
-    rows = [row for row in (_of_sphere(problem, law, results), _of_maps(problem, law)) if row]
-    return rows or [{"law": law, "against": SPHERE, "why_not": _FLOWS}]
-
-
-def _law(problem: Problem) -> str | None:
-    if problem.chosen.film is not None:
-        return problem.chosen.film.key
-    return problem.record.key if problem.record.on_film else None
+    rows = [row for row in (_of_sphere(problem, law.key, results), _of_maps(problem, law.key)) if row]
+    return rows or [{"law": law.key, "against": SPHERE, "why_not": _FLOWS}]
 
 
 def _of_sphere(problem: Problem, law: str, results: Mapping[str, np.ndarray]) -> dict[str, Any]:
@@ -51,36 +45,35 @@ def _of_sphere(problem: Problem, law: str, results: Mapping[str, np.ndarray]) ->
     found = on_a_sphere(law, problem.options, n_E, width, _over_radius(problem))
     if found is None:
         return {}
-    row = {"law": law, "against": SPHERE, "near": {"n_E": _ends(n_E), "a_over_t": _ends(width)}}
-    outside = _outside(MEASURED, {"n_E": n_E, "a_over_t": width})
-    if np.isnan(found.area).all():
-        return row | {"why_not": outside or "nothing touches"}
-    errors = {"error": _ends(found.area - 1.0), "load_error": _ends(found.load - 1.0)}
-    return row | errors | ({"outside": outside} if outside else {})
+    row = _row({"law": law, "against": SPHERE}, MEASURED, {"n_E": n_E, "a_over_t": width}, found.area, "nothing touches")
+    return row | ({"load_error": _ends(found.load - 1.0)} if "error" in row else {})
 
 
 def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
-    found, near = _on_maps(problem, law)
+    found, given = _on_maps(problem, law)
     if found is None:
         return {}
-    row = {"law": law, "against": MAPS, "near": near}
-    outside = _outside(MEASURED_ON_MAPS, {name: np.array(ends) for name, ends in near.items()})
-    if np.isnan(found.rms).all():
-        return row | {"why_not": outside or "not measured there"}
-    errors = {"error": _ends(found.mean - 1.0), "rms": float(np.nanmax(found.rms))}
-    return row | errors | ({"outside": outside} if outside else {})
+    row = _row({"law": law, "against": MAPS}, MEASURED_ON_MAPS, given, found.mean, "not measured there")
+    return row | ({"rms": float(np.nanmax(found.rms))} if "error" in row else {})
 
 
-def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, Any]]:
+def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np.ndarray, nothing: str) -> dict[str, Any]:
+    """A row of `film_errors`. given: what the errors are looked up by; ratio: of areas; nothing: said where there is none."""
+    row, outside = head | {"near": {name: _ends(values) for name, values in given.items()}}, _outside(ranges, given)
+    if np.isnan(ratio).all():
+        return row | {"why_not": outside or nothing}
+    return row | {"error": _ends(ratio - 1.0)} | ({"outside": outside} if outside else {})
+
+
+def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, np.ndarray]]:
     """What was measured, and near what."""
     groups = problem.groups.resolved()
     if groups.roughness_parameter is None or groups.film_aspect is None:
         return None, {}
     from stiction.laws.rough_surface.rough_on_film import thickness_over_wave  # which a bare contact does without
 
-    thickness = thickness_over_wave(groups)
-    near = {"n_E": _ends(groups.n_E), "thickness_over_shortest_wave": _ends(thickness)}
-    return on_maps(law, problem.options, groups.n_E, thickness), near
+    given = {"n_E": groups.n_E, "thickness_over_shortest_wave": thickness_over_wave(groups)}
+    return on_maps(law, problem.options, *given.values()), given
 
 
 # What errors are looked up by, in words.
@@ -134,8 +127,7 @@ def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray 
 
 def _over_radius(problem: Problem) -> np.ndarray:
     """t/R (n, 1): (t/sqrt(R sigma))^2 over t/sigma; where that is not known, far off."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        found = problem.groups.film_aspect**2 / problem.groups.tau
+    found = quotient(problem.groups.film_aspect**2, problem.groups.tau)
     return np.where(np.isfinite(found) & (found > 0.0), found, 1.0)[:, None]
 
 
@@ -147,11 +139,6 @@ def _ends(values: np.ndarray) -> list[float]:
 def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, str]:
     """Attributes of a result that say its measured errors, as JSON; a netCDF file keeps them."""
     return {"measured_film_error": json.dumps(film_errors(problem, results))}
-
-
-def read_film_errors(text: str) -> list[dict[str, Any]]:
-    """The rows that `as_attributes` wrote."""
-    return [row for row in json.loads(text) if "law" in row]
 
 
 def in_words(row: Mapping[str, Any]) -> str:

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.contact.indices import Groups
+from stiction.quantities.quotient import quotient
 from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near
 from stiction.solving.accuracy.film_errors import on_solved_maps
 from stiction.solving.accuracy.solved_near import Place
@@ -32,6 +32,7 @@ from stiction.solving.problem_base import Problem
 from stiction.solving.state import state_of
 
 if TYPE_CHECKING:
+    from stiction.solvers.boundary_elements.map_area import MapArea
     from stiction.surfaces.heightmap import HeightMap
 
 FAR = 2.0  # distance beyond which nothing near was measured
@@ -120,19 +121,14 @@ class MeasuredErrors:
             return f"the reference solution; points as wide as these leave {most:.1%}{self._of_sample}"
         where = "" if some.all() else f" at {int(some.sum())} of {some.size} points"
         of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
-        nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))] if self.nearest.size else ""
+        nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))]
         nearest = f"; {nearest}" if nearest else ""
-        count = int(self.surfaces[some].max())
         mean, ends = _ends(self.area[some], self.area[some]), _ends(self.low[some], self.high[some])
-        if self.kind is not None:
-            of_kind = f"{ends} for 90% of {count} of this kind, {self.kind}{nearest}"
-            said = f"contact area {mean} against solved surfaces{where} ({of_kind})"
-        elif self.kind_known:
-            said = f"contact area {mean} against solved surfaces{where} (rms {most:.0%} over {count} like this one{nearest})"
-        else:
-            kinds = f"{ends} for 90% of {count} of all kinds, which numbers do not tell apart"
-            said = f"contact area {mean} against solved Gaussian surfaces{where} ({kinds}{nearest})"
-        return f"{said}{of_mu}{self._of_sample}"
+        alike = "like this one" if self.kind is None else f"of this kind, {self.kind}"
+        kinds = alike if self.kind_known else "of all kinds, which numbers do not tell apart"
+        surfaces = f"solved {'' if self.kind_known else 'Gaussian '}surfaces{where}"
+        counted = f"{ends} for 90% of {int(self.surfaces[some].max())} {kinds}{nearest}"
+        return f"contact area {mean} against {surfaces} ({counted}){of_mu}{self._of_sample}"
 
     @property
     def _of_sample(self) -> str:
@@ -158,16 +154,10 @@ def column_of(problem: Problem) -> str:
         return f"{record.key}|{method}"
     measured = None if problem.subject is None else problem.subject.measured
     method = "mccool" if measured is None else measured.method
-    return f"{_name(chosen, record)}|{method}"
-
-
-def _name(chosen, record) -> str:
-    """As a comparison shows it."""
-    if chosen.asperity is None or chosen.asperity.key == record.asperity:
-        name = record.key
-    else:
-        name = chosen.asperity.key if record.key == _SUM else f"{record.key} with {chosen.asperity.key}"
-    return name
+    name = record.key
+    if chosen.asperity is not None and chosen.asperity.key != record.asperity:  # as a comparison shows it
+        name = chosen.asperity.key if record.key == _SUM else f"{name} with {chosen.asperity.key}"
+    return f"{name}|{method}"
 
 
 def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> MeasuredErrors:
@@ -220,9 +210,7 @@ def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
 def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = False) -> np.ndarray:
     """Return the standard deviation of ln of an area solved on a map, by how many points touch, or of the formula that stands
     for it. share: A/A0 (k,); every_point: all points are solved, not those that are enough."""
-    from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
-
-    area = map_area(surface)
+    area = _map_area(surface)
     if not area.solvable and not every_point:
         return np.full(share.shape, _BY_FORMULA[area.way])
     every = np.ones(share.size) if every_point else np.array([area.every(one) for one in share.tolist()])
@@ -241,11 +229,9 @@ def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.nda
 
 def _sample_error(surface: "HeightMap", place: Place) -> np.ndarray:
     """Standard error of ln of the area as one window of a larger surface; 0 of one period."""
-    from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
-
     if place.pressure.size > _MOST_POINTS:
         return np.full(place.pressure.size, np.nan)
-    area, found = map_area(surface), np.empty(place.pressure.size)
+    area, found = _map_area(surface), np.empty(place.pressure.size)
     h = area.slopes.gradient
     for hardness in np.unique(place.hardness):
         at = place.hardness == hardness
@@ -269,11 +255,11 @@ def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray
     from scipy.special import erfinv
 
     found = on_solved_maps(problem, points)
-    if found is not None and isinstance(problem, ClosedForm) and problem.map is not None and _is_solved(problem.map):
+    if found is not None and isinstance(problem, ClosedForm) and problem.map is not None and _map_area(problem.map).solvable:
         return _none_but_own(found)
     if found is None or place.shape is not None:
         return found
-    share = np.minimum(math.pi * problem.groups.roughness_parameter[:, None] * area, 1.0 - 1e-9).ravel()
+    share = np.minimum(_share(problem, area), 1.0 - 1e-9)
     bare_place = replace(place, pressure=np.where(place.pressure > 0.0, erfinv(share) / math.sqrt(2.0), place.pressure))
     bare = bare_errors(solved_set(), f"{_BY_MOMENTS}|{_MOMENTS}", bare_place, anywhere=False)
     if bare is None:
@@ -286,11 +272,10 @@ def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray
     return found._replace(middle=middle, levels=levels, relative=relative, surfaces=bare.surfaces)
 
 
-def _is_solved(surface: "HeightMap") -> bool:
-    """Return whether a map is small enough to be solved."""
+def _map_area(surface: "HeightMap") -> "MapArea":
     from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
 
-    return bool(map_area(surface).solvable)
+    return map_area(surface)
 
 
 def _none_but_own(found: ErrorsNear) -> ErrorsNear:
@@ -330,7 +315,7 @@ def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[floa
     pull = _largest(state.get("meniscus_share"))
     if "load_meniscus" in results:
         pulled, load = (np.abs(np.asarray(results[name], dtype=float)) for name in ("load_meniscus", "load"))
-        share = np.divide(pulled, load, out=np.where(pulled > 0.0, _FULL, 0.0), where=load > 0.0)
+        share = np.where(pulled > 0.0, quotient(pulled, load, _FULL), 0.0)
         pull, why = _largest(share), "menisci pull, the solved surfaces are dry"
     sticks = _largest(state.get("adhesion_share"))
     if sticks > max(pull, _MOST_ADHESION):
@@ -364,7 +349,10 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
     tangential = problem.chosen.tangential
     if tangential is None or not tangential.interfacial or "friction_force" not in results:
         return np.full(error.shape, np.nan)
-    error = np.where(np.repeat(_can_be(problem.groups), error.size // len(problem.groups)), error, np.nan)
+    ratio = problem.groups.strength_over_bodies
+    if ratio is not None:  # where the interface is not the weaker one the area grows, and mu has another error
+        weaker = np.broadcast_to(ratio < 1.0 - 1e-12, len(problem.groups))
+        error = np.where(np.repeat(weaker, error.size // len(weaker)), error, np.nan)
     beta = problem.groups.pressure_coefficient
     if beta is None or "pressure_coefficient" not in (*tangential.needs, *tangential.takes):
         return error
@@ -374,12 +362,6 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
     of_load = np.reshape(beta, (-1, 1)) * load
     solved = (friction - of_load) * np.exp(-error.reshape(load.shape)) + of_load
     return np.log(friction / solved).ravel()
-
-
-def _can_be(groups: Groups) -> np.ndarray:
-    """Return where (n,) the interface is weaker than the surfaces that meet: else the area grows and mu has another error."""
-    ratio = groups.strength_over_bodies
-    return np.broadcast_to(True if ratio is None else ratio < 1.0 - 1e-12, len(groups))
 
 
 def as_attributes(found: MeasuredErrors) -> dict[str, str]:
