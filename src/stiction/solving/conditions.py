@@ -188,8 +188,9 @@ def _of_groups(problem: Problem) -> dict[str, Any]:
 def _rules_for(problem: Problem) -> list[Validity]:
     """The rules that apply, and the ranges that the records claim."""
     rules = [rule for rule, applies in RULES if applies(problem)]
-    if _hardens(problem):
-        rules = [_hardened(rule) for rule in rules]
+    if _hardens(problem):  # it may bear more than its hardness: then that is only an assumption that fails
+        hardness = "nominal_pressure_over_hardness"
+        rules = [replace(rule, kind="assumption") if rule.quantity == hardness else rule for rule in rules]
     return [*rules, *(rule for record in problem.records() for rule in record.validity)]
 
 
@@ -198,11 +199,6 @@ def _hardens(problem: Problem) -> bool:
     hardening = problem.groups.hardening
     known = any("hardening" in (*record.needs, *record.takes) for record in problem.records())
     return known and hardening is not None and bool(np.all(np.asarray(hardening) > 0.0))
-
-
-def _hardened(rule: Validity) -> Validity:
-    """A metal that hardens as it flows may bear more than its hardness: then that is only an assumption that fails."""
-    return replace(rule, kind="assumption") if rule.quantity == "nominal_pressure_over_hardness" else rule
 
 
 def without_repeats(doubts: Iterable[Doubt]) -> list[Doubt]:

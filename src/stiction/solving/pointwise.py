@@ -96,30 +96,23 @@ def _solved(points: Points) -> tuple[Solved, np.ndarray]:
 def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
     """The same of contacts of which some are refused: not a number there. Raises what the last one is refused for if it is all
     of them."""
-    shape = points.table.shape
+    shape, every = points.table.shape, np.arange(len(points.problem.groups))
     tables: dict[str, np.ndarray] = {}
-    found, why_not = None, np.full(shape, 1 << _REFUSED, dtype=np.uint32)
-    for rows, (part, why) in _parts(points):
-        for name, table in part.tables.items():
-            tables.setdefault(name, np.full(shape, np.nan))[rows] = table
-        why_not[rows] = why
-        if part.found is not None:
-            h, residual, tension, where = (np.full(size, np.nan) for size in (shape, shape, shape[:1], shape[:1]))
-            found = (found or Inversion(h, residual, tension, where)).with_rows(rows, part.found)
-    return Solved({name: table.reshape(points.wanted.shape) for name, table in tables.items()}, found), why_not
-
-
-def _parts(points: Points) -> Iterator[tuple[np.ndarray, tuple[Solved, np.ndarray]]]:
-    """Rows that the model takes, with their results. Raises the last refusal if it takes none."""
-    taken, refusal, every = False, None, np.arange(len(points.problem.groups))
-    for region, found in bisected({"contact": slice(0, len(every))}, lambda part: _taken(points.rows(every[part["contact"]]))):
-        if isinstance(found, Exception):
-            refusal = found
+    found, refusal, why_not = None, None, np.full(shape, 1 << _REFUSED, dtype=np.uint32)
+    for region, part in bisected({"contact": slice(0, len(every))}, lambda some: _taken(points.rows(every[some["contact"]]))):
+        rows = every[region["contact"]]
+        if isinstance(part, Exception):
+            refusal = part
             continue
-        taken = True
-        yield every[region["contact"]], found
-    if refusal is not None and not taken:
+        solved, why_not[rows] = part
+        for name, table in solved.tables.items():
+            tables.setdefault(name, np.full(shape, np.nan))[rows] = table
+        if solved.found is not None:
+            h, residual, tension, where = (np.full(size, np.nan) for size in (shape, shape, shape[:1], shape[:1]))
+            found = (found or Inversion(h, residual, tension, where)).with_rows(rows, solved.found)
+    if refusal is not None and not tables:
         raise refusal
+    return Solved({name: table.reshape(points.wanted.shape) for name, table in tables.items()}, found), why_not
 
 
 def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Region, T | Exception]]:

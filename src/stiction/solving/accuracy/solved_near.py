@@ -147,7 +147,7 @@ def kind_of_map(surface: "HeightMap") -> str | None:
 def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
     """Of a point on a film from every film of every coated surface (s, f)."""
     assert place.modulus is not None and place.thickness is not None
-    some, shape = known["film_surfaces"], known["film_loads"].shape[:2]
+    some = known["film_surfaces"]
     moduli, thicknesses = known["films"].T
     waves = (known["gradient_over_shortest"][some] / known.feature("wave")[some])[:, None]
     modulus, thickness, pressure = (float(one[at]) for one in (place.modulus, place.thickness, place.pressure))
@@ -159,14 +159,11 @@ def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference
         Difference(one.name, one.ours, one.theirs[some][:, None], one.squared[some][:, None])
         for one in differences(known, place, at)
     ]
-    films = [
+    return [
+        *bare,
         Difference("film modulus over that of the body", modulus, moduli[None, :], by_film),
         Difference("film thickness over sqrt(m2/m4)", thickness, thicknesses[None, :] * waves, by_thickness),
         Difference(_OVER_STIFFNESS, pressure, np.clip(pressure, low, high), beyond**2),
-    ]
-    return [
-        Difference(one.name, one.ours, np.broadcast_to(one.theirs, shape), np.broadcast_to(one.squared, shape))
-        for one in (*bare, *films)
     ]
 
 
@@ -195,10 +192,10 @@ def nearest_in_words(found: Iterable[Difference], at: int) -> str:
     """In what the solved one at this place, counted flat, differs most: "the nearest has Nayak's alpha 5 where this has 24"; ""
     where it is at a distance below 1."""
     found = list(found)
-    parts = [float(one.squared.flat[at]) for one in found]
-    if not 1.0 < sum(parts) < math.inf:
+    squared = [float(table.flat[at]) for table in np.broadcast_arrays(*(one.squared for one in found))]
+    theirs = [table.flat[at] for table in np.broadcast_arrays(*(one.theirs for one in found))]
+    if not 1.0 < sum(squared) < math.inf:
         return ""
-    said = sorted(zip(parts, found, strict=True), key=lambda pair: -pair[0])
-    large = [one for part, one in said if part >= _SAID * sum(parts)]
-    each = (f"{one.name} {one.theirs.flat[at]:.2g} where this has {one.ours:.2g}" for one in large)
-    return "the nearest has " + " and ".join(each)
+    said = sorted(zip(squared, theirs, found, strict=True), key=lambda row: -row[0])
+    large = [(their, one) for part, their, one in said if part >= _SAID * sum(squared)]
+    return "the nearest has " + " and ".join(f"{one.name} {their:.2g} where this has {one.ours:.2g}" for their, one in large)

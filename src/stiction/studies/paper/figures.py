@@ -6,7 +6,7 @@ and lambda of its figures nor the film values that a panel holds fixed: those he
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -72,16 +72,13 @@ def panel_curves(panel: Panel, theta: float, lam: float, reading: str) -> PanelC
 
     h = np.linspace(*H_RANGE, _POINTS)
     film = {**panel.fixed, panel.along: axis(panel.along, panel.values)}
-    if reading == LAYERED:
-        contacts = {
-            True: Indices(theta=theta, lam=lam, **film | film_groups(film["tau"])),
-            False: Indices(theta=theta, lam=lam),
-        }
-        coated, bare = (solve(contacts[one], separation=h, **choice(one).arguments()) for one in (True, False))
-        return PanelCurves(panel, coated, bare.assign_attrs(theta=theta, lam=lam, reading=reading))
-    coated = solve(Indices(theta=theta, lam=lam, **film), separation=h, reading=reading)
-    bare = solve(Indices(theta=theta, lam=lam), separation=h, reading=reading)
-    return PanelCurves(panel, coated, bare.assign_attrs(theta=theta, lam=lam))
+    film |= film_groups(film["tau"]) if reading == LAYERED else {}
+
+    def solved(**groups: Any) -> "xarray.Dataset":
+        laws = choice(bool(groups)).arguments() if reading == LAYERED else {"reading": reading}
+        return solve(Indices(theta=theta, lam=lam, **groups), separation=h, **laws)
+
+    return PanelCurves(panel, solved(**film), solved().assign_attrs(theta=theta, lam=lam, reading=reading))
 
 
 def curve_rows(panels: Iterable[PanelCurves]) -> tuple[list[str], Iterator[list]]:

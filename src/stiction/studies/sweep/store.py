@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import version
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +24,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.paths import require_place
 from stiction.quantities.uninterrupted import uninterrupted
 from stiction.solving.choice import RECOMMENDED, Choice
-from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT, meanings_of
+from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT, meanings_of, pieces
 from stiction.studies.prediction.many import count_of
 from stiction.studies.prediction.predict import is_predicted
 from stiction.studies.sweep.blocks import merged, solve_block, solved_of, statistics_of
@@ -225,13 +226,7 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
 
     refused: Exception = InputError("contact", None, "contacts that the model takes")
     for block in range(min(plan.blocks, 3)):
-        region = plan.region(block)
-        for at in range(min(plan.contacts(block), 5)):
-            places = np.unravel_index(at, [some.stop - some.start for some in region.values()])
-            one = {
-                dim: slice(some.start + int(i), some.start + int(i) + 1)
-                for (dim, some), i in zip(region.items(), places, strict=True)
-            }
+        for one in islice(pieces(plan.region(block), 1), 5):
             try:
                 case = case_of(plan.content, plan.arrays(one))
                 choice = Choice(RECOMMENDED) if is_predicted(case) else choice_of_case(case, case.choice)

@@ -1,5 +1,6 @@
 """Many contacts that are drawn from what is uncertain, solved together: by one model, or each by the one drawn for it."""
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -48,7 +49,7 @@ class Draws:
     tables: dict[str, np.ndarray] = field(default_factory=dict)
     dims: dict[str, tuple[str, ...]] = field(default_factory=dict)
     attributes: dict[str, dict[str, str]] = field(default_factory=dict)
-    doubtful: dict[str, int] = field(default_factory=dict)
+    doubtful: Counter[str] = field(default_factory=Counter)
     impossible: int = 0
 
 
@@ -133,7 +134,7 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
 
 def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
     if solved is None:
-        _count(found, WHY_NOT[0], len(rows) * found.points)
+        found.doubtful[WHY_NOT[0]] += len(rows) * found.points
         return
     points, bits = solved.doubts
     rules = [bit for bit, rule in enumerate(solved.rules, start=len(WHY_NOT)) if excludes(rule)]
@@ -147,17 +148,12 @@ def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
     times = len(rows) * found.points // bits.size
     found.impossible += times * int(impossible.sum())
     for bit, text in enumerate(meanings_of(solved.rules)):
-        _count(found, text, times * int(((bits >> np.uint32(bit)) & 1).sum()))
-
-
-def _count(found: Draws, text: str, points: int) -> None:
-    if points:
-        found.doubtful[text] = found.doubtful.get(text, 0) + points
+        found.doubtful[text] += times * int(((bits >> np.uint32(bit)) & 1).sum())
 
 
 def shares_of_points(draws: Draws) -> dict[str, float]:
     """Range of validity, or why nothing is known -> in which share of all points."""
-    return {text: count / _all_points(draws) for text, count in sorted(draws.doubtful.items(), key=lambda pair: -pair[1])}
+    return {text: count / _all_points(draws) for text, count in draws.doubtful.most_common() if count}
 
 
 def impossible_share(draws: Draws) -> float:
