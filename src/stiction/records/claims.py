@@ -35,7 +35,7 @@ KINDS_OF_DOUBT = {
     "effect": "leaves out what matters here",
     "assumption": "an assumption of the model fails",
     "fit": "beyond the numbers it was fitted to",
-    "statistics": "too few asperities for an average",
+    "statistics": "too few asperities or waves for an average",
 }
 
 

@@ -16,6 +16,7 @@ from stiction.laws.proportion import OUT_OF_PROPORTION
 from stiction.laws.validity import Doubt, doubts_about, ranges_left
 from stiction.quantities.dimensions import aligned
 from stiction.records.claims import Validity
+from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.on_map import OnMap
 from stiction.solving.problem import Problem, lost_in_rounding
 from stiction.solving.state import state_of
@@ -102,6 +103,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _by_numbers),
     (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _by_numbers),
     (Validity("size_effect", 0.0, 10.0, "no metal is known to be so much harder under small asperities"), _any),
+    (Validity("longest_waves_on_a_side", LEAST_WAVES, inf, "the map is no sample of its surface", "statistics"), _any),
     (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _by_numbers),
 )  # fmt: skip
 

@@ -19,6 +19,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.contact.subject import Subject
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.quantities.quotient import quotient
 from stiction.solvers.layered.below import pressure_carried_below
@@ -49,8 +50,10 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
         count = number_of_asperities(groups)
         if count is not None:
             found["touching_asperities"] = count * some
-    of_surface = _of_the_surface(groups) | _of_the_map(problem) | (_of_attraction(groups) if problem.record.adheres else {})
-    return found | {name: value[:, None] for name, value in of_surface.items()}
+    of_surface = _of_the_surface(groups) | (_of_attraction(groups) if problem.record.adheres else {})
+    known = {} if problem.subject is None else of_the_map(problem.subject)
+    of_map = {name: np.full((n, 1), value) for name, value in known.items()}
+    return found | {name: value[:, None] for name, value in of_surface.items()} | of_map
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
@@ -70,19 +73,17 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
     return found
 
 
-def _of_the_map(problem: Problem) -> dict[str, np.ndarray]:
-    """What is known of the map (n,), where a theory takes it in place of its moments."""
-    surface = getattr(problem, "map", None)
-    if surface is None:
+def of_the_map(subject: Subject) -> dict[str, float]:
+    """Return what is known of the map of a contact: of its scans, each by itself, where they make no one map. No load changes
+    it. Empty where there is none."""
+    surface = subject.with_surface_moments().map
+    maps = [surface] if surface is not None else [] if subject.measured is None else subject.measured.solvable.filled()
+    if not maps:
         return {}
     from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
 
-    area = map_area(surface)
-    known = {
-        "points_in_shortest_wave": area.points_in_shortest_wave,
-        "longest_waves_on_a_side": area.longest_waves_on_a_side,
-    }
-    return {name: np.full(len(problem.groups), value) for name, value in known.items()}
+    names = "points_in_shortest_wave", "longest_waves_on_a_side"
+    return {name: min(getattr(map_area(one), name) for one in maps) for name in names}
 
 
 def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:

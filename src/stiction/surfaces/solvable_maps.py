@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,6 +26,11 @@ class SolvableMaps:
     def points(self) -> int:
         """How many points the larger map has."""
         return max((one.heights.size for one in self.maps.values()), default=0)
+
+    def filled(self) -> "list[HeightMap]":
+        """Return the maps, missing points at the mean height; no profiles."""
+        maps = [one for one in self.maps.values() if not one.is_profile]
+        return [replace(one, heights=np.where(np.isnan(one.heights), np.nanmean(one.heights), one.heights)) for one in maps]
 
     def attributes(self) -> dict[str, str]:
         """What goes with a result that looked for no asperities: what was done to each map."""

@@ -37,7 +37,6 @@ from typing import TYPE_CHECKING
 from stiction.contact.contact import EQUILIBRIUM_DISTANCE, Contact
 from stiction.contact.materials import Material
 from stiction.contact.pair import compliance_of, pair_of
-from stiction.laws.rough_surface.shared.maps import A_SAMPLE
 from stiction.quantities.errors import InputError
 from stiction.records.claims import Validity
 from stiction.records.registry import RoughSurface
@@ -132,7 +131,6 @@ RECORD = RoughSurface(
     },
     validity=(
         Validity("points_in_shortest_wave", limits.LEAST_PIXELS, inf, "the area is not converged in points", "fit"),
-        A_SAMPLE,
         Validity("points_in_contact", limits.LEAST_CONTACT, inf, "so few points give a rough area only"),
         Validity("map_gradient", 0.0, limits.STEEPEST, "slopes are too steep for half-spaces"),
         Validity("points_in_film", 1.0, inf, "the film is thinner than a point of the map is wide"),

@@ -25,7 +25,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
-from stiction.laws.rough_surface.shared.maps import A_SAMPLE, RESOLVED
+from stiction.laws.rough_surface.shared.maps import RESOLVED
 from stiction.records.registry import RoughSurface, Validity
 from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import LEAST_BANDWIDTH, LEAST_DENSITY, bandwidth, density_of_bandwidth, reduced_pressure
@@ -91,7 +91,6 @@ RECORD = RoughSurface(
     needs=("hardness_group", "roughness_parameter"),
     validity=(
         RESOLVED,
-        A_SAMPLE,
         Validity(
             "roughness_parameter",
             LEAST_DENSITY,

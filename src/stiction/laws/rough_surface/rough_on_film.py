@@ -41,7 +41,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.blocks import blocks
 from stiction.laws.film.shared.layered_rows import coefficients
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
-from stiction.laws.rough_surface.shared.maps import A_SAMPLE, RESOLVED
+from stiction.laws.rough_surface.shared.maps import RESOLVED
 from stiction.records.registry import RoughSurface, Validity
 from stiction.records.sources import Source
 from stiction.solvers.layered.below import pressure_carried_below
@@ -312,7 +312,6 @@ RECORD = RoughSurface(
     ),
     validity=(
         RESOLVED,
-        A_SAMPLE,
         Validity("n_E", 0.1, 10.0, "films with which it was compared with solved maps", "fit"),
         Validity("stiff_film_over_wave", 0.15, math.inf, "under a thin film five times as stiff as the bodies its area is off"),
     ),

@@ -157,7 +157,7 @@ class Group:
     @property
     def kind(self) -> tuple[str, bool, str]:
         """Return what models of one row have in common beside mu."""
-        return self.family, self.possible, self.status if self.fits else ""
+        return self.family, self.possible, self.status.split(";")[0] if self.fits else ""
 
     @property
     def possible(self) -> bool:

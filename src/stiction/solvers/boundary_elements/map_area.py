@@ -33,7 +33,8 @@ FEWEST_IN_WAVE = 2.5  # points in the shortest wave of those that are solved
 _LAID, _LEAST_ACROSS_LAY = 1.7, 8.0
 _STEPS, _FEW = 4, 12  # pressures to a factor of ten, where there are more than so few of them
 # Of 24 windows of own elastic maps with 1 to 7 of the longest waves (grade C): ln of the area was off by up to 5 times the
-# scatter of quadrants at 1 wave, and as they say from 4 on.
+# scatter of quadrants at 1 wave, and as they say from 4 on. Of 104 windows of 21 own plastic maps (H/(E* h') .25 to 1.2, 1.4 to
+# 6 waves, seven kinds of surface) intervals of 90 % then hold 91 %, the fewest, 83 %, across a lay.
 _OF_WAVES = 0.8
 _HEAVIEST = 1.2  # pressure over E* h' that is solved
 _MOST_OF_HARDNESS = 0.97

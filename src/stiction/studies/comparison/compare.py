@@ -170,8 +170,9 @@ class _Answer:
         if self.why_not:
             return f"no answer: {self.why_not}"
         dry = ", without the liquid" if self.dry else ""
-        if not self.outside:
-            return f"fits{dry}"
+        of_chance = [one.in_brief for one in self.outside if one.kind == "statistics"]
+        if len(of_chance) == len(self.outside):  # whatever the model
+            return "; ".join((f"fits{dry}", *of_chance))
         worst = [one for one in self.outside if one.kind == "impossible"]
         told = list(dict.fromkeys(one.in_brief for one in worst or self.outside))
         more = f" and {len(told) - 2} more" if len(told) > 2 else ""

@@ -1,10 +1,12 @@
 """What state a contact is in, in a sentence, and what would tell the most about its friction."""
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
 
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
+from stiction.solving.state import of_the_map
 from stiction.studies.prediction.mixture import Mixture, Samples
 
 __all__ = ["next_step", "regime_of", "warnings_of"]
@@ -75,7 +77,7 @@ def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str
             f"The stated interface is {times:.3g} times as strong as the weaker body, and junctions grow: 2 % of its strength "
             "change mu by 15 % and more."
         )
-    found += _of_window(mixture)
+    found += _of_few_waves(mixture)
     found += [] if mixture.asked.contact.measured is None else list(mixture.asked.contact.measured.doubts)
     area, pressure = (float(np.nanmedian(one[:, at])) for one in (samples.area, samples.pressure))
     is_open = area < _FLAT * float(np.median(mixture.asked.drawn.nominal_area)) and pressure < _PLASTIC
@@ -93,14 +95,9 @@ def _kind_is_missing(mixture: Mixture) -> bool:
     return not asked.on_map and asked.contact.surface_kind is None and asked.contact.heights[0] == "gaussian"
 
 
-def _of_window(mixture: Mixture) -> list[str]:
-    """Return a warning where the map is a window with few of its longest waves."""
-    surface = mixture.asked.contact.with_surface_moments().map
-    if surface is None or surface.periodic:
-        return []
-    from stiction.solvers.boundary_elements.map_area import map_area  # slow to import
-
-    waves = map_area(surface).longest_waves_on_a_side
+def _of_few_waves(mixture: Mixture) -> list[str]:
+    """Return a warning where the map has few of its longest waves."""
+    waves = of_the_map(mixture.asked.contact).get("longest_waves_on_a_side", math.inf)
     few = f"The map holds {waves:.2g} of its longest waves on a side, fewer than {LEAST_WAVES:g}:"
     return [f"{few} it may not stand for the surface."] if waves < LEAST_WAVES else []
 
