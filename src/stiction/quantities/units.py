@@ -5,6 +5,7 @@ pint knows the units; it is slow to import, so it is imported when the first uni
 
 import re
 import shutil
+from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
@@ -71,6 +72,11 @@ def show(value, name: str, digits: int = 6) -> str:
     exponent = int(f"{value:.5e}".partition("e")[2]) // (3 * power) * 3
     exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
     return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{raised}{rest}"
+
+
+def span(ends: Iterable[float], form: str = ".3g") -> str:
+    """Return the ends of a range in words, one where they read alike: "0.31", "0.31 to 0.45"."""
+    return " to ".join(dict.fromkeys(format(end, form) for end in ends))
 
 
 def several_in_words(values, where: str, count: int | None = None) -> InWords:

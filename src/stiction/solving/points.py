@@ -72,6 +72,11 @@ def points_at(problem: Problem, name: str, value: Any) -> Points:
     return Points(problem, name, value, factors, dims, np.broadcast_to(narrow, tuple(dims.values())), narrow)
 
 
+def normalised(value: Any, unit: Any, dims: Mapping[str, int]) -> np.ndarray:
+    """Return a value over a unit, in the shape of these dimensions."""
+    return np.broadcast_to(aligned(value, dims) / aligned(unit, dims), tuple(dims.values()))
+
+
 def points_asked(subject: Subject, name: str, value: Any) -> Any:
     """Return the separations or loads asked for: a number, or an array with named dimensions. A plain sequence is named after
     its quantity."""

@@ -9,6 +9,7 @@ from stiction.contact.subject import Subject
 from stiction.laws.validity import as_attributes
 from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import span
 from stiction.records.registry import JUNCTIONS
 from stiction.solving import unused
 from stiction.solving.accuracy import film_errors, measured_error
@@ -115,15 +116,12 @@ def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> 
     words = [f"plastic junctions resist as after {problem.options[JUNCTIONS]}, not as published"]
     if known.any():
         mu, published = mu[known], published[known]
-        words.append(f"mu is {_ends(mu)}, as published {_ends(published)}")
+        ends = [span((one.min(), one.max())) for one in (mu, published)]
+        words.append(f"mu is {ends[0]}, as published {ends[1]}")
         if (published > 0.0).all():
-            words.append(f"{_ends(mu / published)} times that")
+            ratio = mu / published
+            words.append(f"{span((ratio.min(), ratio.max()))} times that")
     return {"change_by_junctions": ": ".join([words[0], ", ".join(words[1:])]) if words[1:] else words[0]}
-
-
-def _ends(values: np.ndarray) -> str:
-    """The range of values, to three digits: "0.31", "0.31 to 0.45"."""
-    return " to ".join(dict.fromkeys(f"{one:.3g}" for one in (values.min(), values.max())))
 
 
 def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:

@@ -20,7 +20,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.quotient import quotient
 from stiction.solving.candidates import choice_of
-from stiction.solving.points import coordinates_of, in_words, points_asked, points_of, solve_points
+from stiction.solving.points import coordinates_of, in_words, normalised, points_asked, points_of, solve_points
 from stiction.solving.problem import SLIP_LIMITED, Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
 
@@ -76,7 +76,7 @@ def slide(
     ends = sliding.ends(static)
     moved = _displacements(subject, displacement, ends["sliding_displacement"] * aligned(factors["m"], dims))
     whole = dimensions([moved], dims)
-    curve = sliding.curve(static, np.broadcast_to(aligned(moved, whole) / aligned(factors["m"], whole), tuple(whole.values())))
+    curve = sliding.curve(static, normalised(moved, factors["m"], whole))
     coords = problem.coords | coordinates_of(point, moved)
     data = labelled(subject, static | ends, factors, dims, coords)
     data = data.merge(labelled(subject, curve, factors, whole, problem.coords | coordinates_of(moved)))

@@ -29,7 +29,16 @@ from stiction.solving.additions import ADDITIONS
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.inversion import largest_tension
-from stiction.solving.points import Points, check_reach, coordinates_of, in_words, points_asked, points_at, solve_points
+from stiction.solving.points import (
+    Points,
+    check_reach,
+    coordinates_of,
+    in_words,
+    normalised,
+    points_asked,
+    points_at,
+    solve_points,
+)
 from stiction.solving.problem import Sum, as_asked, make_problem
 from stiction.solving.results import labelled, summary_of
 
@@ -80,13 +89,12 @@ def unload(
     shape = tuple(dims.values())
     nearest = _nearest(turn)
     turned = np.broadcast_to(nearest.reshape(nearest.shape + (1,) * (len(shape) - nearest.ndim)), shape)
-    wanted = np.broadcast_to(aligned(point, dims) / aligned(factors["m"], dims), shape)
+    wanted = normalised(point, factors["m"], dims)
     apart = _apart(subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), distance is not None)
     results = way.at(way.rows(shape), turned, apart)
     doubts = []
     if is_load:
-        asked = np.broadcast_to(aligned(turn.value, dims) / aligned(factors["N"], dims), shape)
-        asked = np.where(apart == 0.0, asked, results["load"])
+        asked = np.where(apart == 0.0, normalised(turn.value, factors["N"], dims), results["load"])
         doubts = doubts_of_rounding(results["load"], asked)
         results = as_asked(results, asked)
     tables = {"mean_separation": turned + apart if separation is None else wanted} | results
@@ -95,13 +103,9 @@ def unload(
     if "mean_separation" in getattr(point, "dims", ()):  # its values as they were given are the coordinate
         attributes = data["mean_separation"].attrs
         data = data.drop_vars("mean_separation").assign_coords(mean_separation=("mean_separation", point.values, attributes))
-    for name, like in _DESCRIBED.items():
+    for name in _DESCRIBED:
         if name in data.coords:
-            data[name].attrs = subject.attributes(like[0]) | {
-                "long_name": name.replace("_", " "),
-                "comment": like[1],
-                "symbol": "",
-            }
+            data[name].attrs = _described(subject, name)
     return with_doubts(data.assign_attrs(way.summary(tables)), doubts)
 
 
@@ -116,6 +120,13 @@ _DESCRIBED = {
         "mean separation at which the load has fallen to nothing, undefined where it never does",
     ),
 }
+
+
+def _described(subject: Subject, name: str) -> dict[str, str]:
+    """Return the attributes of one of _DESCRIBED."""
+    like, meaning = _DESCRIBED[name]
+    symbol = QUANTITIES[name].symbol if name in QUANTITIES else ""
+    return subject.attributes(like) | {"long_name": name.replace("_", " "), "comment": meaning, "symbol": symbol}
 
 
 @dataclass(frozen=True)
@@ -264,12 +275,8 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
     subject = way.pressed.subject
     data = labelled(subject, tables, factors, dims, {})
     for name, table in own.items():
-        quantity, meaning = _DESCRIBED[name]
-        like = labelled(subject, {quantity: table}, factors, dims, {})[quantity]
-        short = name.replace("_", " ")
-        data[name] = like.assign_attrs(
-            long_name=short, comment=meaning, symbol=QUANTITIES[name].symbol if name in QUANTITIES else ""
-        )
+        like = _DESCRIBED[name][0]
+        data[name] = labelled(subject, {like: table}, factors, dims, {})[like].assign_attrs(_described(subject, name))
     return data
 
 

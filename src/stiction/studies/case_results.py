@@ -20,6 +20,7 @@ from stiction.solving.sliding import slide
 from stiction.solving.solve import solve
 from stiction.studies.comparison.compare import compare
 from stiction.studies.prediction.predict import is_predicted, predict
+from stiction.studies.pressing_loads import few_places
 from stiction.studies.uncertainty.bands import with_bands
 
 if TYPE_CHECKING:
@@ -74,16 +75,10 @@ def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0) -> "
         raise InputError("--sliding", "numbers of the contact are several", "one contact; st.slide takes any number")
     choice = choice_of_case(case, choice or case.choice)
     given = {name: value for name, value in choice.arguments().items() if name != "presliding"}
-    points = {name: _few(getattr(case, name)) for name in ("separation", "load") if getattr(case, name) is not None}
+    given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
+    points = {name: each[few_places(np.size(each), _FEW)] if np.ndim(each) else each for name, each in given_at.items()}
     data = slide(case.subject.as_numbers(), **points, kept=kept, **given)
     return _said(data, case).assign_attrs(case.subject.groups())
-
-
-def _few(points: Any) -> Any:
-    """First, last and some between of an array of points."""
-    count = np.size(points)
-    chosen = np.unique(np.linspace(0, count - 1, min(count, _FEW)).round().astype(int))
-    return points[chosen] if np.ndim(points) else points
 
 
 def _check_size(case: Case) -> None:

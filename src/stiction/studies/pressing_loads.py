@@ -7,6 +7,11 @@ from stiction.solving.choice import DEFAULT_MODEL, RECOMMENDED
 from stiction.solving.solve import solve
 
 
+def few_places(size: int, few: int) -> np.ndarray:
+    """Return so many places of a list at most: first, last and some between."""
+    return np.unique(np.linspace(0, size - 1, min(size, few)).round().astype(int))
+
+
 def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
     """Return the loads of a case above 0, and the place among them of its working load.
 

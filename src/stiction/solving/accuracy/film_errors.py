@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from stiction.quantities.quotient import quotient
+from stiction.quantities.units import span
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear
 from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, OnMaps, on_a_sphere, on_maps
 from stiction.solving.problem import Problem
@@ -92,7 +93,7 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
         beyond = known[(known < low / (1.0 + _ROUNDING)) | (known > high * (1.0 + _ROUNDING))]
         if beyond.size:
             share = "" if beyond.size == known.size else f" at {beyond.size} of {known.size} points"
-            said.append(f"{_WORDS[name]} is {_span(_ends(beyond), '.3g')}{share}, and only {low:g} to {high:g} was solved")
+            said.append(f"{_WORDS[name]} is {span(_ends(beyond))}{share}, and only {low:g} to {high:g} was solved")
     return "; ".join(said)
 
 
@@ -143,16 +144,12 @@ def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[s
 
 def in_words(row: Mapping[str, Any]) -> str:
     """One row as a line of text."""
-    near = ", ".join(f"{name} = {_span(ends, '.3g')}" for name, ends in row.get("near", {}).items() if ends)
+    near = ", ".join(f"{name} = {span(ends)}" for name, ends in row.get("near", {}).items() if ends)
     head = f"{row['law']} against {row['against']}" + (f", near {near}" if near else "")
     if "why_not" in row:
         return f"{head}: {row['why_not']}"
-    parts = [f"area {_span(row['error'], '+.0%')} at given load"]
-    parts += [f"load {_span(row['load_error'], '+.0%')} at given approach"] if "load_error" in row else []
+    parts = [f"area {span(row['error'], '+.0%')} at given load"]
+    parts += [f"load {span(row['load_error'], '+.0%')} at given approach"] if "load_error" in row else []
     parts += [f"off by {row['rms']:.2g} in ln(area), rms"] if "rms" in row else []
     parts += [f"elsewhere nothing was measured: {row['outside']}"] if "outside" in row else []
     return f"{head}: {', '.join(parts)}"
-
-
-def _span(ends: list[float], form: str) -> str:
-    return " to ".join(dict.fromkeys(format(end, form) for end in ends))

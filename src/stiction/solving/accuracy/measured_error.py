@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.quantities.quotient import quotient
+from stiction.quantities.units import span
 from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near
 from stiction.solving.accuracy.film_errors import on_solved_maps
 from stiction.solving.accuracy.solved_near import Place
@@ -123,7 +124,8 @@ class MeasuredErrors:
         of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
         nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))]
         nearest = f"; {nearest}" if nearest else ""
-        mean, ends = _ends(self.area[some], self.area[some]), _ends(self.low[some], self.high[some])
+        middle, low, high = (np.expm1(one[some]) for one in (self.area, self.low, self.high))
+        mean, ends = (span(ends, "+.0%") for ends in ((middle.min(), middle.max()), (low.min(), high.max())))
         alike = "like this one" if self.kind is None else f"of this kind, {self.kind}"
         kinds = alike if self.kind_known else "of all kinds, which numbers do not tell apart"
         surfaces = f"solved {'' if self.kind_known else 'Gaussian '}surfaces{where}"
@@ -134,10 +136,6 @@ class MeasuredErrors:
     def _of_sample(self) -> str:
         largest = float(np.max(self.sample, where=np.isfinite(self.sample), initial=0.0))
         return f"; as one window of a larger surface +/-{largest:.0%} more, by its quadrants" if largest > 0.0 else ""
-
-
-def _ends(low: np.ndarray, high: np.ndarray) -> str:
-    return " to ".join(dict.fromkeys(f"{np.expm1(end):+.0%}" for end in (low.min(), high.max())))
 
 
 def _plain(values: np.ndarray) -> list[float | None]:

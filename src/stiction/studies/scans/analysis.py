@@ -1,6 +1,6 @@
 """Everything that is said of one scan: prepared, with statistics, spectrum, moments and the asperities by every method."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -48,40 +48,33 @@ class Analysis:
 def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: Any = None) -> Analysis:
     """Statistics, spectrum, moments and asperities of a prepared scan.
 
-    surface: heights in metres, as `prepared` gives them. progress: wraps the list of steps. tip_radius: of the stylus, metres
+    surface: heights in metres, as `prepared` gives them. progress: wraps the list of methods. tip_radius: of the stylus, metres
     or text with a unit: ends the reliable band of the spectrum where it could not follow. Raises InputError.
     """
     tip = None if tip_radius is None else metres(tip_radius, "tip_radius")
-    found: dict[str, Any] = {"spikes": int(np.count_nonzero(spikes_of(surface)))}
     each: dict[str, Asperities] = {}
     failures: dict[str, str] = {}
-
-    def spectral() -> None:
-        filled = surface if surface.complete else fill_missing(surface)
-        found["of_spectrum"] = "" if surface.complete else filled.history[-1]
-        whole = power_spectrum(filled)
-        found["spectrum"] = radial_average(whole, tip_radius=tip)
-        found["by_spectrum"] = moments_by_spectrum(whole)
-
-    def search(method: str) -> Callable[[], None]:
-        def run() -> None:
-            try:
-                each[method] = asperities(surface, method)
-            except InputError as error:
-                failures[method] = str(error)
-
-        return run
-
-    def described() -> None:
-        found["statistics"] = statistics(surface)
-        found["by_differences"] = moments_by_differences(surface)
-
-    for step in progress([described, spectral, *map(search, methods())]):
-        step()
-    heights = {method: height_model(one) for method, one in each.items()}
-    standing = standing_method(each, {method: independent(one, surface) for method, one in each.items()})
-    kind = kind_of_map(surface)
-    return Analysis(surface, **found, asperities=each, heights=heights, failures=failures, standing=standing, kind=kind)
+    for method in progress(list(methods())):
+        try:
+            each[method] = asperities(surface, method)
+        except InputError as error:
+            failures[method] = str(error)
+    filled = surface if surface.complete else fill_missing(surface)
+    spectrum = power_spectrum(filled)
+    return Analysis(
+        surface,
+        statistics(surface),
+        radial_average(spectrum, tip_radius=tip),
+        "" if surface.complete else filled.history[-1],
+        int(np.count_nonzero(spikes_of(surface))),
+        moments_by_differences(surface),
+        moments_by_spectrum(spectrum),
+        each,
+        {method: height_model(one) for method, one in each.items()},
+        failures,
+        standing_method(each, {method: independent(one, surface) for method, one in each.items()}),
+        kind_of_map(surface),
+    )
 
 
 def summary(analysis: Analysis) -> dict[str, Any]:

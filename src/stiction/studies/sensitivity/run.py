@@ -19,6 +19,7 @@ from stiction.solving.solve import solve
 from stiction.studies.case_results import choice_of_case
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted, predict
+from stiction.studies.pressing_loads import few_places
 from stiction.studies.sensitivity.elasticities import Elasticities, elasticities, elasticities_of_prediction
 from stiction.studies.sensitivity.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
 from stiction.studies.uncertainty.bands import words
@@ -102,12 +103,11 @@ def _at_few_loads(case: Case, working: float | None) -> Case:
     """The case at nine of its loads at most, the working load among them."""
     if case.load is None or case.load.size <= _LOADS:
         return case
-    places = np.linspace(0, case.load.size - 1, _LOADS).round().astype(int)
-    chosen = {*places.tolist()}
+    places = few_places(case.load.size, _LOADS)
     if working is not None:
         nearest = int(np.argmin(np.abs(case.load - working)))
-        chosen = {*(one for one in places.tolist() if one != min(places, key=lambda one: abs(one - nearest))), nearest}
-    return replace(case, load=case.load[sorted(chosen)])
+        places[np.argmin(np.abs(places - nearest))] = nearest
+    return replace(case, load=case.load[places])
 
 
 @dataclass(frozen=True)
