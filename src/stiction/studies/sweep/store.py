@@ -241,6 +241,7 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
 
 
 def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> None:
+    import xarray
     import zarr
 
     case, solved = first
@@ -274,7 +275,10 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
         _statistics(group, plan, layout, points, solved)
     else:
         _arrays(group, plan, layout, sizes, solved)
-    group.attrs["coordinates"] = " ".join(_coordinates(group, plan, case, points))
+    coordinates = _coordinates(group, plan, case, points)
+    xarray.Dataset(coords=coordinates).to_zarr(path, mode="a", consolidated=False, zarr_format=3)
+    own = [one.name for one in plan.several.values() if one.name != one.dimension or one.name not in coordinates]
+    group.attrs["coordinates"] = " ".join(() if plan.sweep.statistics else own)
     meanings = meanings_of(solved.rules)
     done = group.create_array(
         _DONE, shape=(plan.blocks, len(meanings)), chunks=(1, len(meanings)), dtype="int64", fill_value=_NOTHING,
@@ -332,40 +336,29 @@ def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Map
             dimension_names=("statistic", *rest),
         )  # fmt: skip
         array.attrs.update(solved.variables[name][2])
-    _coordinate(group, "statistic", ("statistic",), np.array(kinds, dtype="U18"), {"long_name": "over all contacts"})
 
 
-def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -> list[str]:
-    """Write what the points along the dimensions are called; returns the names that are no dimensions."""
-    names = []
-    listed = plan.sweep.sample.method != "grid"
+def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -> dict[str, tuple]:
+    """What the points along the dimensions are called: name -> dimension, values, attributes; numbers of each contact that is
+    listed or drawn are written with its block."""
+    found: dict[str, tuple] = {}
+    if plan.sweep.statistics:
+        found["statistic"] = ("statistic", list(plan.sweep.statistics), {"long_name": "over all contacts"})
     for one in () if plan.sweep.statistics else plan.several.values():
         attributes = one.array(one.values[:1])[one.name].attrs
-        if listed:
+        if plan.sweep.sample.method == "grid":
+            found[one.name] = (one.dimension, one.numbers(), attributes)
+        else:
             array = group.create_array(
                 one.name, shape=(plan.dims[SAMPLE],), chunks=(plan.tile[SAMPLE],), dtype="float64", fill_value=float("nan"),
                 dimension_names=(SAMPLE,),
             )  # fmt: skip
             array.attrs.update(attributes)
-        else:
-            _coordinate(group, one.name, (one.dimension,), one.numbers(), attributes)
-        if listed or one.name != one.dimension:
-            names.append(one.name)
     for dim in points:
         values = case.load if dim == "load" else case.separation if dim == "mean_separation" else case.separation[dim].values
         attributes = case.separation[dim].attrs if dim == "separation" else case.subject.attributes(dim)
-        _coordinate(group, dim, (dim,), np.asarray(values), attributes)
-    return names
-
-
-def _coordinate(group: Any, name: str, dims: tuple[str, ...], values: np.ndarray, attributes: Mapping[str, Any]) -> None:
-    array = (
-        group.create_array(name, data=values, chunks=values.shape, dimension_names=dims) if values.dtype.kind != "U" else None
-    )
-    if array is None:
-        array = group.create_array(name, shape=values.shape, chunks=values.shape, dtype=str, dimension_names=dims)
-        array[:] = values.astype(object)
-    array.attrs.update(attributes)
+        found[dim] = (dim, np.asarray(values), attributes)
+    return found
 
 
 def open_store(path: str | Path) -> "xarray.Dataset":
