@@ -343,7 +343,7 @@ def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -
     listed or drawn are written with its block."""
     found: dict[str, tuple] = {}
     if plan.sweep.statistics:
-        found["statistic"] = ("statistic", list(plan.sweep.statistics), {"long_name": "over all contacts"})
+        found["statistic"] = ("statistic", np.array(plan.sweep.statistics, dtype=object), {"long_name": "over all contacts"})
     for one in () if plan.sweep.statistics else plan.several.values():
         attributes = one.array(one.values[:1])[one.name].attrs
         if plan.sweep.sample.method == "grid":
