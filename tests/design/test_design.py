@@ -478,11 +478,57 @@ def test_the_command_writes_everything(tmp_path):
 def test_the_command_is_interrupted_and_keeps(tmp_path, monkeypatch):
     from stiction.studies.design import run as module
 
-    def interrupted(found, number, ceiling, tell):
+    def interrupted(*given):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(module, "_searched", interrupted)
+    monkeypatch.setattr(module, "_spread", interrupted)
     (tmp_path / "case.toml").write_text(CASE_FILE, encoding="utf-8")
     result = CliRunner().invoke(cli.app, ["design", str(tmp_path / "case.toml"), "--out", str(tmp_path / "out")])
     assert result.exit_code == 130 and "stopped before the end: the best so far" in result.output
     assert (tmp_path / "out" / "designed.toml").exists()
+
+
+def test_a_front_of_predictions_reaches_its_ends_in_few_designs():
+    """Friction and area of a metal pair rise together with the finish: the ends of the front are at least as
+    good as the smoothest and the roughest corner."""
+    plan = plan_of_design(
+        {
+            "contact": {
+                "first": "hardened_steel_52100",
+                "second": "hardened_steel_52100",
+                "interface": "boundary lubricant",
+                "nominal_area": "1 mm^2",
+                "roughness": {
+                    "asperity_height_deviation": "60 nm",
+                    "asperity_radius": "40 um",
+                    "asperity_density": "1.7e10 1/m^2",
+                    "kind": "ground",
+                },
+            },
+            "solve": {"load": "1 N"},
+            "design": {
+                "wish": [{"minimise": "friction_coefficient_high"}, {"maximise": "contact_area"}],
+                "choose": {
+                    "roughness": {
+                        "asperity_height_deviation": {"low": "40 nm", "high": "200 nm"},
+                        "asperity_radius": {"low": "20 um", "high": "100 um"},
+                    }
+                },
+            },
+        }
+    )
+    found = run_design(plan, lambda count, text: None)
+    assert found.archive.count <= 500
+    front = found.data()
+    area = front["front_contact_area"].values
+    smooth, rough = (
+        predict(plan.given | {"contact": plan.given["contact"] | {"roughness": plan.given["contact"]["roughness"] | numbers}})
+        for numbers in (
+            {"asperity_height_deviation": "40 nm", "asperity_radius": "100 um"},
+            {"asperity_height_deviation": "200 nm", "asperity_radius": "20 um"},
+        )
+    )
+    assert area.max() > 0.99 * smooth["contact_area"].item()
+    least = front["front_friction_coefficient_high"].values.min()
+    assert least < 1.01 * rough["friction_coefficient_high"].item()

@@ -1,14 +1,122 @@
-"""A designed case."""
+"""What a search found: as a labelled dataset, and the designed case."""
 
 from collections.abc import Mapping
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from stiction.case.text import show_exactly, with_written
+import numpy as np
+
+from stiction import __version__
+from stiction.case.read import wants_ranges, without_studies
+from stiction.case.text import case_text, show_exactly, with_written
 from stiction.quantities.table import QUANTITIES
-from stiction.studies.design.plan import LOAD
+from stiction.solving.choice import RECOMMENDED
+from stiction.studies.design.missed import missed_objectives, off_targets
+from stiction.studies.design.plan import LOAD, DesignPlan, Options, quantity_of
+from stiction.studies.design.space import TOLERANCE
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.design.run import Designing
+
+_SHOWN = 200  # designs of a front at most
 
 
-def with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
+def dataset_of(found: "Designing") -> "xarray.Dataset":
+    import xarray
+
+    best = found.best()
+    data = xarray.Dataset(_columns(found, best, "design"), coords={"design": np.arange(len(best))})
+    data["violated"] = ("design", _violated(found, best), {"long_name": "limits and ranges of validity that are broken"})
+    if len(found.plan.wishes) == 2:
+        front = found.front()
+        chosen = (
+            front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))]
+            if front.size
+            else front
+        )
+        more = {f"front_{name}": column for name, column in _columns(found, chosen, "front").items()}
+        data = data.merge(xarray.Dataset(more, coords={"front": np.arange(len(chosen))}))
+    _, wishes, worst, _ = found.archive.table()
+    good = np.where(worst <= TOLERANCE, wishes[:, 0], np.inf)
+    data["best_so_far"] = ("asked", np.minimum.accumulate(good), {"long_name": "first wish of the best design, less is better"})
+    return data.assign_attrs(_attributes(found, best))
+
+
+def _columns(found: "Designing", rows: np.ndarray, along: str) -> dict[str, tuple]:
+    """What was chosen and what it gives, of some of the archive."""
+    shares, _, worst, known = found.archive.table()
+    shares, worst = shares[rows], worst[rows]
+    columns: dict[str, tuple] = {}
+    for at, one in enumerate(found.plan.unknowns):
+        name = "load" if one.path == LOAD else one.name
+        if isinstance(one, Options):
+            index = one.index(shares[:, at])
+            entries = one.entries if one.is_number else one.words
+            values = np.array([entries[int(i)] for i in index])
+            said: dict[str, Any] = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
+        else:
+            ends = {"searched_from": one.low, "searched_to": one.high, "spacing": "log" if one.log else "linear"}
+            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes) | ends
+        columns[name] = (along, values, said)
+    for name, values in known.items():
+        if name not in columns:
+            columns[name] = (along, values[rows], dict(QUANTITIES[quantity_of(name)].attributes))
+    for name, off in off_targets(found.plan, known):
+        columns[f"{name}_off_target"] = (along, off[rows], {"long_name": "distance from the target, over its size"})
+    columns["broken"] = (along, worst, {"long_name": "how far beyond its limits, over their size"})
+    columns["kept"] = (along, worst <= TOLERANCE, {"long_name": "whether all limits are kept"})
+    return columns
+
+
+def _violated(found: "Designing", rows: np.ndarray) -> np.ndarray:
+    """Return what each of these designs of the archive breaks, in words, one a line; "" where it keeps all limits."""
+    shares, _, worst, _ = found.archive.table()
+    return np.array(["\n".join(found.space.violations(shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
+
+
+def _attributes(found: "Designing", best: np.ndarray) -> dict[str, Any]:
+    _, _, worst, known = found.archive.table()
+    plan = found.plan
+    unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
+    return {
+        **({"case": plan.title} if plan.title else {}),
+        "program": f"stiction {__version__}",
+        "model": RECOMMENDED if found.space.is_predicted else found.space.choice.name,
+        "wishes": "\n".join(one.words for one in plan.wishes),
+        "chosen": unknown,
+        "limits": "\n".join(one.words for one in plan.limits),
+        "validity": plan.validity,
+        "asked": found.archive.count,
+        "tolerance": TOLERANCE,
+        "uncertain": _uncertain(plan),
+        "verdict": "" if worst[best[0]] <= TOLERANCE else "no design keeps the limits; the nearest is shown",
+        "missed": "\n".join(missed_objectives(plan, known, int(best[0]))),
+        "stopped": int(found.stopped),
+    }
+
+
+def _uncertain(plan: DesignPlan) -> str:
+    ranges = ["numbers of materials within their ranges"] if wants_ranges(plan.given) else []
+    bodies = ("first", "second", "coating") if ranges else ()
+    own = [".".join(one.path[1:]) for one in plan.uncertain if not (len(one.path) > 2 and one.path[1] in bodies)]
+    return ", ".join([*own, *ranges])
+
+
+def designed_case(found: "Designing", out: Path) -> str:
+    plan = found.plan
+    best = int(found.best()[0])
+    shares, _, worst, known = found.archive.table()
+    comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.wishes)}."]
+    comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
+    if worst[best] > TOLERANCE:
+        comments += [f"It breaks a limit: {words}." for words in found.space.violations(shares[best])]
+    content = _with_numbers(without_studies(plan.given), found.space.numbers(shares[best]))
+    return case_text(content, comments, plan.folder, out)
+
+
+def _with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
     """Return the tables of a case with the numbers of a design in their places."""
     for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # a material before numbers of it
         if path == LOAD:

@@ -7,15 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction import __version__
-from stiction.case.read import read_content, wants_ranges, without_studies
-from stiction.case.text import case_text
+from stiction.case.read import read_content
 from stiction.quantities.inputs import require_callable
-from stiction.quantities.table import QUANTITIES
-from stiction.solving.choice import RECOMMENDED
-from stiction.studies.design.designed import with_numbers
-from stiction.studies.design.missed import missed_objectives, off_targets
-from stiction.studies.design.plan import LOAD, DesignPlan, Options, make_design_plan, quantity_of
+from stiction.studies.design.designed import dataset_of, designed_case
+from stiction.studies.design.plan import DesignPlan, make_design_plan
 from stiction.studies.design.space import TOLERANCE, Answers, Space
 
 if TYPE_CHECKING:
@@ -23,8 +18,13 @@ if TYPE_CHECKING:
 
 # Told how many designs were asked, and the best so far in words.
 Tell = Callable[[int, str], None]
-_FRONT, _FEW_FRONT = 12, 4  # designs between the two ends of a front that are searched, of a model and of a prediction
-_DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction
+_FRONT = 12  # designs between the two ends of a front that are searched, of a model
+_DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction with one wish
+_TOGETHER, _PER_ROUND = (
+    64,
+    12,
+)  # designs of a round of a front of predictions, which many together cost least; effort of a round
+_FIRST_STEP, _SHRUNK = 0.3, 0.6  # standard deviation of the steps from a front, over the ends; of each round over the last
 _POPULATION, _FEW = 24, 8
 _WAYS = 12  # ways to choose from lists that are searched
 _ALIKE = 1e-10  # range of a population at which a search ends
@@ -32,7 +32,6 @@ _QUIET, _QUIET_OF_DRAWS = 8, 4  # generations without gain at which a search end
 _GAIN, _GAIN_OF_DRAWS = 1e-9, 1e-2  # over the cost, of a model and of a prediction
 _MET = 1e-3  # over a target: so near it a prediction, which is known to two digits, is not searched on
 _BEYOND_ALL = 1e100  # more than any wish: the cost of a design that breaks its limits
-_SHOWN = 200  # designs of a front at most
 _REFINED = 3  # ways to choose from lists whose numbers are refined
 
 
@@ -81,11 +80,11 @@ class Designing:
         return _front(wishes, worst)
 
     def data(self) -> "xarray.Dataset":
-        return _dataset(self)
+        return dataset_of(self)
 
     def case_text(self, out: Path) -> str:
         """The case with the best design, as text of a file in a folder: `stiction run` reads it."""
-        return _designed_case(self, out)
+        return designed_case(self, out)
 
 
 def design(case: Any, *, tell: Tell = lambda count, text: None) -> "xarray.Dataset":
@@ -114,6 +113,9 @@ def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> 
     found = Designing(plan, Space(plan))
     try:
         _ask(found, _drawn(found), tell)
+        if len(plan.wishes) == 2 and found.space.is_predicted:
+            _spread(found, tell)
+            return found
         for number in range(len(plan.wishes)):
             _searched(found, number, None, tell)
             _refined(found, number, tell)
@@ -142,7 +144,7 @@ def _drawn(found: Designing) -> np.ndarray:
     """Sobol points, enough for every way to choose from lists; each of these alone, where nothing else is chosen."""
     from scipy.stats import qmc
 
-    plan, most = found.plan, _FEW_DRAWN if found.space.is_predicted else _DRAWN
+    plan, most = found.plan, _FEW_DRAWN * len(found.plan.wishes) ** 2 if found.space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]
     if not counts:
         return qmc.Sobol(len(plan.free), rng=plan.seed).random(most)
@@ -291,10 +293,28 @@ def _search_front(found: Designing, tell: Tell) -> None:
         return
     _, wishes, _, _ = found.archive.table()
     low, high = wishes[front, 1].min(), wishes[front, 1].max()
-    count = 2 + (_FEW_FRONT if found.space.is_predicted else _FRONT)
+    count = 2 + _FRONT
     ends = np.geomspace(low, high, count) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, count)
     for ceiling in ends[1:-1]:
         _searched(found, 0, float(ceiling), tell)
+
+
+def _spread(found: Designing, tell: Tell) -> None:
+    """Search predictions for two wishes: rounds of normal steps from the front, as of an evolution strategy (Rechenberg 1973),
+    each shorter than the last; where no design keeps the limits, from those that break them least."""
+    rng = np.random.default_rng(found.plan.seed)
+    step, named = _FIRST_STEP, found.space.named
+    if not found.plan.free:
+        return  # every design was asked
+    for _ in range(max(1, found.plan.effort // _PER_ROUND)):
+        shares, _, worst, _ = found.archive.table()
+        front = found.front()
+        parents = shares[front if front.size else np.argsort(worst)[:_FEW]]
+        parents = parents[rng.integers(len(parents), size=_TOGETHER)]
+        children = np.clip(parents + step * rng.standard_normal(parents.shape), 0.0, 1.0)
+        children[:, named] = parents[:, named]
+        _ask(found, children, tell)
+        step *= _SHRUNK
 
 
 def _front(wishes: np.ndarray, worst: np.ndarray) -> np.ndarray:
@@ -304,96 +324,3 @@ def _front(wishes: np.ndarray, worst: np.ndarray) -> np.ndarray:
     order = kept[np.lexsort((wishes[kept, -1], wishes[kept, 0]))]
     lowest = np.minimum.accumulate(np.concatenate([[np.inf], wishes[order, -1]]))[:-1]
     return order[wishes[order, -1] < lowest]
-
-
-def _dataset(found: Designing) -> "xarray.Dataset":
-    import xarray
-
-    best = found.best()
-    data = xarray.Dataset(_columns(found, best, "design"), coords={"design": np.arange(len(best))})
-    data["violated"] = ("design", _violated(found, best), {"long_name": "limits and ranges of validity that are broken"})
-    if len(found.plan.wishes) == 2:
-        front = found.front()
-        chosen = (
-            front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))]
-            if front.size
-            else front
-        )
-        more = {f"front_{name}": column for name, column in _columns(found, chosen, "front").items()}
-        data = data.merge(xarray.Dataset(more, coords={"front": np.arange(len(chosen))}))
-    _, wishes, worst, _ = found.archive.table()
-    good = np.where(worst <= TOLERANCE, wishes[:, 0], np.inf)
-    data["best_so_far"] = ("asked", np.minimum.accumulate(good), {"long_name": "first wish of the best design, less is better"})
-    return data.assign_attrs(_attributes(found, best))
-
-
-def _columns(found: Designing, rows: np.ndarray, along: str) -> dict[str, tuple]:
-    """What was chosen and what it gives, of some of the archive."""
-    shares, _, worst, known = found.archive.table()
-    shares, worst = shares[rows], worst[rows]
-    columns: dict[str, tuple] = {}
-    for at, one in enumerate(found.plan.unknowns):
-        name = "load" if one.path == LOAD else one.name
-        if isinstance(one, Options):
-            index = one.index(shares[:, at])
-            entries = one.entries if one.is_number else one.words
-            values = np.array([entries[int(i)] for i in index])
-            said: dict[str, Any] = dict(QUANTITIES[one.path[-1]].attributes) if one.is_number else {"long_name": name}
-        else:
-            ends = {"searched_from": one.low, "searched_to": one.high, "spacing": "log" if one.log else "linear"}
-            values, said = one.at(shares[:, at]), dict(QUANTITIES[one.quantity].attributes) | ends
-        columns[name] = (along, values, said)
-    for name, values in known.items():
-        if name not in columns:
-            columns[name] = (along, values[rows], dict(QUANTITIES[quantity_of(name)].attributes))
-    for name, off in off_targets(found.plan, known):
-        columns[f"{name}_off_target"] = (along, off[rows], {"long_name": "distance from the target, over its size"})
-    columns["broken"] = (along, worst, {"long_name": "how far beyond its limits, over their size"})
-    columns["kept"] = (along, worst <= TOLERANCE, {"long_name": "whether all limits are kept"})
-    return columns
-
-
-def _violated(found: Designing, rows: np.ndarray) -> np.ndarray:
-    """Return what each of these designs of the archive breaks, in words, one a line; "" where it keeps all limits."""
-    shares, _, worst, _ = found.archive.table()
-    return np.array(["\n".join(found.space.violations(shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
-
-
-def _attributes(found: Designing, best: np.ndarray) -> dict[str, Any]:
-    _, _, worst, known = found.archive.table()
-    plan = found.plan
-    unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
-    return {
-        **({"case": plan.title} if plan.title else {}),
-        "program": f"stiction {__version__}",
-        "model": RECOMMENDED if found.space.is_predicted else found.space.choice.name,
-        "wishes": "\n".join(one.words for one in plan.wishes),
-        "chosen": unknown,
-        "limits": "\n".join(one.words for one in plan.limits),
-        "validity": plan.validity,
-        "asked": found.archive.count,
-        "tolerance": TOLERANCE,
-        "uncertain": _uncertain(plan),
-        "verdict": "" if worst[best[0]] <= TOLERANCE else "no design keeps the limits; the nearest is shown",
-        "missed": "\n".join(missed_objectives(plan, known, int(best[0]))),
-        "stopped": int(found.stopped),
-    }
-
-
-def _uncertain(plan: DesignPlan) -> str:
-    ranges = ["numbers of materials within their ranges"] if wants_ranges(plan.given) else []
-    bodies = ("first", "second", "coating") if ranges else ()
-    own = [".".join(one.path[1:]) for one in plan.uncertain if not (len(one.path) > 2 and one.path[1] in bodies)]
-    return ", ".join([*own, *ranges])
-
-
-def _designed_case(found: Designing, out: Path) -> str:
-    plan = found.plan
-    best = int(found.best()[0])
-    shares, _, worst, known = found.archive.table()
-    comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.wishes)}."]
-    comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
-    if worst[best] > TOLERANCE:
-        comments += [f"It breaks a limit: {words}." for words in found.space.violations(shares[best])]
-    content = with_numbers(without_studies(plan.given), found.space.numbers(shares[best]))
-    return case_text(content, comments, plan.folder, out)

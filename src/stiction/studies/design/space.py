@@ -194,11 +194,21 @@ class Space:
         return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
-        """Rows of designs that take the same of what is no number."""
+        """Rows of designs that take the same of what is no number, in the order of N R sigma: which laws answer depends on it,
+        so that neighbours are predicted together."""
+        order = np.argsort(self._summits(shares), kind="stable")
         if not self.named:
-            return [np.arange(len(shares))]
-        _, group = np.unique(self.way(shares), axis=0, return_inverse=True)
-        return [np.flatnonzero(group.ravel() == at) for at in range(group.max() + 1)]
+            return [order]
+        _, group = np.unique(self.way(shares[order]), axis=0, return_inverse=True)
+        return [order[group.ravel() == at] for at in range(group.max() + 1)]
+
+    def _summits(self, shares: np.ndarray) -> np.ndarray:
+        """Return N R sigma of designs (n, d), but for what is not chosen of it."""
+        product = np.ones(len(shares))
+        for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
+            if free.path[1:-1] == ("roughness",):
+                product = product * free.at(shares[:, at])
+        return product
 
     def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[Mapping, dict[Address, Any], dict[str, Any]]:
         """Tables, numbers and loads of some designs, which take the same of what is no number."""
