@@ -296,12 +296,13 @@ from stiction.quantities.notices import Notice, notice
 from stiction.laws.tangential.shared.slip_or_yield import _fill_kinks
 from stiction.laws.tangential.soft_coating_2015 import resistance
 from stiction.engine.heights import gaussian
-from stiction.laws.joining import _joined, _states
+from stiction.engine.nodes import evaluating
+from stiction.laws.joining import _joined
 from stiction.engine.sum_kernels import scattering
 heights = gaussian()
 along, coordinate = _joined(plastic, displaced, resistance, False, 2, 5)
 scatter = scattering(along, coordinate, heights.density, heights.window, 12)
-print(digest(_fill_kinks), digest(scatter), digest(_states(along, 12)))
+print(digest(_fill_kinks), digest(scatter), digest(evaluating(along, 12)))
 """
 
 

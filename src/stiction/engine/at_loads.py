@@ -7,18 +7,17 @@ What is found so is a start: the sums of the engine, whose nodes lie elsewhere a
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from typing import Any
 
 import numpy as np
 
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, kernel
 from stiction.engine.heights import NEGLIGIBLE, gaussian_density, gaussian_window
+from stiction.engine.nodes import Placing
 from stiction.engine.regime import Regime
-from stiction.engine.sum_kernels import LONGEST, WIDEST, spanning
-from stiction.engine.summation import _COUNTS, _RULES, _arrays
+from stiction.engine.summation import _COUNTS, _RULES
+from stiction.engine.tiers import specialised
 from stiction.engine.vectorised import exponential
 
 # Separations of the way, even: beyond either end next to nothing touches, or no model claims anything.
@@ -34,42 +33,6 @@ _NEAR, _NEARER = 1e-5, 1e-7
 # Out of touch: less than this share of the largest load. No tension: less than this share, as of heights beyond nine sigma.
 NOTHING, NO_TENSION = 1e-12, 1e-20
 _MOST_STEPS = 60
-
-
-@cache
-def _placing(along: Callable, coordinate: Callable, parameters: int) -> Any:
-    """The kernel that places the nodes of one regime of so many parameters."""
-
-    @formula
-    def put(low, high, row, rule, count, x, load):
-        """Displacements at the nodes of one piece, and the load there times the weight."""
-        for node in range(count):
-            state = along(low + (high - low) * rule[0, node], *row)
-            x[node] = state[0]
-            load[node] = rule[1, node] * (high - low) * state[1] * state[2]
-
-    span = spanning(along, coordinate, gaussian_window)
-
-    @kernel
-    def place(reach, laws, gauss, nodes):
-        """Append to the table of each law i the nodes of the regime.
-
-        reach: as of `sum_kernels.spanning`. gauss: rules, and how many nodes each has. nodes: places[i], displacements;
-        held[i], the load there times the weight; used[i], how many there are.
-        """
-        (table, edges), (rules, counts), (places, held, used) = laws, gauss, nodes
-        for i in range(edges.shape[0]):
-            row = unpack(table[i], parameters)
-            for piece in range(edges.shape[1] - 1):
-                low, end, w_left, step, parts, rule = span(edges[i, piece], edges[i, piece + 1], row, reach, places[i])
-                for part in range(parts):
-                    high = end if part == parts - 1 else coordinate(w_left + (part + 1) * step, *row)
-                    first = used[i]
-                    put(low, high, row, rules[rule], 8 * (counts[rule] // 8), places[i, first:], held[i, first:])
-                    used[i] += counts[rule]
-                    low = high
-
-    return place
 
 
 @kernel
@@ -140,7 +103,10 @@ def _find_lowest(way, lowest, nodes):
     place, held, used = nodes
     for i in range(used.size):
         tension[i], where[i], nearer[i] = 0.0, np.nan, 1
-        least = NO_TENSION * np.max(np.abs(loads[i]))
+        largest = 0.0
+        for load in loads[i]:
+            largest = max(largest, abs(load))
+        least = NO_TENSION * largest
         for at in range(1, h.size):
             rising, falling = slopes[i, at - 1], slopes[i, at]  # on approach the load falls, then rises
             bound = min(loads[i, at - 1], loads[i, at]) - (h[at - 1] - h[at]) * rising
@@ -220,6 +186,19 @@ def _carried(h, loads, slopes, start, first, most, could, odd):
         could[at] = max(could[at - 1], max(before, loads[at]) + (steepest if peaks else 0.0))
 
 
+@formula
+def _first_not_below(ascending, value):
+    """The number of values below; `searchsorted`, which takes a second to compile."""
+    low, high = 0, ascending.size
+    while low < high:
+        middle = (low + high) // 2
+        if ascending[middle] < value:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
 @kernel
 def _find_roots(way, lowest, targets, nodes, roots):
     """roots[i, k] = the separation of the load targets[i, k], and slope and size of the load there; not a number where there is
@@ -240,7 +219,7 @@ def _find_roots(way, lowest, targets, nodes, roots):
         for k in range(targets.shape[1]):
             target = targets[i, k]
             roots[i, k, :] = np.nan
-            at, sooner = np.searchsorted(most, target), np.searchsorted(could, target)
+            at, sooner = _first_not_below(most, target), _first_not_below(could, target)
             if sooner == h.size or not target >= first[1] - _NEARER * tension[i]:
                 continue
             near, load_near, slope_near = 0.0, -np.inf, 0.0
@@ -284,20 +263,21 @@ class Starts:
 def starts(regimes: Sequence[Regime], targets: np.ndarray) -> Starts:
     """Largest tensions of n laws under Gaussian heights, and separations of the loads `targets` (n, m): to 1e-9 or so."""
     targets = np.ascontiguousarray(targets)
-    tables = [_arrays(regime)[:2] for regime in regimes]
-    kernels = [_placing(regime.along, regime.coordinate, len(regime.parameters)) for regime in regimes]
     w_low = max(min(regime.lowest for regime in regimes), _LOWEST)
-    room = LONGEST * (1 + int((_TOP - w_low) / WIDEST)) * sum(edges.shape[1] - 1 for _, edges in tables)
-    place, held = np.empty((2, _BLOCK, room))
+    alone = specialised(len(targets))
+    placing = [Placing.of(regime, gaussian_window, _TOP - w_low, 1, alone) for regime in regimes]
+    room, shape = sum(one.room for one in placing), np.zeros(1)
+    place, held = np.empty((_BLOCK, room)), np.empty((_BLOCK, 1, room))
     loads, slopes = np.empty((2, _BLOCK, WAY.size))
     tension, where = np.empty((2, len(targets)))
     roots, plain = np.empty((*targets.shape, 3)), np.empty(len(targets), dtype=np.bool_)
+    append = [one.on(_BLOCK, (_RULES, _COUNTS)) for one in placing]
     for start in range(0, len(targets), _BLOCK):
         some = slice(start, min(start + _BLOCK, len(targets)))
         used, nearer = np.zeros((2, some.stop - start), dtype=np.int64)
-        nodes, way, lowest = (place, held, used), (WAY, loads, slopes), (tension[some], where[some], nearer)
-        for put, (parameters, edges) in zip(kernels, tables, strict=True):
-            put((w_low, _TOP, WAY[-1]), (parameters[some], edges[some]), (_RULES, _COUNTS), nodes)
+        nodes, way, lowest = (place, held[:, 0], used), (WAY, loads, slopes), (tension[some], where[some], nearer)
+        for one in append:
+            one((w_low, _TOP, WAY[-1]), shape, some, (place, held, used))
         _sample(way, _TOP, nodes)
         _find_lowest(way, lowest, nodes)
         _find_roots(way, lowest, targets[some], nodes, roots[some])

@@ -1,9 +1,9 @@
-"""The loops of the summation engine, compiled for each kind of regime and of heights: what `summation` calls.
+"""Loops of the summation engine that are compiled for one kind of heights, and one that is compiled for a regime too.
 
 heights: (shape, knots) of a Heights. laws: (parameters (n, p), edges (n, m), branch (n, b), whether that is two-sided) of a
-regime. rules: (nodes and weights (rules, 2, longest) on [0, 1], how many (rules,)). nodes: the table that `placing` fills, of
-a block of laws: displacements (n, room), weights times what is summed (n, rows, room), how many are used (n,). Tuples, because
-a kernel takes them as they are.
+regime. rules: (nodes and weights (rules, 2, longest) on [0, 1], how many (rules,)). nodes: the table that `nodes.append_nodes`
+fills, of a block of laws: displacements (n, room), weights times what is summed (n, rows, room), how many are used (n,).
+Tuples, because a kernel takes them as they are.
 """
 
 import math
@@ -19,7 +19,7 @@ from stiction.engine.compiled import formula, kernel, loop, unpack
 SHORT = 1.0
 # A piece that is longer, over sigma, is cut: that of asperities that hold on below w = 0 is, seen from many separations.
 WIDEST = 17.0
-# No piece has more nodes on a grid.
+# Nodes in one row of a table of nodes, and the most that a piece has on a grid.
 LONGEST = 56
 
 
@@ -116,7 +116,7 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
     return scatter
 
 
-def _putting(along: Callable, totals: bool) -> Any:
+def _putting(along: Callable, rows: int) -> Any:
     @formula
     def put(mapped, row, rule, count, scratch):
         """Displacements at the nodes of one piece, and its weights times what is summed, one after another: an array at fixed
@@ -127,7 +127,9 @@ def _putting(along: Callable, totals: bool) -> Any:
             state = along(low + t * (linear + square * t), *row)
             weight = rule[1, node] * (linear + 2.0 * square * t) * state[1]
             scratch[node] = state[0]
-            if totals:
+            if rows == 1:
+                scratch[LONGEST + node] = weight * state[2]
+            elif rows == 3:
                 scratch[LONGEST + node] = weight * state[2]
                 scratch[2 * LONGEST + node] = weight * state[3]
                 scratch[3 * LONGEST + node] = weight * (state[4] + state[5])
@@ -141,8 +143,7 @@ def _putting(along: Callable, totals: bool) -> Any:
     return put
 
 
-@cache
-def spanning(along: Callable, coordinate: Callable, window: Callable) -> Any:
+def _spanning(along: Callable, coordinate: Callable, window: Callable) -> Any:
     """The formula (left, right, row, reach, shape) -> where nodes are placed on a piece: the coordinates low and end, the
     displacement at low, by how much that grows to each of the parts, how many parts there are, 0 for none, and of which rule.
 
@@ -169,17 +170,17 @@ def spanning(along: Callable, coordinate: Callable, window: Callable) -> Any:
 
 
 @cache
-def placing(along: Callable, coordinate: Callable, window: Callable, parameters: int, totals: bool) -> Any:
-    """The kernel that places the nodes of one regime; with what is to be summed: load, area and resistance, or, without
-    `totals`, the five quantities."""
-    put, rows = _putting(along, totals), 3 if totals else 5
-    span = spanning(along, coordinate, window)
+def placing(along: Callable, coordinate: Callable, window: Callable, parameters: int, rows: int) -> Any:
+    """Return the kernel that places the nodes of one regime, with what is to be summed: the load in 1 of `rows`; load, area and
+    resistance in 3; the five quantities in 5."""
+    put = _putting(along, rows)
+    span = _spanning(along, coordinate, window)
 
     @kernel
-    def place(w_low, nearest, shape, laws, rules, nodes):
-        """Append to the table of each law the nodes of the regime, from the displacement w_low on."""
+    def place(reach, shape, laws, rules, nodes):
+        """Append to the table of each law the nodes of the regime; reach: as in `spanning`."""
         (table, edges, branch, two_sided), (rule_table, counts), (places, values, used) = laws, rules, nodes
-        scratch, reach = np.empty(6 * LONGEST), (w_low, np.inf, nearest)
+        scratch = np.empty(6 * LONGEST)
         for i in range(edges.shape[0]):
             row = unpack(table[i], parameters)
             for piece in range(edges.shape[1] - 1):

@@ -18,9 +18,11 @@ from itertools import pairwise
 import numpy as np
 
 from stiction.engine.heights import Heights
-from stiction.engine.regime import Regime, columns
+from stiction.engine.nodes import LONGEST, Laws, Parts, Placing, Rows, adding, cutting, displacements, evaluate_parts
+from stiction.engine.regime import Regime
 from stiction.engine.skeleton import carry_over, near_each_other, skeleton
-from stiction.engine.sum_kernels import LONGEST, WIDEST, placing, scattering, summing
+from stiction.engine.sum_kernels import scattering, summing
+from stiction.engine.tiers import specialised
 from stiction.quantities.errors import InputError
 
 QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
@@ -46,14 +48,6 @@ def _make_rules(counts: np.ndarray) -> np.ndarray:
 
 
 _RULES = _make_rules(_COUNTS)
-
-
-def _arrays(regime: Regime) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
-    """Parameters (n, p), edges (n, m), branch (n, b) and whether that is two-sided, as the kernels take them."""
-    edges = np.ascontiguousarray(regime.edges)
-    branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch)
-    two_sided = branch.ndim == 2
-    return columns(regime.parameters, len(edges)), edges, branch if two_sided else branch[:, None], two_sided
 
 
 def check_threads(threads: object) -> None:
@@ -96,16 +90,43 @@ def scattered(
     law = np.arange(h.size) if law is None else np.ascontiguousarray(law)
     out = np.empty((len(regimes), h.size, len(QUANTITIES)))
     for regime, sums in zip(regimes, out, strict=True):
-        compiled = scattering(regime.along, regime.coordinate, heights.density, heights.window, len(regime.parameters))
-        given = (heights.shape, heights.knots), _arrays(regime), (_RULES, _COUNTS)
+        fill = (_summing_alone if specialised(len(regime.edges), h.size) else _summing_in_stages)(regime, heights)
 
-        def fill(part: slice, compiled=compiled, given=given, sums=sums) -> None:
-            compiled(h[part], law[part], *given, sums[part])
+        def fill_share(part: slice, fill=fill, sums=sums) -> None:
+            fill(h[part], law[part], sums[part])
 
-        in_threads(fill, _shares(h.size, threads), threads)
+        in_threads(fill_share, _shares(h.size, threads), threads)
     return out
 
 
+def _summing_alone(regime: Regime, heights: Heights) -> Callable:
+    """Return the function (h, law, sums) that fills sums by the loop that is compiled for the regime."""
+    compiled = scattering(regime.along, regime.coordinate, heights.density, heights.window, len(regime.parameters))
+    given = (heights.shape, heights.knots), tuple(Laws.of(regime)), (_RULES, _COUNTS)
+    return lambda h, law, sums: compiled(h, law, *given, sums)
+
+
+def _summing_in_stages(regime: Regime, heights: Heights) -> Callable:
+    """Return the function (h, law, sums) that fills sums by loops that know no law, and two short ones of the regime."""
+    laws = Laws.of(regime)
+    at_edges = laws.edges, displacements(regime, laws)
+    cut, add, of_heights = cutting(heights.window), adding(heights.density), (heights.shape, heights.knots)
+    most = (laws.edges.shape[1] - 1) * (1 + heights.knots.size)
+    block = max(1, _PARTS // most)
+
+    def fill(h: np.ndarray, law: np.ndarray, sums: np.ndarray) -> None:
+        parts = Parts.room(min(block, h.size) * most)
+        rows = Rows.room(len(parts.law), (_RULES, _COUNTS))
+        for start in range(0, h.size, block):
+            some = slice(start, min(start + block, h.size))
+            used = cut(h[some], law[some], of_heights, at_edges, tuple(parts))
+            evaluated = evaluate_parts(regime, laws, parts, used, (_RULES, _COUNTS), rows)
+            add(h[some], heights.shape, tuple(evaluated), sums[some])
+
+    return fill
+
+
+_PARTS = 1024  # parts of pieces at a time: bounds the memory
 # Less than this many pairs of a law and a separation are cheaper one by one than the matrix.
 _MANY = 4000
 _BLOCK = 128  # laws at a time: their nodes stay in the processor's cache
@@ -170,24 +191,21 @@ def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
     rows, totals = sums.shape[1], sums.shape[1] == len(_TOTALS)
     signed = (_TOTALS if totals else QUANTITIES).index("load")
     sum_rows = summing(heights.density, totals)
-    placed = [
-        (placing(regime.along, regime.coordinate, heights.window, len(regime.parameters), totals), _arrays(regime))
-        for regime in regimes
-    ]
-    parts = 1 + int((w_high - w_low) / WIDEST)
-    room = sum((regime.edges.shape[1] - 1) * parts * LONGEST for regime in regimes)
+    alone = specialised(len(sums), len(sums) * h.size)
+    placing = [Placing.of(one, heights.window, w_high - w_low, sums.shape[1], alone) for one in regimes]
+    room = sum(one.room for one in placing)
     everywhere = np.full(h.size, np.inf)
 
     def fill(share: slice) -> None:
         places, values = np.empty((_BLOCK, room)), np.empty((_BLOCK, rows, room))
         few, every = np.empty((_BLOCK, rows, few_h.size)), np.ones((_BLOCK, few_h.size), dtype=np.bool_)
         doubtful = np.empty((_BLOCK, h.size), dtype=np.bool_)
+        append = [one.on(_BLOCK, (_RULES, _COUNTS)) for one in placing]
         for start in range(share.start, share.stop, _BLOCK):
             block = slice(start, min(start + _BLOCK, share.stop))
             nodes = places, values, np.zeros(block.stop - start, dtype=np.int64)
-            for place, (parameters, edges, branch, two_sided) in placed:
-                laws = parameters[block], edges[block], branch[block], two_sided
-                place(w_low, nearest, heights.shape, laws, (_RULES, _COUNTS), nodes)
+            for one in append:
+                one((w_low, np.inf, nearest), heights.shape, block, nodes)
             sum_rows(few_h, reach, heights.shape, nodes, every, few)
             if carry_over(few.reshape(-1, few_h.size), tiles, doubtful_below, nodes, signed, sums[block], doubtful):
                 sum_rows(h, everywhere, heights.shape, nodes, doubtful, sums[block])

@@ -10,6 +10,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import up_to
 from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.nodes import values_at
 from stiction.engine.regime import Regime, columns
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.records.registry import AsperityLaw, TangentialLaw, select_options
@@ -200,18 +201,6 @@ def _coordinates_at_area(normal: Callable, parameters: int) -> Any:
 
 
 @cache
-def _states(along: Callable, parameters: int) -> Any:
-    @kernel
-    def fill_states(u, table, out):
-        for i in range(u.size):
-            state = along(u[i], *unpack(table[i], parameters))
-            for at in range(len(state)):
-                out[i, at] = state[at]
-
-    return fill_states
-
-
-@cache
 def _resistances(resistance: Callable, parameters: int) -> Any:
     @kernel
     def fill_resistances(load, area, table, out):
@@ -242,17 +231,16 @@ def coordinates_at_area(piece: NormalPiece, area: np.ndarray | float) -> np.ndar
 
 def states(regime: Regime, u: np.ndarray) -> np.ndarray:
     """The six values (n, 6) of `along` at the coordinates u (n,)."""
-    return _values(regime.along, regime.parameters, u, np.empty((len(u), 6)))
+    return _values(regime.along, regime.parameters, u, 6)
 
 
 def normal_states(piece: NormalPiece, u: np.ndarray) -> np.ndarray:
     """Displacement, its derivative, load and contact area (n, 4) at the coordinates u (n,)."""
-    return _values(piece.normal, piece.parameters, u, np.empty((len(u), 4)))
+    return _values(piece.normal, piece.parameters, u, 4)
 
 
-def _values(along: Callable, parameters: tuple, u: np.ndarray, out: np.ndarray) -> np.ndarray:
-    _states(along, len(parameters))(np.ascontiguousarray(u), columns(parameters, len(u)), out)
-    return out
+def _values(along: Callable, parameters: tuple, u: np.ndarray, values: int) -> np.ndarray:
+    return values_at(along, columns(parameters, len(u)), np.reshape(u, (-1, 1)), values)[..., 0]
 
 
 def _one_each(values: np.ndarray | float, edges: np.ndarray) -> np.ndarray:

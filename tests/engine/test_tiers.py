@@ -1,0 +1,87 @@
+"""Shared loops in stages and loops compiled for a regime give the same sums; which of them run is decided by counting."""
+
+import numpy as np
+import pytest
+
+from stiction.contact.indices import Groups, stiffness_group
+from stiction.engine.at_loads import starts
+from stiction.engine.heights import empirical, exponential_heights, gaussian, weibull
+from stiction.engine.summation import on_grid, scattered, totals_on_grid
+from stiction.engine.tiers import VARIABLE, specialised
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+from stiction.solving.problem import problem_of
+
+RNG = np.random.default_rng(7)
+MODELS = ("soft_coating_2015", "greenwood_williamson_1966", "kogut_etsion_2004")
+HEIGHTS = {
+    "gaussian": gaussian(),
+    "exponential": exponential_heights(),
+    "weibull": weibull(2.0),
+    "empirical": empirical(RNG.normal(size=400)),
+}
+
+
+def regimes(model, count=60):
+    ones, theta, lam = np.ones(count), 10 ** RNG.uniform(0, 3, count), 10 ** RNG.uniform(-2, 3, count)
+    nu = 0.3 * ones
+    film = {"n_E": 0.5 * ones, "n_H": 0.4 * ones, "tau": RNG.uniform(0, 4, count), "n_g": ones, "film_aspect": 0.5 * ones}
+    film |= {"film_nu": nu, "film_K_beta": stiffness_group(nu)}
+    film = film if model == "soft_coating_2015" else {}
+    groups = Groups(theta=theta, lam=lam, nu=nu, hardness_to_yield=2.8 * ones, K_beta=stiffness_group(nu), **film)
+    return problem_of(groups, Choice(model)).regimes
+
+
+def by_both(monkeypatch, compute):
+    found = []
+    for tier in ("shared", "specialised"):
+        monkeypatch.setenv(VARIABLE, tier)
+        found.append(compute())
+    return found
+
+
+def assert_same(one, other, axis):
+    """Within 1e-13 of the largest part: of loads that are differences of larger ones the parts decide."""
+    size = np.maximum(np.abs(other).max(axis=axis, keepdims=True), 1e-200)
+    assert np.isfinite(other).all() and other.any()
+    assert np.max(np.abs(one - other) / size) < 1e-13
+
+
+@pytest.mark.parametrize("heights", HEIGHTS)
+@pytest.mark.parametrize("model", MODELS)
+def test_single_pairs_are_the_same(monkeypatch, model, heights):
+    parts, h = regimes(model), RNG.uniform(-4.0, 5.0, 240)
+    law = RNG.integers(0, 60, 240)
+    shared, alone = by_both(monkeypatch, lambda: scattered(parts, h, HEIGHTS[heights], law))
+    assert_same(shared, alone, (0, 1))
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_grids_are_the_same(monkeypatch, model):
+    parts, h = regimes(model), np.linspace(-3.0, 5.0, 100)
+    for summed in (on_grid, totals_on_grid):
+        shared, alone = by_both(monkeypatch, lambda summed=summed: summed(parts, h, gaussian()))
+        assert_same(shared, alone, tuple(range(alone.ndim - 2)))
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_starts_are_the_same(monkeypatch, model):
+    parts, targets = regimes(model), np.tile(np.geomspace(1e-4, 1.0, 5), (60, 1))
+    shared, alone = by_both(monkeypatch, lambda: starts(parts, targets))
+    for name in ("tension", "where", "h", "slope", "size"):
+        one, other = getattr(shared, name), getattr(alone, name)
+        assert np.array_equal(np.isnan(one), np.isnan(other))
+        np.testing.assert_allclose(one, other, rtol=1e-9, atol=1e-12)
+
+
+def test_much_work_is_worth_compiling(monkeypatch):
+    monkeypatch.delenv(VARIABLE, raising=False)
+    assert not specialised(512, 512 * 21)
+    assert specialised(12_500) and specialised(1, 100_000)
+    monkeypatch.setenv(VARIABLE, "shared")
+    assert not specialised(10**9)
+    monkeypatch.setenv(VARIABLE, "specialised")
+    assert specialised(1)
+    monkeypatch.setenv(VARIABLE, "fast")
+    with pytest.raises(InputError, match="auto, shared, specialised"):
+        specialised(1)
