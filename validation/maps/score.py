@@ -1,6 +1,6 @@
 """Score predictions of the contact area, with tau_0 known, on a set of maps of maps.py.
 
-    python validation/maps/score.py third     # writes scored-third.csv, and prints what docs/calibration.md has as tables
+    python validation/maps/score.py fourth     # writes scored-fourth.csv, and prints what docs/calibration.md has as tables
 
 Each state of each map is predicted four times: with the map; by sigma, R and N with the kind of surface stated; by them with
 the kind unknown; by Sq and the finish, the map stretched to a slope and height drawn from what that finish leaves open. A row

@@ -28,7 +28,7 @@ WHY_NOT = (
     "the load is nowhere carried",
     "the load is lost in the rounding of the adhesion and pressure that it is the difference of",
 )
-_REFUSED, _NOT_CARRIED, _LOST = range(3)
+REFUSED, _NOT_CARRIED, _LOST = range(3)
 # The last bit: nothing is known of a point yet.
 NOT_COMPUTED = np.uint32(1 << 31)
 
@@ -68,7 +68,7 @@ def solve_pointwise(
     problem = points.problem
     solved, why_not = _solved(points)
     tables = with_shares(problem, solved.tables)
-    refused = why_not == 1 << _REFUSED
+    refused = why_not == 1 << REFUSED
     variables = variables_of(points, solved, tables, keep, refused.all(axis=1))
     doubts = why_not.astype(np.uint32)
     for bit, left in enumerate(rules_left(problem, tables), start=len(WHY_NOT)):
@@ -98,7 +98,7 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
     of them."""
     shape, every = points.table.shape, np.arange(len(points.problem.groups))
     tables: dict[str, np.ndarray] = {}
-    found, refusal, why_not = None, None, np.full(shape, 1 << _REFUSED, dtype=np.uint32)
+    found, refusal, why_not = None, None, np.full(shape, 1 << REFUSED, dtype=np.uint32)
     for region, part in bisected({"contact": slice(0, len(every))}, lambda some: _taken(points.rows(every[some["contact"]]))):
         rows = every[region["contact"]]
         if isinstance(part, Exception):

@@ -147,13 +147,19 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
+    density = groups.roughness_parameter[:, None]
+    pressure = reduced_pressure(np.maximum(load, 0.0), density)
+    return _flowing(elastic_share(pressure, groups), pressure, groups) / (math.pi * density)
+
+
+def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
+    """Return the area over the nominal one (n, H) where nothing flows. pressure: mean, over E* h' of the bodies without film,
+    (n, H), >= 0; groups: complete."""
     from stiction.surfaces.theory.widened_area import of_moments  # slow to import
 
-    density = groups.roughness_parameter[:, None]
-    pressure, alpha = reduced_pressure(np.maximum(load, 0.0), density), bandwidth(density)
+    alpha = bandwidth(groups.roughness_parameter[:, None])
     waves, thickness = waves_of_moments(groups.roughness_parameter), _thickness(groups)
-    elastic = area_of_waves(pressure, lambda p: of_moments(p, alpha), waves, thickness, groups)
-    return _flowing(elastic, pressure, groups) / (math.pi * density)
+    return area_of_waves(pressure, lambda p: of_moments(p, alpha), waves, thickness, groups)
 
 
 def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:

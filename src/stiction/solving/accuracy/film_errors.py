@@ -6,6 +6,7 @@ the mean contact, or the shortest wave, over the thickness of a film.
 """
 
 import json
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -15,6 +16,7 @@ from stiction.quantities.quotient import quotient
 from stiction.quantities.units import span
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear
 from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, OnMaps, on_a_sphere, on_maps
+from stiction.solving.accuracy.solved_near import FILM_SCALES, Place
 from stiction.solving.problem import Problem
 
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
@@ -99,20 +101,38 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     """Of an area law of surfaces on a film, on the maps of truth/films.csv near each contact, repeated for its points; None of
-    other models, which the set of solved surfaces has."""
-    if not problem.record.on_film:
+    other models, which the set of solved surfaces has. Thicker and thinner films have the errors at the ends of what was
+    solved: there the law tends to the bare one, of the film or of the body. Other moduli are at a distance."""
+    groups = problem.groups.resolved()
+    if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:
         return None
-    found, _ = _on_maps(problem, problem.record.key)
+    from stiction.laws.rough_surface.rough_on_film import thickness_over_wave  # which a bare contact does without
+
+    modulus, thickness = (
+        np.clip(values, *MEASURED_ON_MAPS[name])
+        for name, values in (("n_E", groups.n_E), ("thickness_over_shortest_wave", thickness_over_wave(groups)))
+    )
+    found = on_maps(problem.record.key, problem.options, *np.broadcast_arrays(modulus, thickness))
     if found is None:
         return None
-    near, middle = np.isfinite(found.rms), np.log(found.mean)
+    middle, distance = np.log(found.mean), np.abs(np.log(groups.n_E / modulus)) / FILM_SCALES[0]
     levels = middle[:, None] + np.array(NORMAL_SCORES) * found.rms[:, None]
-    nearest = np.full(near.shape, "")  # they are looked up by film alone
-    each = (
-        levels, np.expm1(found.rms), middle, np.where(near, 0.0, np.inf), near.astype(float),
-        np.where(near, _MAPS, 0), nearest,
-    )  # fmt: skip
-    return ErrorsNear(*(np.repeat(one, points, axis=0) for one in each))
+    nearest = np.full(distance.shape, "")  # they are looked up by film alone
+    count = np.full(distance.shape, _MAPS)
+    each = levels, np.expm1(found.rms), middle, distance + 0.0 * middle, np.ones_like(middle), count, nearest
+    return ErrorsNear(*(np.repeat(np.broadcast_to(one, (len(middle), *one.shape[1:])), points, axis=0) for one in each))
+
+
+def shares_on_film(problem: Problem, place: Place, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the area over the nominal one (k,) were nothing to flow, and the pressure over that of what flows: their power
+    mean is the area of the law."""
+    from stiction.laws.rough_surface.rough_on_film import elastic_share  # which a bare contact does without
+    from stiction.surfaces.theory.widened_area import MEETING
+
+    groups = problem.groups.resolved()
+    share = np.minimum(math.pi * np.reshape(groups.roughness_parameter, (-1, 1)) * area, 1.0 - 1e-9)
+    elastic = np.minimum(elastic_share(np.maximum(place.pressure, 0.0).reshape(share.shape), groups), share)
+    return elastic.ravel(), ((share**MEETING - elastic**MEETING) ** (1.0 / MEETING)).ravel()
 
 
 def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:

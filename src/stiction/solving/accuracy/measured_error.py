@@ -24,7 +24,7 @@ import numpy as np
 from stiction.quantities.quotient import quotient
 from stiction.quantities.units import span
 from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near
-from stiction.solving.accuracy.film_errors import on_solved_maps
+from stiction.solving.accuracy.film_errors import on_solved_maps, shares_on_film
 from stiction.solving.accuracy.solved_near import Place
 from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
 from stiction.solving.on_map import OnMap
@@ -55,14 +55,14 @@ _SUM, _BY_MOMENTS = "greenwood_williamson_1966", "persson_widened"
 class MeasuredErrors:
     """The measured errors of a model's area at k points.
 
-    levels: quantiles (k, 5) at errors_near.LEVELS of ln(A/solved A) over the surfaces near each, NaN where nothing near was
-    measured. relative: root mean square of A/solved A - 1 over them. area: mean of the logarithm over surfaces of
-    the kind that is stated; where neither map nor kind are known over Gaussian ones.
-    friction: of mu as area, where it is of the interface. distance: of the nearest surface, pressure, hardness. surfaces: how
-    many count. trust: 1 near, 0 where nothing was measured, continuous between. sample: standard error of ln of the area as one
-    window of a larger surface, of models of its map. column: the model and the way of finding asperities. why_not: why nothing
-    is known at some points, "" if all are. nearest: in what the nearest surface differs, "" where it hardly does. kind_known:
-    whether the kind of surface is known, from the map or as stated; kind: that which is stated where there is no map."""
+    levels: quantiles (k, 5) at errors_near.LEVELS of ln(A/solved A) over the surfaces nearest to each, however far these are,
+    NaN where nothing was measured. relative: root mean square of A/solved A - 1 over them. area: mean of the logarithm over
+    surfaces of the kind that is stated; where neither map nor kind are known over Gaussian ones. friction: of mu as area, where
+    it is of the interface. distance: of the nearest surface, pressure, hardness. surfaces: how many count. trust: 1 near, 0
+    where nothing was measured, continuous between. sample: standard error of ln of the area as one window of a larger surface,
+    of models of its map. column: the model and the way of finding asperities. why_not: why nothing is known at some points, ""
+    if all are. nearest: in what the nearest surface differs, "" where it hardly does. kind_known: whether the kind of surface
+    is known, from the map or as stated; kind: that which is stated where there is no map."""
 
     column: str
     area: np.ndarray
@@ -80,13 +80,13 @@ class MeasuredErrors:
 
     @property
     def low(self) -> np.ndarray:
-        """Return the 5 % quantile at each point."""
-        return self.levels[:, 0]
+        """Return the 5 % quantile at each point, NaN where nothing near was measured."""
+        return np.where(np.isfinite(self.area), self.levels[:, 0], np.nan)
 
     @property
     def high(self) -> np.ndarray:
-        """Return the 95 % quantile at each point."""
-        return self.levels[:, -1]
+        """Return the 95 % quantile at each point, NaN where nothing near was measured."""
+        return np.where(np.isfinite(self.area), self.levels[:, -1], np.nan)
 
     @property
     def known(self) -> bool:
@@ -175,14 +175,14 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
         return _unknown(column, load.size, f"this model was not measured{kind}")
     far = ~(found.distance <= FAR) | ~(found.told > _LEAST_TOLD)
     relative, error = (np.where(far, np.nan, one) for one in (found.relative, found.middle))
-    levels = np.where(far[:, None], np.nan, found.levels)
     why = _far(found.distance[far], found.nearest[far]) if far.any() else ""
-    trust = np.clip(FAR - found.distance, 0.0, 1.0) * np.clip((found.told - _LEAST_TOLD) / (0.5 * _LEAST_TOLD), 0.0, 1.0)
+    told = np.clip((found.told - _LEAST_TOLD) / (0.5 * _LEAST_TOLD), 0.0, 1.0)
+    trust, levels = np.clip(FAR - found.distance, 0.0, 1.0) * told, found.levels * told[:, None]
     own = sample = np.zeros(load.size)
     if isinstance(problem, ClosedForm) and problem.map is not None:
         own, sample = _own_error(problem.map, _share(problem, area)), _sample_error(problem.map, place)
     return MeasuredErrors(
-        column, error, _widened(error, levels, own), np.hypot(relative, own),
+        column, error, _widened(found.middle * told, levels, own), np.hypot(relative, own),
         _of_friction(problem, results, error), found.distance, found.surfaces, trust * near_none,
         sample, why, found.nearest, place.shape is not None or place.kind is not None, place.kind,
     )  # fmt: skip
@@ -248,8 +248,8 @@ def _near(problem: Problem, column: str, place: Place, points: int, area: np.nda
 
 def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Of area laws of surfaces on a film, by the Gaussian maps of truth/films.csv; by numbers wider by what other kinds of
-    surface do to the bare law, and off by what a kind that is stated does to it, at the pressure at which it has this area
-    (Persson 2001)."""
+    surface do to the bare law, and off by what a kind that is stated does to it, at the pressure at which it has this elastic
+    area (Persson 2001) and the hardness that leaves the same part of it flow."""
     from scipy.special import erfinv
 
     found = on_solved_maps(problem, points)
@@ -257,8 +257,11 @@ def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray
         return _none_but_own(found)
     if found is None or place.shape is not None:
         return found
-    share = np.minimum(_share(problem, area), 1.0 - 1e-9)
-    bare_place = replace(place, pressure=np.where(place.pressure > 0.0, erfinv(share) / math.sqrt(2.0), place.pressure))
+    elastic, flowing = shares_on_film(problem, place, area)
+    pressure = erfinv(elastic) / math.sqrt(2.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        hardness = np.where(flowing > 0.0, pressure / flowing, np.inf)
+    bare_place = replace(place, pressure=np.where(place.pressure > 0.0, pressure, place.pressure), hardness=hardness)
     bare = bare_errors(solved_set(), f"{_BY_MOMENTS}|{_MOMENTS}", bare_place, anywhere=False)
     if bare is None:
         return found

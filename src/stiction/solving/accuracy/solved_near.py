@@ -26,7 +26,7 @@ _PRESSURE = 1.4  # ln of the pressure above those of the set, a distance of 1
 # The same below the lightest pressure, where area over load hardly changes (truth/light.csv), and where all flows: below this
 # hardness over E* h'.
 _LIGHTER, _FLOWING = 7.0, 0.1
-_FILM_SCALES = (0.7, 0.8)  # ln of the modulus over the substrate's, of the thickness over sqrt(m2/m4)
+FILM_SCALES = (0.7, 0.8)  # ln of the modulus over the substrate's, of the thickness over sqrt(m2/m4)
 _SAID = 0.25  # share of the squared distance from which on a difference is said
 _NAMES = {
     "alpha": "Nayak's alpha",
@@ -151,8 +151,8 @@ def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference
     moduli, thicknesses = known["films"].T
     waves = (known["gradient_over_shortest"][some] / known.feature("wave")[some])[:, None]
     modulus, thickness, pressure = (float(one[at]) for one in (place.modulus, place.thickness, place.pressure))
-    by_film = ((np.log(moduli / modulus) / _FILM_SCALES[0]) ** 2)[None, :]
-    by_thickness = (np.log(thicknesses[None, :] * waves / thickness) / _FILM_SCALES[1]) ** 2
+    by_film = ((np.log(moduli / modulus) / FILM_SCALES[0]) ** 2)[None, :]
+    by_thickness = (np.log(thicknesses[None, :] * waves / thickness) / FILM_SCALES[1]) ** 2
     low, high = known["film_loads"][..., 0], known["film_loads"][..., -1]
     beyond = np.maximum(np.maximum(np.log(low / pressure) / _LIGHTER, np.log(pressure / high) / _PRESSURE), 0.0)
     bare = [

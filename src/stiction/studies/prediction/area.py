@@ -5,6 +5,7 @@ distribution of that error over those surfaces (docs/truth.md). What is left of 
 roughness; its bias is gone. Laws are combined by weights that score best on solved surfaces left out (`make truth`).
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,17 +14,19 @@ from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES
+from stiction.solving.accuracy.film_errors import shares_on_film
 from stiction.solving.accuracy.measured_error import MeasuredErrors, measured_errors
+from stiction.solving.accuracy.solved_near import Place
 from stiction.solving.choice import Choice
-from stiction.solving.points import points_of, solve_points
-from stiction.solving.problem import make_problem
+from stiction.solving.points import Points, points_of, solve_points
+from stiction.solving.problem import Problem, make_problem
 from stiction.solving.state import state_of
 from stiction.studies.prediction.area_weights import area_weights
 from stiction.studies.prediction.asked import Asked
 
 __all__ = ["AreaLaw", "area_laws", "grown_to"]
 
-_SUM = "greenwood_williamson_1966"
+_SUM, _FEWEST = "greenwood_williamson_1966", "roughness_parameter"
 _ON_FILM = ((Choice("rough_on_film", tangential="none"), 1.0),)
 # A film that the area law refuses: no solved surface is near, and the width says so.
 _OTHER_FILMS = (
@@ -55,16 +58,17 @@ def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.nd
 class AreaLaw:
     """What one law says of the area.
 
-    name: of the law in words. weight: by stacking. log_area: ln of the area [m2], array (n, m) over draws and loads. share:
-    area of the nominal contact over its nominal area (m,), at which the errors are known. levels: quantiles of ln(A/solved A),
-    array (m, 5), see errors_near.LEVELS. far: how far (m,) no solved surface is near, 0 to 1. sample: standard error of ln of
-    the area as one window of a larger surface, (m,). touching: number of asperities that touch (m,), infinite where it is not
-    known. yields_at: mean pressure of spots (n or 1, m) that flow [Pa]. far_error: standard deviation of ln of the area where
-    no solved surface is near.
+    name: of the law in words. weight: by stacking, (m,), 0 where the law does not answer. log_area: ln of the area [m2], array
+    (n, m) over draws and loads. share: area of the nominal contact over its nominal area (m,), at which the errors are known.
+    levels: quantiles of ln(A/solved A), array (m, 5), see errors_near.LEVELS. far: how far (m,) no solved surface is near, 0 to
+    1. sample: standard error of ln of the area as one window of a larger surface, (m,). touching: number of asperities that
+    touch (m,), infinite where it is not known. yields_at: mean pressure of spots (n or 1, m) that flow [Pa]. far_error:
+    standard deviation of ln of the area where no solved surface is near. elastic: of the nominal contact on a film, area over
+    the nominal one were nothing to flow (m,); 0 where it is not known.
     """
 
     name: str
-    weight: float
+    weight: np.ndarray
     log_area: np.ndarray
     share: np.ndarray
     levels: np.ndarray
@@ -73,13 +77,14 @@ class AreaLaw:
     touching: np.ndarray
     yields_at: np.ndarray
     far_error: float
+    elastic: np.ndarray
 
     def corrected(self, rows: np.ndarray, loads: np.ndarray, level: np.ndarray, nominal: np.ndarray) -> np.ndarray:
         """Return the area [m2] (n, m) of these rows of the inputs, without the error at these quantile levels (n,).
 
         Spots that flow bound it from below: no area is less than the load over their pressure. Where no solved surface is near,
-        the part that is elastic is uncertain: area is a power mean of both, as in the law (persson_widened). nominal: area [m2]
-        (n, 1).
+        the nearest tell, and the part that is elastic is uncertain: area is a power mean of both, as in the law
+        (persson_widened). nominal: area [m2] (n, 1).
         """
         from scipy.special import ndtri
 
@@ -87,9 +92,11 @@ class AreaLaw:
         near = np.array([_between(score, levels) for levels in self.levels]).T
         area = np.exp(self.log_area[rows])
         plastic = loads / self.yields_at[rows % len(self.yields_at)]
-        area = np.maximum(grown_to(np.minimum(area, nominal), self._factor(near * (1.0 - self.far)), nominal), plastic)
+        area = np.maximum(grown_to(np.minimum(area, nominal), self._factor(near), nominal), plastic)
         elastic = np.maximum(area**_POWER - plastic**_POWER, 0.0) ** (1.0 / _POWER)
-        wide = ((elastic * np.exp(self.far_error * score[:, None] * self.far)) ** _POWER + plastic**_POWER) ** (1.0 / _POWER)
+        apart, of_far = np.abs(near - self.levels[:, 2]), self.far_error * score[:, None] * self.far
+        more = np.sign(of_far) * (np.hypot(apart, of_far) - apart)  # both errors together are as wide as their root sum square
+        wide = ((elastic * np.exp(-more)) ** _POWER + plastic**_POWER) ** (1.0 / _POWER)
         return grown_to(np.minimum(area, nominal), wide / area, nominal)
 
     def _factor(self, error: np.ndarray) -> np.ndarray:
@@ -107,23 +114,26 @@ def _between(score: np.ndarray, levels: np.ndarray) -> np.ndarray:
 
 
 def area_laws(asked: Asked) -> list[AreaLaw]:
-    """Return the laws that answer for a contact, with weights that sum to 1. Raises InputError where none does."""
-    found, refusal = [], None
+    """Return the laws that answer for a contact, with weights that sum to 1 at each point: laws that are asked after others
+    answer where none of those does. Raises InputError where none does."""
+    found, refusal, left = [], None, np.ones(len(asked.loads), dtype=bool)
     for choices in _in_turn(asked):
+        laws = []
         for choice, weight in choices:
             try:
-                found.append(_law(asked, choice, weight))
+                laws.append(_law(asked, choice, weight))
             except (InputError, ArithmeticError) as error:
                 if asked.contacts > 1 and any(_answers(one, choice) for one in asked.ends()):
                     raise  # who asks for many divides them: the law answers for some
                 refusal = error
-        if found:
-            break
-    if not found:
-        assert refusal is not None
-        raise refusal
-    total = sum(law.weight for law in found)
-    return [replace(law, weight=law.weight / total) for law in found]
+        total = np.sum([law.weight for law in laws], axis=0)
+        here = left & (total > 0.0)
+        found += [replace(law, weight=np.where(here, law.weight / np.where(here, total, 1.0), 0.0)) for law in laws]
+        left = left & ~here
+        if not left.any():
+            return found
+    assert refusal is not None
+    raise refusal
 
 
 def _in_turn(asked: Asked) -> tuple[tuple[tuple[Choice, float], ...], ...]:
@@ -147,9 +157,17 @@ def _answers(asked: Asked, choice: Choice) -> bool:
 
 
 def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:
+    """Return what a law says. Where it refuses some of many contacts for having fewer asperities than a Gaussian surface has,
+    its weight is 0 there. Raises InputError, ArithmeticError."""
+    try:
+        points, tables = _solved(asked, choice)
+    except InputError as error:
+        is_gaussian = asked.is_gaussian
+        if error.field != _FEWEST or is_gaussian.all() or not is_gaussian.any():
+            raise
+        law = _law(asked.as_gaussian(), choice, weight)
+        return replace(law, weight=np.where(is_gaussian, law.weight, 0.0))
     nominal = asked.nominal(choice.model_key)
-    points = points_of(make_problem(nominal, choice), asked.load)
-    tables = solve_points(points, refuse=False).tables
     errors = measured_errors(points.problem, tables)
     places = asked.places(points.dims)
     unit = np.broadcast_to(aligned(points.factors[QUANTITIES["contact_area"].scale], points.dims), points.wanted.shape)
@@ -169,7 +187,24 @@ def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:
         levels, far, sample = (one[places] for one in _known(errors, nominal.map is not None))
         share = np.nan_to_num(area / asked.column(nominal.nominal_area), nan=1.0)[0]
         name = replace(choice, tangential=None).name
-        return AreaLaw(name, weight, np.log(drawn), share, levels, far, sample, touching, yields_at, far_error)
+        elastic = _elastic(points.problem, tables)[places]
+        weights = np.full(len(asked.loads), weight)
+        return AreaLaw(name, weights, np.log(drawn), share, levels, far, sample, touching, yields_at, far_error, elastic)
+
+
+def _solved(asked: Asked, choice: Choice) -> tuple[Points, Mapping[str, np.ndarray]]:
+    """Return the points of a law on the nominal contacts, and its results there. Raises InputError, ArithmeticError."""
+    points = points_of(make_problem(asked.nominal(choice.model_key), choice), asked.load)
+    return points, solve_points(points, refuse=False).tables
+
+
+def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Return the area over the nominal one (k,) at these results of a law of surfaces on a film, were nothing to flow; else
+    0."""
+    load, area = (np.asarray(tables[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
+    if not problem.record.on_film:
+        return np.zeros(load.size)
+    return np.nan_to_num(shares_on_film(problem, Place.of(problem, load), area)[0])
 
 
 def _too_sharp(asked: Asked) -> np.ndarray:

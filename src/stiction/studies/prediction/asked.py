@@ -17,6 +17,7 @@ from stiction.contact.size_effect import at_radius
 from stiction.quantities.dimensions import aligned, arranged, dimensions
 from stiction.solving.choice import Choice
 from stiction.studies.uncertainty.drawing import Variant, draw
+from stiction.surfaces.theory.moments import LEAST_DENSITY
 
 __all__ = ["PULLS", "Asked", "Bodies"]
 
@@ -118,6 +119,21 @@ class Asked:
         tables = expanded(self.case.tables)
         numbers = {**tables["contact"], "roughness": self.contact.as_numbers().roughness}
         return replace(self, case=replace(self.case, tables={**tables, "contact": numbers}))
+
+    @cached_property
+    def is_gaussian(self) -> np.ndarray:
+        """Return whether a Gaussian surface has as few asperities as the contact at each point (m,)."""
+        rough = self.contact.roughness
+        numbers = self.column(rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation)[0]
+        return np.broadcast_to(numbers >= LEAST_DENSITY, self.loads.shape)
+
+    def as_gaussian(self) -> "Asked":
+        """Return the same with at least as many asperities as a Gaussian surface has."""
+        path, rough = ("contact", "roughness", "asperity_density"), self.contact.roughness
+        least = LEAST_DENSITY * (1.0 + 1e-9) / (rough.asperity_radius * rough.asperity_height_deviation)
+        return replace(
+            self, case=replace(self.case, several={**self.case.several, path: np.maximum(rough.asperity_density, least)})
+        )
 
     def variation(self, choice: Choice) -> np.ndarray:
         """Return the area (n, m) of a model on the drawn contacts, over that on the nominal one."""

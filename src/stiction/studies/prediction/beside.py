@@ -44,9 +44,9 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
 def checked_against(mixture: Mixture, at: int) -> str:
     """Return what was compared with measurements and solved surfaces, at the load of this number."""
     near = [law for law in mixture.laws if law.far[at] < 1.0]
-    share = sum(law.weight for law in near)
+    share = sum(float(law.weight[at]) for law in near)
     if share > 0.5:
-        times = math.exp(sum(law.weight * _half_width(mixture, law, at) for law in near) / share)
+        times = math.exp(sum(float(law.weight[at]) * _half_width(mixture, law, at) for law in near) / share)
         area = (
             f"solved surfaces (area +-{times - 1.0:.0%})"
             if times < _WIDE

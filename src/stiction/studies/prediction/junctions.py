@@ -8,7 +8,8 @@ junction hardens, to H/3 where the interface is as strong as the body (alpha = 9
 ends growth where c goes to 1 is in none of them: c is bounded at 0.999.
 
 Squeeze: a soft film between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius a, that of a plastic layer that
-sticks to both (Hill 1950), and at most the hardness of the body. How far this goes is drawn evenly between nothing and all.
+sticks to both (Hill 1950), and at most the hardness of the body, or what elastic bodies bear that touch through the film, so
+that its area is never less than theirs without it. How far this goes is drawn evenly between nothing and all.
 """
 
 import numpy as np
@@ -58,8 +59,8 @@ def squeezed(
         How far the film is squeezed, 0 to 1.
     pressure, radius : numpy.ndarray, shape (n, m)
         Of spots, mean pressure [Pa] and radius [m].
-    thickness, hardness, hardest : numpy.ndarray, shape (n, 1)
-        Of the film [m, Pa], and the larger hardness of film and bodies [Pa].
+    thickness, hardness, hardest : numpy.ndarray, shape (n, m or 1)
+        Of the film [m, Pa], and what film and bodies bear at most [Pa].
     """
     most = np.minimum(1.0 + radius / (7.3 * thickness), np.maximum(hardest / hardness, 1.0))
     plastic = np.clip(pressure / hardness, 0.0, 1.0) ** 4

@@ -13,7 +13,7 @@ from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import arranged, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import RECOMMENDED
-from stiction.solving.pointwise import Pointwise, Region, bisected, pieces
+from stiction.solving.pointwise import REFUSED, Pointwise, Region, bisected, pieces
 from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.mixture import Mixture
 from stiction.studies.prediction.predict import COUNT, draws_of, intervals, with_uncertain
@@ -137,8 +137,8 @@ def _together(
         found = intervals(samples, asked.loads, level)
     shape, dims = tuple(asked.dims.values()), tuple(asked.dims)
     variables = {name: (dims, values.reshape(shape), attributes) for name, (values, attributes) in found.items()}
-    nothing = np.zeros(shape, dtype=np.uint32)
-    return case, Pointwise(variables, (dims, nothing), [], case.subject, {})
+    refused = np.isnan(found["friction_coefficient"][0]).reshape(shape)
+    return case, Pointwise(variables, (dims, refused.astype(np.uint32) << np.uint32(REFUSED)), [], case.subject, {})
 
 
 def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
@@ -160,6 +160,7 @@ def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
         if solved is None:
             refused += 1
             continue
+        refused += int(np.count_nonzero(solved.doubts[1]))
         for name, (dims, values, attributes) in solved.variables.items():
             table = found.setdefault(name, (tuple(sizes), np.full(tuple(sizes.values()), np.nan), attributes))[1]
             table[tuple(region[dim] for dim in sizes)] = arranged(values, dims, sizes)

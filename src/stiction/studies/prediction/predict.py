@@ -176,10 +176,10 @@ def intervals(samples: Samples, loads: np.ndarray, level: float) -> dict[str, tu
     tables = {"friction_coefficient": samples.force / loads, "friction_force": samples.force, "contact_area": samples.area}
     ends = {"": 0.5, "_low": 0.5 - 0.5 * level, "_high": 0.5 + 0.5 * level}
     known = np.isfinite(samples.force)
-    found = {}
+    found, answered = {}, known.any(axis=0)
     for name, table in tables.items():
-        quantity = QUANTITIES[name]
-        quantiles = np.nanquantile(np.where(known, table, np.nan), list(ends.values()), axis=0)
+        quantity, quantiles = QUANTITIES[name], np.full((len(ends), len(answered)), np.nan)
+        quantiles[:, answered] = np.nanquantile(np.where(known, table, np.nan)[:, answered], list(ends.values()), axis=0)
         for (end, share), values in zip(ends.items(), quantiles, strict=True):
             meaning = f"{quantity.meaning}, " + ("median" if not end else f"quantile {share:.3g}")
             found[name + end] = values, {"units": quantity.unit or "1", "long_name": meaning}
@@ -236,7 +236,7 @@ def _attributes(mixture: Mixture, samples: Samples, at: int, level: float, share
         "warnings": warnings_of(mixture, samples, at, shares),
         "inputs_not_used": not_used(mixture.asked, mixture.strength, mixture.touching),
         "next_step": next_step(shares, mixture),
-        "models": {law.name: law.weight for law in mixture.laws},
+        "models": {law.name: float(law.weight[at]) for law in mixture.laws if law.weight[at] > 0.0},
         "excluded": float(np.mean(~np.isfinite(samples.force))),
         "bare_metal": bare_metal(mixture, level),
         "checked_against": checked_against(mixture, at),

@@ -84,7 +84,7 @@ def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str
     decides = not shares or shares.get("area model", 0.0) > _DECIDES  # parts that hardly count are left out
     if decides and (is_open or mixture.asked.contact.has_film) and _kind_is_missing(mixture):
         found.append("The kind of surface is not stated: surfaces of these numbers differ in area by factors.")
-    if decides and is_open and max(float(law.far[at]) * law.weight * law.far_error for law in mixture.laws) > 0.2:
+    if decides and is_open and max(float(law.far[at] * law.weight[at]) * law.far_error for law in mixture.laws) > 0.2:
         found.append("No solved surface is near this contact: its area is known within a factor of 2.")
     return found
 

@@ -16,7 +16,7 @@ import numpy as np
 from scipy.special import erf
 
 WIDEST_BAND = 160.0  # largest alpha of the set
-_MEETING = 3.5  # (5)
+MEETING = 3.5  # (5)
 
 
 def widened(pressure, c):
@@ -29,7 +29,7 @@ def with_hardness(elastic, pressure, hardness):
     """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness
     may be infinite. From p = H on all is in contact."""
     flowing = np.minimum(pressure / hardness, 1.0)
-    return np.minimum((elastic**_MEETING + flowing**_MEETING) ** (1.0 / _MEETING), 1.0)
+    return np.minimum((elastic**MEETING + flowing**MEETING) ** (1.0 / MEETING), 1.0)
 
 
 def of_moments(pressure, alpha):
