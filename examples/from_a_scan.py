@@ -3,7 +3,8 @@
     python examples/from_a_scan.py
 
 A made surface stands for the scan; with one of your own, give its name to st.read_scan. The picture is the resolution study:
-sigma, R, N and mu against the shortest wavelength that is left in the scan, a line for each method.
+sigma, R, N and mu by the model of 2015 against the shortest wavelength that is left in the scan, a line for each method. The
+answer with its interval is that of st.predict, last, which takes the map itself.
 """
 
 import numpy as np
@@ -27,4 +28,8 @@ contact = st.Contact(
 resolution_study = st.resolution_study(scan, contact=contact, load="100 mN")
 lowest, highest = float(resolution_study["mu"].min()), float(resolution_study["mu"].max())
 print(f"static friction coefficient from {lowest:.3f} to {highest:.3f}, by method and resolution alone")
+answer = st.predict(contact.replace(roughness=scan), load="100 mN")
+low, mu, high = (answer[f"friction_coefficient{end}"].item() for end in ("_low", "", "_high"))
+print(f"prediction: mu = {mu:.2g}, {answer.level:.0%} interval {low:.2g} to {high:.2g}")
+print("warning:", *answer.warnings)
 resolution_figure(resolution_study).savefig("fan.png", dpi=150)

@@ -241,3 +241,15 @@ def test_the_readme_shows_what_the_demo_prints():
     shown = (root / "README.md").read_text(encoding="utf-8").partition("--out demo\n")[2].partition("\n...")[0].splitlines()
     printed = [line.rstrip() for line in run("run", root / "examples" / "soft_film.toml").splitlines()]
     assert shown and printed[: len(shown)] == shown
+
+
+def test_pasted_asperities_have_a_kind_or_a_distribution_and_every_line_counts(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    spectrum = st.SelfAffine(hurst=0.8, rolloff=3e-6, shortest=0.8e-6, deviation=12e-9)
+    np.save("scan.npy", st.gaussian_surface((192, 192), (20e-6, 20e-6), spectrum, seed=4).heights)
+    said = run("surface", "scan.npy", "--size", "20 um", "--unit", "m")
+    pasted = said.partition("# or its asperities")[2].partition("Details")[0]
+    assert 'kind = "' in pasted and "height_distribution" not in pasted
+    text = CASE[: CASE.index("[contact.roughness]")] + "[contact.roughness]" + pasted + '[solve]\nload = "1 N"\n'
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    assert "not used" not in run("run", "case.toml")

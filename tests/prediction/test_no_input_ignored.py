@@ -236,3 +236,23 @@ def test_the_commands_name_what_is_not_used(tmp_path):
         assert line in called(tmp_path, text, command)[1] and "not used" not in called(tmp_path, COMMAND, command)[1]
     answer = json.loads(called(tmp_path, text, "run", "--json")[1])["answer"]
     assert answer["inputs_not_used"] == [line.removeprefix("not used ")]
+
+
+def test_a_kind_counts_beside_heights_that_are_not_gaussian():
+    contact = {
+        "first": "hardened_steel_52100",
+        "second": "silicon_nitride",
+        "interface": "ceramic",
+        "nominal_area": "0.01 mm^2",
+        "roughness": {
+            "asperity_height_deviation": "32 nm",
+            "asperity_radius": "330 nm",
+            "asperity_density": "1.7e13 1/m^2",
+            "height_distribution": "weibull",
+            "height_parameters": {"exponent": 12.2},
+        },
+    }
+    without = predicted(contact)
+    known = predicted(contact | {"roughness": contact["roughness"] | {"kind": "gaussian"}})
+    assert known.friction_coefficient_high < 0.5 * without.friction_coefficient_high
+    assert not any("roughness.kind" in one for one in known.inputs_not_used)

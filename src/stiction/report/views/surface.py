@@ -108,7 +108,7 @@ def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
 def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
     """Return the roughness of a case file with the asperities that stand for the surface; empty where none were found.
 
-    Heights that no formula describes are Gaussian here.
+    Heights that no formula describes are Gaussian here, and so are those of a known kind: its errors are of such laws.
     """
     if not analysis.standing:
         return {}
@@ -118,8 +118,8 @@ def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
         "asperity_height_deviation": show(one.deviation, "asperity_height_deviation", 3).replace("µ", "u"),
         "asperity_radius": show(one.radius, "asperity_radius", 3).replace("µ", "u"),
         "asperity_density": f"{one.density:.3g} 1/m^2",
-        **({"height_distribution": "weibull", "height_parameters": parameters} if parameters else {}),
-        **({} if analysis.kind is None else {"kind": analysis.kind}),
+        **({"kind": analysis.kind} if analysis.kind else {}),
+        **({"height_distribution": "weibull", "height_parameters": parameters} if parameters and not analysis.kind else {}),
     }
 
 

@@ -70,8 +70,6 @@ def _why_no_yield(asked: Asked, strength: Strength) -> str:
 
 def _of_surface(asked: Asked, touching: np.ndarray) -> Iterator[tuple[str, str]]:
     contact = asked.contact
-    if contact.surface_kind is not None and contact.heights[0] != "gaussian":
-        yield "roughness.kind", "the laws of surfaces of a kind take Gaussian heights"
     if contact.measured is not None and asked.on_map:
         yield from ((f"roughness.{name}", "the map itself is used") for name in contact.measured.stated)
     if contact.strength_variation is not None and not np.isfinite(touching).all():
