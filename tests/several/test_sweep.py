@@ -524,9 +524,9 @@ def test_an_interruption_waits_until_a_block_is_written(tmp_path, monkeypatch):
     """Or zarr is cut off as it writes, and complains of its coroutines after the last line that the user should see."""
     write, written = sweep_store.Store._write, []
 
-    def interrupted(store, block, found):
+    def interrupted(store, block, *found):
         signal.raise_signal(signal.SIGINT)
-        write(store, block, found)
+        write(store, block, *found)
         written.append(block)
 
     monkeypatch.setattr(sweep_store.Store, "_write", interrupted)

@@ -22,7 +22,7 @@ from stiction.report.views.run import band_lines
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise
 from stiction.studies.case_results import solve_case
-from stiction.studies.uncertainty import bands, drawing
+from stiction.studies.uncertainty import drawing
 from stiction.studies.uncertainty.bands import levels, quantiles
 from stiction.studies.uncertainty.drawing import Variant, draw, scrambled
 
@@ -292,5 +292,5 @@ def test_quantiles_are_of_those_that_are_known_while_these_are_half():
 
 @pytest.mark.parametrize("why", WHY_NOT[:2])
 def test_points_of_which_nothing_is_known_are_told_whatever_the_reason(why, monkeypatch):
-    monkeypatch.setattr(bands, "shares_of_points", lambda found: {why: 0.25})
+    monkeypatch.setattr(drawing.Draws, "shares", lambda found: {why: 0.25})
     assert "in 0.25 of the points" in solve_case(case(uncertainty={"count": 64})).attrs["outside_validity"]

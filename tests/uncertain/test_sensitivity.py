@@ -237,14 +237,13 @@ def test_more_points_are_more_trajectories(monkeypatch):
     assert [given[1] for given in asked] == [8, 16]
 
 
-def test_every_method_with_every_model_is_drawn_by_its_weight():
+def test_every_method_with_every_model_is_drawn_as_often():
     from stiction.studies.sensitivity.run import METHOD_INPUT, MODEL_INPUT, _Variation
 
-    models, weights = ["a", "b", "c"], np.array([0.5, 0.3, 0.2])
-    variation = _Variation(["x"], ["first", "second"], models, weights, [])
+    variation = _Variation(["x"], ["first", "second"], ["a", "b", "c"], [])
     assert variation.inputs == ["x", METHOD_INPUT, MODEL_INPUT]
     shares = np.array([[0.9, method, model] for method in (0.0, 0.49, 0.51, 0.999) for model in (0.1, 0.49, 0.51, 0.79, 0.81)])
-    wanted = [3 * method + model for method in (0, 0, 1, 1) for model in (0, 0, 1, 1, 2)]
+    wanted = [3 * method + model for method in (0, 0, 1, 1) for model in (0, 1, 1, 2, 2)]
     assert variation.rows(shares).tolist() == wanted
 
 

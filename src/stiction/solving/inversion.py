@@ -249,25 +249,15 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
 
 def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Tension and separation (n,) as in Inversion, of loads (n, H) of these sizes (n,) at separations h (H,), descending."""
-    load = _load_of(problem)
-    tension, where = largest_tension(load, np.broadcast_to(h, loads.shape), loads)
+    tension, where = largest_tension(problem.load_at, np.broadcast_to(h, loads.shape), loads)
     if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):
         near = _below_tops(problem)
-        more, at = largest_tension(load, near, load(near, np.arange(len(near))[:, None]))
+        more, at = largest_tension(problem.load_at, near, problem.load_at(near, np.arange(len(near))[:, None]))
         larger = more > tension
         tension[larger], where[larger] = more[larger], at[larger]
     nothing = tension <= NO_TENSION * size
     tension[nothing], where[nothing] = 0.0, np.nan
     return tension, where
-
-
-def _load_of(problem: Problem) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
-    """load(h, law): at any separations, of the laws of these numbers, which broadcast to them."""
-
-    def load(h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        return problem.loads(h.ravel(), np.broadcast_to(law.astype(int), h.shape).ravel()).reshape(h.shape)
-
-    return load
 
 
 def _below_tops(problem: Problem) -> np.ndarray:
@@ -310,11 +300,11 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
     loads, which does not depend on how far that is."""
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
-    load, laws = _load_of(problem), np.arange(len(loads))[:, None]
+    laws = np.arange(len(loads))[:, None]
     smallest = np.where(targets > 0.0, targets, np.inf).min(axis=1, initial=np.inf)
 
     def more(ends: np.ndarray) -> np.ndarray:
-        return load(np.broadcast_to(ends, (len(laws), ends.size)), laws)
+        return problem.load_at(np.broadcast_to(ends, (len(laws), ends.size)), laws)
 
     while h[0] < FARTHEST and _touches(loads, size, smallest).any():
         farther = np.minimum(h[0] * _BEYOND[::-1], FARTHEST)
@@ -339,10 +329,9 @@ def _roots(problem: Problem, law: np.ndarray, targets: np.ndarray, bracket: tupl
 
     if not targets.size:
         return targets.copy(), targets.copy(), 0
-    load = _load_of(problem)
 
     def excess(x, law, target):
-        return load(x, law) - target
+        return problem.load_at(x, law) - target
 
     found = find_root(excess, bracket, args=(law.astype(float), targets))
     if not found.success.all():

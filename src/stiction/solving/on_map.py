@@ -154,7 +154,7 @@ class OnMap(Problem):
         force, extent = whole / self.factors["N"], whole / self.factors["m^2"]
         if one.pressure is None:  # the whole load and area stand for those of the points
             return float(self._sheared(np.array([one.load * force]), one.area * extent, "elastic"))
-        of_states = (self._sheared(p * area.counted * force, area.real * extent, state) for state, p, area in points_of(one))
+        of_states = (self._sheared(p * pixel * force, area * extent, state) for state, p, pixel, area in points_of(one))
         return float(sum(of_states))
 
     def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:

@@ -11,7 +11,7 @@ under the shear and grow until they bear that, so that of contacts that flow mu 
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -24,17 +24,11 @@ if TYPE_CHECKING:
 _TABOR = 9.0  # alpha of combined stresses, from his measurements
 
 
-class PointArea(NamedTuple):
-    """Of one point [m2]. counted: all of it, on which its pressure acts; real: without its share of the excess at edges."""
+def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
+    """State, pressures [Pa] and areas [m2] of the points in contact: of those that do not flow and those that do, if any.
 
-    counted: float
-    real: float
-
-
-def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, PointArea]]:
-    """State, pressures [Pa] and area of the points in contact: of those that do not flow and those that do, if any.
-
-    The excess at the edges is taken off the points that do not flow, as far as these have it.
+    Areas of one point: all of it, on which its pressure acts, and without its share of the excess at edges, which is taken off
+    the points that do not flow, as far as these have it.
     """
     assert one.pressure is not None
     pixel = one.nominal_area / one.pressure.size
@@ -46,7 +40,7 @@ def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, PointArea]]:
         shares = {"elastic": wanted / elastic, "plastic": 1.0}
     for state, some in (("elastic", pressure[pressure < hardness]), ("plastic", pressure[pressure >= hardness])):
         if some.size:
-            yield state, some, PointArea(pixel, pixel * shares[state])
+            yield state, some, pixel, pixel * shares[state]
 
 
 def _lesser(contact: Contact, law: str, one: "MapContact") -> float:
@@ -56,7 +50,7 @@ def _lesser(contact: Contact, law: str, one: "MapContact") -> float:
         raise InputError(
             "pressure_coefficient", None, "a number: shear = lesser is the lesser of it times the pressure and tau_0"
         )
-    parts = (np.minimum(coefficient * pressure * area.counted, strength * area.real) for _, pressure, area in points_of(one))
+    parts = (np.minimum(coefficient * pressure * pixel, strength * area) for _, pressure, pixel, area in points_of(one))
     return float(sum(part.sum() for part in parts))
 
 
@@ -76,7 +70,7 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> float:
             f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, from where they grow without end",
         )  # fmt: skip
     bearing = math.sqrt(hardness**2 - _TABOR * strength**2)
-    parts = (np.maximum(area.real, pressure * area.counted / bearing) for _, pressure, area in points_of(one))
+    parts = (np.maximum(area, pressure * pixel / bearing) for _, pressure, pixel, area in points_of(one))
     return strength * float(sum(part.sum() for part in parts))
 
 

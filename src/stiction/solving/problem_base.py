@@ -91,6 +91,10 @@ class Problem(ABC):
         """Net load per asperity at pairs of separation and law."""
         self.refuse_separation()
 
+    def load_at(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
+        """Net load per asperity at any separations, of the laws of these numbers, which broadcast to them."""
+        return self.loads(h.ravel(), np.broadcast_to(law.astype(int), h.shape).ravel()).reshape(h.shape)
+
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
         """Net load per asperity (n, H) at separations that all laws share."""
         self.refuse_separation()

@@ -8,6 +8,7 @@ left of it at the separation h = h_0 + distance. So at every distance the asperi
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -133,12 +134,11 @@ def _described(subject: Subject, name: str) -> dict[str, str]:
 class _Way:
     """The way apart of n contacts.
 
-    pressed: the problem of the loaded surfaces; options: those of the way back. released(groups, distance, **own options of
+    pressed: the problem of the loaded surfaces. released(groups, distance, **own options of
     the asperity law) -> pieces. how: what is assumed of the asperities, in words.
     """
 
     pressed: Sum
-    options: Mapping[str, str]
     released: Callable
     how: str
 
@@ -167,8 +167,9 @@ class _Way:
         return {name: table.reshape(rows.shape) for name, table in in_blocks(summed, h.size, _LAW_OF_ITS_OWN).items()}
 
     def summary(self, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-        way_back = replace(self.pressed, chosen=replace(self.pressed.chosen, options=self.options))
-        known = summary_of(way_back.subject, way_back, tables)
+        chosen = self.pressed.chosen
+        chosen = chosen.with_option("branch", "unloading") if "branch" in chosen.options else chosen
+        known = summary_of(self.pressed.subject, replace(self.pressed, chosen=chosen), tables)
         title = f"Unloading of {known['asperity']} after {known['model']}"
         return known | {"title": title, "grade": max(known["grade"], "B"), "unloading": self.how}
 
@@ -211,8 +212,7 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     problem = make_problem(contact, choice, heights)
     assert isinstance(problem, Sum)  # of a model with an asperity law
     released, how = _released(problem.law.asperity, problem)
-    options = dict(problem.options) | ({"branch": "unloading"} if "branch" in problem.options else {})
-    return _Way(problem, options, released, how)
+    return _Way(problem, released, how)
 
 
 def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
@@ -223,7 +223,7 @@ def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
         how = "elastic: back on the curve of loading"
         if "branch" in law.own_options:
             how += ", and beyond, until what had touched is torn off"
-        return (lambda groups, distance, **options: _held_on(law, groups, distance, options)), how
+        return partial(_held_on, law), how
     if "no adhesion" in law.traits:
         how = "elastic spheres, flattened to what their load and area had been when they were pressed hardest"
         return (lambda groups, distance, **options: drawn_apart(law.pieces(groups, **options), distance)), how
@@ -231,7 +231,7 @@ def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
     raise InputError("asperity", law.key, f"a law that is elastic, or does not adhere, or has a law of unloading: {reason}")
 
 
-def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, options: dict[str, str]) -> list[NormalPiece]:
+def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: str) -> list[NormalPiece]:
     """An elastic law in unloading, of asperities that had touched: those that never did hold nothing."""
     options = options | ({"branch": "unloading"} if "branch" in options else {})
     return [within(piece, coordinates(piece, -distance), np.inf) for piece in law.pieces(groups, **options)]

@@ -124,8 +124,8 @@ class MeasuredErrors:
         of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
         nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))]
         nearest = f"; {nearest}" if nearest else ""
-        middle, low, high = (np.expm1(one[some]) for one in (self.area, self.low, self.high))
-        mean, ends = (span(ends, "+.0%") for ends in ((middle.min(), middle.max()), (low.min(), high.max())))
+        middle, levels = np.expm1(self.area[some]), np.expm1(self.levels[some])
+        mean, ends = (span((one.min(), one.max()), "+.0%") for one in (middle, levels))
         alike = "like this one" if self.kind is None else f"of this kind, {self.kind}"
         kinds = alike if self.kind_known else "of all kinds, which numbers do not tell apart"
         surfaces = f"solved {'' if self.kind_known else 'Gaussian '}surfaces{where}"

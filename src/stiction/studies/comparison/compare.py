@@ -268,7 +268,11 @@ def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.D
     shown = [one for one in answers if one.curve]
     dims = {"model": len(shown), "point": max((one.curve["load"].size for one in shown), default=0)}
     as_it_is: dict[str, Any] = {}  # results are in the units of the contact already
-    tables = {name: np.array([_or_nothing(one.curve.get(name), dims["point"]) for one in shown]) for name in RESULTS}
+
+    def padded(values: np.ndarray, nothing: float) -> np.ndarray:
+        return np.pad(values, (0, dims["point"] - values.size), constant_values=nothing)
+
+    tables = {name: np.array([padded(one.curve.get(name, np.zeros(0)), np.nan) for one in shown]) for name in RESULTS}
     data = labelled(contact, tables, as_it_is, dims, {"model": [one.candidate.name for one in shown]})
     if target is not None:
         single = {name: np.array([(one.at_load or {}).get(name, np.nan) for one in shown]) for name in RESULTS}
@@ -283,18 +287,9 @@ def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.D
     }
     told = numbers | {name: np.array(values, dtype=object) for name, values in texts.items()}
     data = data.assign({name: ("model", values) for name, values in told.items()})
-    shape = (len(shown), dims["point"])
-    doubtful = np.full(shape, DOUBTFUL)
-    for row, one in zip(doubtful, shown, strict=True):
-        row[: one.doubtful.size] = one.doubtful
+    doubtful = np.array([padded(one.doubtful, DOUBTFUL) for one in shown]).reshape(tuple(dims.values()))
     data = data.assign(doubtful=(("model", "point"), doubtful))
     return data.assign_attrs(_attributes(contact, answers, target))
-
-
-def _or_nothing(values: np.ndarray | None, points: int) -> np.ndarray:
-    """The values, and not a number for those that there are not."""
-    given = np.zeros(0) if values is None else values
-    return np.concatenate([given, np.full(points - given.size, np.nan)])
 
 
 def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[str, Any]:

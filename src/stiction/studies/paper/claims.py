@@ -51,15 +51,15 @@ class Curves:
         reached = after_tension & (self.load >= load[..., None])
         last = np.argmax(reached, axis=-1)[..., None]
         first = np.maximum(last - 1, 0)
-        below, above = (np.take_along_axis(self.load, at, -1)[..., 0] for at in (first, last))
+
+        def ends(values: np.ndarray) -> list[np.ndarray]:
+            return [np.take_along_axis(values, at, -1)[..., 0] for at in (first, last)]
+
+        below, above = ends(self.load)
         carried = reached.any(axis=-1) & (above > below) & (load > 0.0)
         share = np.where(carried, (load - below) / np.where(carried, above - below, 1.0), np.nan)
-        return self._between(self.contact_area, first, last, share), self._between(self.friction_force, first, last, share)
-
-    @staticmethod
-    def _between(values: np.ndarray, first: np.ndarray, last: np.ndarray, share: np.ndarray) -> np.ndarray:
-        start, stop = (np.take_along_axis(values, at, -1)[..., 0] for at in (first, last))
-        return start + share * (stop - start)
+        area, friction = (start + share * (stop - start) for start, stop in map(ends, (self.contact_area, self.friction_force)))
+        return area, friction
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,8 @@ from stiction.studies.prediction.predict import is_predicted, predict
 from stiction.studies.pressing_loads import few_places
 from stiction.studies.sensitivity.elasticities import Elasticities, elasticities, elasticities_of_prediction
 from stiction.studies.sensitivity.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
-from stiction.studies.uncertainty.bands import words
-from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw, shares_of_points
+from stiction.studies.uncertainty.bands import doubts_said, drawing_said
+from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw
 
 if TYPE_CHECKING:
     import xarray
@@ -112,12 +112,11 @@ def _at_few_loads(case: Case, working: float | None) -> Case:
 
 @dataclass(frozen=True)
 class _Variation:
-    """What varies: numbers of the case, and which variant answers. methods, models: their names, weights: of the models."""
+    """What varies: numbers of the case, and which variant answers. methods, models: their names, drawn evenly."""
 
     numbers: list[str]
     methods: list[str]
     models: list[str]
-    weights: np.ndarray
     variants: list[Variant]
 
     @property
@@ -127,40 +126,30 @@ class _Variation:
 
     def rows(self, shares: np.ndarray) -> np.ndarray:
         """The variant of each row of shares (n, inputs)."""
-        inputs, rows = self.inputs, np.zeros(len(shares), dtype=int)
-        if METHOD_INPUT in inputs:
-            count = len(self.methods)
-            method = np.minimum((shares[:, inputs.index(METHOD_INPUT)] * count).astype(int), count - 1)
-            rows += method * len(self.models)
-        if MODEL_INPUT in inputs:
-            below = np.cumsum(self.weights)[:-1]
-            rows += np.searchsorted(below, shares[:, inputs.index(MODEL_INPUT)], side="right")
+        rows = np.zeros(len(shares), dtype=int)
+        for name, drawn in ((METHOD_INPUT, self.methods), (MODEL_INPUT, self.models)):
+            if name in self.inputs:
+                places = (shares[:, self.inputs.index(name)] * len(drawn)).astype(int)
+                rows = rows * len(drawn) + np.minimum(places, len(drawn) - 1)
         return rows
 
 
 def _variation(case: Case, choice: Any, models: Sequence[str] | None) -> _Variation:
     by_method = case.measured.by_method if case.measured is not None and case.by_method else {}
-    own = choice.name
-    names, weights = [own], np.ones(1)
-    choices = [choice]
+    names, choices = [choice.name], [choice]
     if models is not None and not (isinstance(models, list | tuple) and all(isinstance(one, str) for one in models)):
         raise InputError("models", models, "a list of names")
     if models:
         names = list(dict.fromkeys(models))
-        choices, weights = [choice_of(name, {}, case.subject) for name in names], np.full(len(names), 1.0 / len(names))
+        choices = [choice_of(name, {}, case.subject) for name in names]
     surfaces: list[Any] = [*by_method.values()] or [None]
     variants = [Variant(one, surface) for surface, one in product(surfaces, choices)]
-    return _Variation(list(case.unknowns), list(by_method), names, weights, variants)
+    return _Variation(list(case.unknowns), list(by_method), names, variants)
 
 
 def _told(case: Case, variation: _Variation) -> dict[str, Any]:
-    drawn = zip(variation.models, variation.weights.tolist(), strict=True)
-    return {
-        "uncertain_inputs": "\n".join(f"{name}: {words(case, name)}" for name in case.unknowns),
-        "models": json.dumps(dict(drawn)),
-        "methods": " ".join(variation.methods),
-        "uncertainty": f"{case.uncertainty.count} points, seed {case.uncertainty.seed}",
-    }
+    drawn = dict.fromkeys(variation.models, 1.0 / len(variation.models))
+    return drawing_said(case) | {"models": json.dumps(drawn), "methods": " ".join(variation.methods)}
 
 
 def _with_elasticities(said: "xarray.Dataset", slopes: Elasticities) -> "xarray.Dataset":
@@ -191,8 +180,7 @@ def _with_indices(found: "xarray.Dataset", case: Case, variation: _Variation, pr
         if name not in found.coords:
             dims = ("input", *drawn.dims[name])
             variables |= {f"{name}_{end}": (dims, *table) for end, table in _of_result(name, drawn, screened, points, paths)}
-    doubts = json.dumps(shares_of_points(drawn), ensure_ascii=False)
-    return found.assign_coords(input=variation.inputs).assign(variables).assign_attrs(doubts_of_points=doubts)
+    return found.assign_coords(input=variation.inputs).assign(variables).assign_attrs(doubts_of_points=doubts_said(drawn))
 
 
 def _drawn(case: Case, variation: _Variation, shares: np.ndarray, progress: Any) -> Draws:

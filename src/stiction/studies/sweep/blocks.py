@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,16 +15,12 @@ from stiction.studies.sweep.plan import Plan
 from stiction.studies.sweep.table import MOMENTS
 
 
-@dataclass(frozen=True)
-class Block:
-    """Results of a region of the contacts: name -> array (dimensions of the contacts and the points), and doubts as bits."""
+def solve_block(
+    plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple[str, ...]], sizes: Mapping[str, int]
+) -> tuple[dict[str, np.ndarray], np.ndarray]:
+    """Return the results of a block, name -> array (dimensions of the contacts and the points), and its doubts as bits.
 
-    results: dict[str, np.ndarray]
-    doubts: np.ndarray
-
-
-def solve_block(plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple[str, ...]], sizes: Mapping[str, int]) -> Block:
-    """A block. dims: name -> dimensions of each result that is kept; sizes: of the dimensions of the points.
+    dims: name -> dimensions of each result that is kept; sizes: of the dimensions of the points.
 
     Contacts that are refused are not numbers, with that as their doubt; all that are not are solved together, as far as halving
     the region parts them.
@@ -40,7 +35,7 @@ def solve_block(plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple
                 results[name][tuple(place.get(dim, slice(None)) for dim in of)] = arranged(values, have, of)
         have, bits = solved.doubts
         doubts[tuple(place.get(dim, slice(None)) for dim in shape)] = arranged(bits, have, shape)
-    return Block(results, doubts)
+    return results, doubts
 
 
 def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator[tuple[Region, Pointwise]]:

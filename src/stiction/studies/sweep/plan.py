@@ -14,7 +14,7 @@ from stiction.case.read import case_of, opened
 from stiction.case.several import Address, Several, with_values
 from stiction.case.study_tables import study_table
 from stiction.case.uncertain import SAMPLE, Uncertain, expanded
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, require_names
 from stiction.solving.pointwise import Region, pieces, tiles
 from stiction.studies.prediction.predict import is_predicted
@@ -178,10 +178,3 @@ def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
         allowed = f"{_MOST_BLOCKS} blocks at most: fewer points, or a larger sweep.block, up to {LARGEST_BLOCK}"
         raise InputError("sweep", f"{cut.size} points in {cut.blocks} blocks", allowed)
     return cut
-
-
-def check_kept(kept: list[str], known: list[str]) -> None:
-    """InputError for a name that is no result."""
-    for name in kept:
-        if name not in known:
-            raise InputError("sweep.keep", name, nearest(name, known))

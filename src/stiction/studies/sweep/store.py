@@ -20,7 +20,7 @@ import numpy as np
 
 from stiction import __version__
 from stiction.case.read import case_of
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.paths import require_place
 from stiction.quantities.uninterrupted import uninterrupted
 from stiction.solving.choice import RECOMMENDED, Choice
@@ -28,7 +28,7 @@ from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT, meanings_of, piece
 from stiction.studies.prediction.many import count_of
 from stiction.studies.prediction.predict import is_predicted
 from stiction.studies.sweep.blocks import merged, solve_block, solved_of, statistics_of
-from stiction.studies.sweep.plan import SAMPLE, Plan, check_kept
+from stiction.studies.sweep.plan import SAMPLE, Plan
 from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of
 
 if TYPE_CHECKING:
@@ -80,27 +80,27 @@ class Store:
 
     def do(self, block: int) -> int:
         """Solve and store a block; returns how many points it has. Raises OSError where it cannot be written."""
-        found = solve_block(self.plan, self._choice, block, self._results, self._points)
+        results, doubts = solve_block(self.plan, self._choice, block, self._results, self._points)
         with uninterrupted():
-            self._write(block, found)
-        return found.doubts.size
+            self._write(block, results, doubts)
+        return doubts.size
 
-    def _write(self, block: int, found: Any) -> None:
+    def _write(self, block: int, results: Mapping[str, np.ndarray], doubts: np.ndarray) -> None:
         if self.plan.sweep.statistics:
-            self._write_statistics(block, found.results)
+            self._write_statistics(block, results)
         else:
-            self._write_points(block, found)
+            self._write_points(block, results, doubts)
         bits = np.arange(self._arrays[_DONE].shape[1], dtype=np.uint32)
-        counts = [int(((found.doubts >> bit) & 1).sum()) for bit in bits]
+        counts = [int(((doubts >> bit) & 1).sum()) for bit in bits]
         self._arrays[_DONE][block : block + 1] = np.array([counts])
 
-    def _write_points(self, block: int, found: Any) -> None:
+    def _write_points(self, block: int, results: Mapping[str, np.ndarray], doubts: np.ndarray) -> None:
         region = self.plan.region(block)
-        for name, values in found.results.items():
+        for name, values in results.items():
             place = tuple(region.get(dim, slice(None)) for dim in self._results[name])
             self._arrays[name][place] = values.astype(self._arrays[name].dtype)
         place = (*region.values(), *(slice(None) for _ in self._points))
-        self._arrays[_DOUBTS][place] = found.doubts
+        self._arrays[_DOUBTS][place] = doubts
         if SAMPLE in region:
             drawn = self.plan.arrays(region)
             for path, one in self.plan.several.items():
@@ -128,11 +128,7 @@ class Store:
             target = self.group[name]
             rows = np.array([whole[one] for one in self.plan.sweep.statistics])
             target[:] = rows.reshape(target.shape).astype(target.dtype)
-        self.clean()
-
-    def clean(self) -> None:
-        """Remove what a process that was killed had begun to write."""
-        for file in Path(self.path).rglob("*.partial"):
+        for file in Path(self.path).rglob("*.partial"):  # which a process that was killed had begun to write
             file.unlink(missing_ok=True)
 
     def doubts(self) -> dict[str, int]:
@@ -246,7 +242,9 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
 
     case, solved = first
     names = list(solved.variables)
-    check_kept(plan.sweep.keep, names)
+    for name in plan.sweep.keep:
+        if name not in names:
+            raise InputError("sweep.keep", name, nearest(name, names))
     dims, bits = solved.doubts
     names = [name for name in plan.sweep.keep or names if name not in dims]  # what is asked for is a coordinate
     order = tuple(dim for dim in dims if dim in plan.dims)

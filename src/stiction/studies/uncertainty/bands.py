@@ -15,9 +15,7 @@ from stiction.studies.uncertainty.drawing import (
     Draws,
     Variant,
     draw,
-    impossible_share,
     scrambled,
-    shares_of_points,
     solves_maps,
 )
 
@@ -26,7 +24,6 @@ if TYPE_CHECKING:
 
 # Scramblings of the sequence, each on its own: their scatter is the error of the sampling.
 _PARTS = 8
-_QUANTILE, _ERROR = "_quantile", "_quantile_error"
 _LEAST_KNOWN = 0.5  # the share of the points that must be known for a quantile of them
 _MANY = 0.05  # the share of impossible draws from which on a warning says so
 
@@ -81,38 +78,35 @@ def _as_variables(name: str, found: Draws, shares: np.ndarray) -> dict[str, tupl
     values, errors = quantiles(table.reshape(_PARTS, len(table) // _PARTS, *table.shape[1:]), shares)
     dims, meaning = ("quantile", *found.dims[name]), dict(found.attributes[name])
     said = meaning.pop("comment", meaning["long_name"])
-    tables = {_QUANTILE: (values, "quantiles over what is uncertain"), _ERROR: (errors, "standard error of its quantiles")}
     return {
-        f"{name}{end}": (dims, values, meaning | {"long_name": f"{said}, {text}"}) for end, (values, text) in tables.items()
+        f"{name}_quantile": (dims, values, meaning | {"long_name": f"{said}, quantiles over what is uncertain"}),
+        f"{name}_quantile_error": (dims, errors, meaning | {"long_name": f"{said}, standard error of its quantiles"}),
     }
 
 
 def _said(data: "xarray.Dataset", case: Case, found: Draws) -> "xarray.Dataset":
     """With what is uncertain, how it was drawn, and where nothing is known."""
-    shares = shares_of_points(found)
-    lost = sum(shares.get(why, 0.0) for why in WHY_NOT[:2])
-    impossible = impossible_share(found)
-    attributes = {
-        "impossible_draws": impossible,
-        "uncertain_inputs": "\n".join(f"{name}: {words(case, name)}" for name in case.unknowns),
-        "uncertainty": f"{case.uncertainty.count} points, seed {case.uncertainty.seed}",
-        "coverage": case.uncertainty.coverage,
-        "doubts_of_points": json.dumps(shares, ensure_ascii=False),
-    }
+    lost = sum(found.shares().get(why, 0.0) for why in WHY_NOT[:2])
+    impossible = found.impossible_share
     if lost:
         why = f"in {lost:.2g} of the points that are drawn from what is uncertain nothing is known: bands are of the others"
         data = with_doubts(data, [Doubt(why)])
     if impossible > _MANY:
-        data = with_doubts(data, [Doubt(_of_impossible(impossible))])
-    return data.assign_attrs(attributes)
+        why = f"{impossible:.0%} of the draws are impossible, above the nominal area or the hardness, and are excluded"
+        left = "there is no band" if impossible > 1.0 - _LEAST_KNOWN else "the band of mu is of the others"
+        data = with_doubts(data, [Doubt(f"{why}: {left}")])
+    return data.assign_attrs(
+        drawing_said(case), doubts_of_points=doubts_said(found), impossible_draws=impossible, coverage=case.uncertainty.coverage
+    )
 
 
-def _of_impossible(share: float) -> str:
-    """Say that draws are impossible, and what that does to bands."""
-    said = f"{share:.0%} of the draws are impossible, above the nominal area or the hardness, and are excluded"
-    return f"{said}: there is no band" if share > 1.0 - _LEAST_KNOWN else f"{said}: the band of mu is of the others"
+def drawing_said(case: Case) -> dict[str, str]:
+    """Return what is uncertain of a case, and how it is drawn, as attributes of a result."""
+    words = (f"{name}: {together[0].distribution.words}" for name, together in case.unknowns.items())
+    drawn = f"{case.uncertainty.count} points, seed {case.uncertainty.seed}"
+    return {"uncertain_inputs": "\n".join(words), "uncertainty": drawn}
 
 
-def words(case: Case, name: str) -> str:
-    """What is known of an uncertain input."""
-    return case.unknowns[name][0].distribution.words
+def doubts_said(found: Draws) -> str:
+    """Return the share of all points at which each range is left, as JSON."""
+    return json.dumps(found.shares(), ensure_ascii=False)

@@ -52,6 +52,19 @@ class Draws:
     doubtful: Counter[str] = field(default_factory=Counter)
     impossible: int = 0
 
+    def shares(self) -> dict[str, float]:
+        """Range of validity, or why nothing is known -> in which share of all points; those that are nowhere left out."""
+        return {text: count / self._every for text, count in self.doubtful.most_common() if count}
+
+    @property
+    def impossible_share(self) -> float:
+        """Return the share of all points whose result is impossible."""
+        return self.impossible / self._every
+
+    @property
+    def _every(self) -> int:
+        return self.points * max((len(table) for table in self.tables.values()), default=1)
+
 
 def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray:
     """Points (parts, count / parts, columns) in the unit cube: of Sobol's sequence, each part scrambled on its own (Owen)."""
@@ -149,17 +162,3 @@ def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
     found.impossible += times * int(impossible.sum())
     for bit, text in enumerate(meanings_of(solved.rules)):
         found.doubtful[text] += times * int(((bits >> np.uint32(bit)) & 1).sum())
-
-
-def shares_of_points(draws: Draws) -> dict[str, float]:
-    """Range of validity, or why nothing is known -> in which share of all points."""
-    return {text: count / _all_points(draws) for text, count in draws.doubtful.most_common() if count}
-
-
-def impossible_share(draws: Draws) -> float:
-    """Return the share of all points whose result is impossible."""
-    return draws.impossible / _all_points(draws)
-
-
-def _all_points(draws: Draws) -> int:
-    return draws.points * max((len(table) for table in draws.tables.values()), default=1)
