@@ -6,6 +6,7 @@ from typing import Any
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
+from stiction.quantities.units import several_in_words
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,11 @@ class Subject(Input):
     @abstractmethod
     def has_film(self) -> bool:
         """Whether there is a film."""
+
+    def require_single(self, allowed: str) -> None:
+        """Raise InputError where a number of the contact is several."""
+        for name, array in self.arrays():
+            raise InputError(name, several_in_words(array, name), allowed)
 
     def inputs(self) -> list[tuple[str, str]]:
         """Dotted name and value, with its unit, of all that was given."""

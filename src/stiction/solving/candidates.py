@@ -122,15 +122,12 @@ def choice_of(name: str | None, given: Mapping[str, str | None], subject: Subjec
 
 
 def with_interface(choice: Choice, groups: Groups) -> Choice:
-    """The choice with a law of the interface, where its model has no tangential law of its own, none was named, and the
-    contact states what such a law needs."""
+    """The choice with that law of the interface which uses most of what is known of it, "none" where nothing is.
+
+    As it is where its model has a tangential law of its own, or one was named.
+    """
     if choice.tangential is not None or find(choice.model_key, RoughSurface).tangential != "none":
         return choice
-    return replace(choice, tangential=law_of_the_interface(groups))
-
-
-def law_of_the_interface(groups: Groups) -> str:
-    """The law of the interface that uses most of what is known of it; "none" where nothing is."""
     laws = [one for one in of_kind(TangentialLaw).values() if one.interfacial]
     known = [one for one in laws if all(groups.knows(name) for name in one.needs)]
-    return max(known, key=lambda one: len(one.needs)).key if known else "none"
+    return replace(choice, tangential=max(known, key=lambda one: len(one.needs)).key if known else "none")

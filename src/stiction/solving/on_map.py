@@ -10,7 +10,6 @@ from stiction.contact.contact import Contact
 from stiction.laws.joining import resistances
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import several_in_words
 from stiction.records.registry import select_options
 from stiction.solving.point_shear import POINT_SHEARS, points_of
 from stiction.solving.problem_base import Problem, with_coefficient
@@ -64,8 +63,7 @@ class OnMap(Problem):
             raise InputError(
                 "roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves its contact"
             )
-        for name, array in self.subject.arrays():
-            raise InputError(name, several_in_words(array, name), f"one number, where {self.record.key} solves a map")
+        self.subject.require_single(f"one number, where {self.record.key} solves a map")
         return self.subject if self.menisci else self.subject.replace(liquid=None)
 
     @cached_property

@@ -12,7 +12,6 @@ from stiction.contact.subject import Subject
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
-from stiction.quantities.units import several_in_words
 from stiction.records.registry import RoughSurface, find
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import LAWS, RECOMMENDED, Choice
@@ -56,11 +55,7 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     from stiction.studies.stresses.film_stress import film_stresses, require_film  # slow to import, and no other study needs it
 
     require_film(case.subject)
-    if case.is_several:
-        name, array = next(iter(case.subject.arrays()))
-        raise InputError(
-            name, several_in_words(array, name), "a single value; film stresses are computed for one contact per case"
-        )
+    case.subject.require_single("a single value; film stresses are computed for one contact per case")
     subject = case.with_surface_moments(choice.model_key).subject
     return _said(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
 

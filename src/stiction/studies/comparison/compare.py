@@ -14,7 +14,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import reason_of, several_in_words
+from stiction.quantities.units import reason_of
 from stiction.records.registry import Criterion, of_kind
 from stiction.solving.accuracy import film_errors, measured_error
 from stiction.solving.candidates import Candidate, candidates
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 # Mean separations over sigma at which the curves are computed: out of touch to pressed together.
 SEPARATIONS = np.linspace(5.0, -2.0, 80)
+_ONE = "one number, where models are compared"
 # Contact area over the nominal one beyond which a model has failed, and has no numbers.
 _MOST_AREA = 100.0
 RESULTS = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient")
@@ -66,7 +67,7 @@ def compare(
     roughness was measured, there are also friction_coefficient_at_load_by_method (asperity_method, model),
     friction_coefficient_at_load_low and _high. What of all this is the answer, `predict` says. Raises InputError for bad input.
     """
-    _refuse_arrays(as_subject(contact))
+    as_subject(contact).require_single(_ONE)
     data = _compared(contact, load, separations, progress)
     if contact.measured is None:
         return data
@@ -82,11 +83,6 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
     return _dataset(contact, answers, target)
-
-
-def _refuse_arrays(subject: Subject) -> None:
-    for name, array in subject.arrays():
-        raise InputError(name, several_in_words(array, name), "one number, where models are compared")
 
 
 def _over_methods(data: "xarray.Dataset", contact: Subject, load: Any, progress: Steps) -> "xarray.Dataset":
@@ -318,7 +314,7 @@ def working_load(case: "Case", given: str | None) -> float | None:
     """The load at which the models of a case are judged: that given, else the middle one of the case, or the compressive one
     that is nearest to it in the list; where the case names separations, of the loads that its own model carries there. None
     where none is compressive."""
-    _refuse_arrays(case.subject)
+    case.subject.require_single(_ONE)
     if given is not None:
         return _pressing(case.subject, given, "--load")
     loads, at = pressing_loads(case)

@@ -15,7 +15,6 @@ import numpy as np
 from stiction.contact.indices import hardness_group
 from stiction.contact.subject import Subject
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import several_in_words
 
 ADHESION_MATTERS: Mapping[str, float] = {"theta": 10.0, "lam": 0.125}
 PLASTICITY = (0.6, 1.0)
@@ -32,8 +31,7 @@ class Place:
 
 def place_of(subject: Subject) -> Place:
     """Where a contact is. Raises InputError for one that does not adhere, and for numbers that are several."""
-    for name, array in subject.arrays():
-        raise InputError(name, several_in_words(array, name), "one number, for one place")
+    subject.require_single("one number, for one place")
     groups = subject.indices().resolved()
     if groups.theta is None:
         raise InputError("work_of_adhesion", None, "above 0: without adhesion both indices are infinite")

@@ -72,17 +72,13 @@ def _alone(path: Address, value: float) -> Uncertain:
 
 def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
     """Where each number above 0 stands that was given, and the number."""
-    for name in type(record).model_fields:
+    given = record.model_fields_set if isinstance(record, Subject) else type(record).model_fields  # groups may have a default
+    for name in [name for name in type(record).model_fields if name in given]:
         value = getattr(record, name)
         if isinstance(value, Input) and name not in ("surface", "interface"):
             yield from _numbers(value, (*path, name))
-        elif name in QUANTITIES and isinstance(value, float) and value > 0.0 and _given(record, name):
+        elif name in QUANTITIES and isinstance(value, float) and value > 0.0:
             yield (*path, name), value
-
-
-def _given(record: Input, name: str) -> bool:
-    """Whether a group was given: one that only has a default is no number of the user's."""
-    return not isinstance(record, Subject) or name in record.model_fields_set
 
 
 def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> Elasticities:

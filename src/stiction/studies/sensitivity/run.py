@@ -12,7 +12,6 @@ from stiction.case.read import Case, as_case
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.progress import Progress, silent
-from stiction.quantities.units import several_in_words
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.solve import solve
@@ -63,9 +62,7 @@ def sensitivity(
     """
     require_callable(progress, "progress")
     case = as_case(case, ranges)
-    if case.is_several:
-        where, array = next(iter(case.subject.arrays()))
-        raise InputError(where, several_in_words(array, where), "one number, or an uncertain one, for sensitivity")
+    case.subject.require_single("one number, or an uncertain one, for sensitivity")
     case = case if load is None else case.at_load(load)
     at = working_load(case, None)
     if models is None and at is not None and is_predicted(case):

@@ -19,7 +19,6 @@ from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject
 from stiction.laws.tangential.shared.hamilton_field import first_yield, stress, von_mises
 from stiction.quantities.errors import InputError
-from stiction.quantities.units import several_in_words
 from stiction.solvers.layered.bodies import bodies_of
 from stiction.solvers.layered.first_yield import first_yield as first_yield_of_layers
 from stiction.solvers.layered.sphere import respond
@@ -58,8 +57,7 @@ def one_asperity(subject: Subject, radius: float, traction: float) -> OneAsperit
     radius: of the contact, over (R sigma)^(1/2), above 0; traction: tangential over normal force, 0 or more. Raises InputError
     for numbers that are several, and for a film out of proportion.
     """
-    for name, array in subject.arrays():
-        raise InputError(name, several_in_words(array, name), "one number, for one asperity")
+    subject.require_single("one number, for one asperity")
     if not (math.isfinite(radius) and radius > 0.0 and math.isfinite(traction) and traction >= 0.0):
         raise InputError("radius", (radius, traction), "a contact radius above 0, and a traction of 0 or more")
     groups, _ = Groups.of(subject.indices())

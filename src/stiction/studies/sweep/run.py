@@ -1,6 +1,7 @@
 """Sweeps of any size: solved block by block into a store, interrupted and gone on with at any time."""
 
 import errno
+import json
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from os import PathLike
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from stiction.case.read import read_content
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import require
-from stiction.studies.sweep.plan import Plan, make_plan
+from stiction.studies.sweep.plan import make_plan
 from stiction.studies.sweep.workers import make_ready
 
 if TYPE_CHECKING:
@@ -55,11 +56,15 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
         raise InputError("--scheduler", scheduler, "the address of a scheduler, as text")
     if workers > 1 and scheduler is None:
         make_ready()
-    plan, title, text = _planned(case)
+    if isinstance(case, Mapping):
+        content, folder, text = case, Path(), json.dumps(case, default=str)
+    else:
+        content, folder, text = read_content(case), Path(case).parent, Path(case).read_text(encoding="utf-8-sig")
+    plan = make_plan(content, folder)
     from stiction.studies.sweep.guards import locked
     from stiction.studies.sweep.store import opened_store
 
-    store = opened_store(Path(out), plan, title, text)
+    store = opened_store(Path(out), plan, str(content.get("title", "")), text)
     with locked(Path(out)):
         left = store.left()
         points = [plan.contacts(block) * plan.points for block in left]
@@ -68,16 +73,6 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
             pass
         store.finish()
     return store
-
-
-def _planned(case: Any) -> tuple[Plan, str, str]:
-    """The plan of a case, its title and its text."""
-    import json
-
-    if isinstance(case, Mapping):
-        return make_plan(case), str(case.get("title", "")), json.dumps(case, default=str)
-    content = read_content(case)
-    return make_plan(content, Path(case).parent), str(content.get("title", "")), Path(case).read_text(encoding="utf-8-sig")
 
 
 def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) -> Iterator[int]:
