@@ -190,9 +190,7 @@ REFUSED = {
     "solve": lambda: st.solve(parse_case(unnamed()).subject, load="1 N"),
     "slide": lambda: st.slide(parse_case(unnamed()).subject, load="1 N", asperity="jkr"),
     "solve_case": lambda: st.solve_case(parse_case(unnamed())),
-    "fit": lambda: st.fit(unnamed(fit={"free": {"work_of_adhesion": {"low": "1 mJ/m^2", "high": "1 J/m^2"}}}), SERIES),
 }
-SERIES = Path(__file__).parents[2] / "validation" / "synthetic_boundary_film.csv"
 
 
 @pytest.mark.parametrize("study", REFUSED)

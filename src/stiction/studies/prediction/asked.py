@@ -90,7 +90,9 @@ class Asked:
         for at in (0, -1):
             some = {path: value.isel({dim: [at] for dim in value.dims}) for path, value in self.case.several.items()}
             load = self.load.isel({dim: [at] for dim in self.load.dims}) if hasattr(self.load, "dims") else self.load
-            found.append(replace(self, case=replace(self.case, several=some, uncertain=()), load=load, levels=np.zeros((1, 0))))
+            subject = case_of(expanded(self.case.tables), some).subject
+            case = replace(self.case, subject=subject, several=some, uncertain=())
+            found.append(replace(self, case=case, load=load, levels=np.zeros((1, 0))))
         return found
 
     def places(self, dims: Mapping[str, int]) -> np.ndarray:
