@@ -99,14 +99,11 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
 def choice_of_case(case: Case, choice: Choice) -> Choice:
     """The choice with the model that its name stands for. Raises InputError."""
     laws = {law: getattr(choice, law) for law in LAWS if law != "model"}
-    if choice.model != case.choice.model and _brings_its_laws(case, choice.model):
-        laws = {law: key for law, key in laws.items() if key != getattr(case.choice, law)}
+    if choice.model != case.choice.model:
+        model = find(choice_of(choice.model, {}, case.subject).model_key, RoughSurface)
+        if not model.asperity:  # it takes none of the laws that the case names beside its own
+            laws = {law: key for law, key in laws.items() if key != getattr(case.choice, law)}
     return choice_of(choice.model, laws | dict(choice.options), case.subject)
-
-
-def _brings_its_laws(case: Case, model: str | None) -> bool:
-    """Return whether a model that replaces that of the case takes none of the laws that the case names beside its own."""
-    return not find(choice_of(model, {}, case.subject).model_key, RoughSurface).asperity
 
 
 def compare_case(case: Case, load: Any = None, progress: Progress = silent) -> "xarray.Dataset":

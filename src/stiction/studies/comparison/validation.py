@@ -3,7 +3,7 @@
 An entry is a TOML file with the tables [contact] of a case file and [measured], beside a CSV file of the values.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -177,7 +177,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
         "answered": int(np.isfinite(logarithm).sum()),
         "grade": max(grades, default=""),
         "outside_validity": "; ".join(doubt.short for doubt in doubts.values()),
-        "outside": ", ".join(_symbols(doubts.values())),
+        "outside": ", ".join(dict.fromkeys(QUANTITIES[one.quantity].symbol for one in doubts.values() if one.quantity)),
     }  # fmt: skip
 
 
@@ -199,10 +199,6 @@ def _dataset(entry: Entry, answers: list[dict[str, Any]], left_out: list[str]) -
         attrs={"title": entry.title, "left_out": "\n".join(left_out), "sources": " ".join(used)}
         | entry.origin.model_dump(exclude={"file"}),
     )
-
-
-def _symbols(doubts: Iterable[Doubt]) -> list[str]:
-    return list(dict.fromkeys(QUANTITIES[one.quantity].symbol for one in doubts if one.quantity))
 
 
 def _mean(values: np.ndarray) -> float:

@@ -58,16 +58,13 @@ def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
     for path, value in _numbers(case.subject, (table,)):
         if path in case.several or path[-1] in _LEFT_OUT or (path[1] == "roughness" and case.measured is not None):
             continue
-        one = together[path] if path in together else _alone(path, value)
+        alone = Distribution(path[-1], value, "values", (value,), "")
+        one = together[path] if path in together else Uncertain.of(path, alone, ".".join(path[1:]))
         found.append(replace(one, values=np.array([value]), distribution=_Steps(value)))
     by_name: dict[str, list[Uncertain]] = {}
     for one in named(found):
         by_name.setdefault(one.dimension, []).append(one)
     return by_name
-
-
-def _alone(path: Address, value: float) -> Uncertain:
-    return Uncertain.of(path, Distribution(path[-1], value, "values", (value,), ""), ".".join(path[1:]))
 
 
 def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:

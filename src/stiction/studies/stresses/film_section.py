@@ -54,12 +54,13 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
     both_sides = np.array([1.0 - _ASIDE, 1.0]) * thickness  # stresses along the interface jump there
     z = np.union1d(np.linspace(0.0, deepest, _ROWS), both_sides[both_sides < deepest])
     field = pressure * section(stresses, traction, strength, _X, z)
-    normal, shear = _along_interface(stresses, traction)
+    radial = stresses.in_film(np.abs(_X), np.array([thickness]))
+    six = cartesian(radial, np.where(_X < 0.0, math.pi, 0.0), traction)  # at the interface, over the mean pressure
     attrs = in_si | {
         "thickness_over_radius": thickness, "largest": pressure * worst.excess, "largest_x": worst.x, "largest_z": worst.z,
         "where": part_that_yields(subject, worst.where),
     }  # fmt: skip
-    return _dataset(z, field, normal, shear, attrs)
+    return _dataset(z, field, six[2][0], six[5][0], attrs)
 
 
 def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tuple[float, float, float, dict[str, Any]]:
@@ -86,13 +87,6 @@ def _worst(bodies: Bodies, radius: float, traction: float, strength: float) -> t
     """Of the coated bodies that which comes nearer to yield."""
     each = coated_bodies(bodies, radius)
     return max(((one, first_yield(one, traction, strength)) for one in each), key=lambda pair: pair[1].excess)
-
-
-def _along_interface(stresses: Stresses, traction: float) -> tuple[np.ndarray, np.ndarray]:
-    """Stress across the interface, and shear on it along x, at _X (m,), over the mean pressure."""
-    radial = stresses.in_film(np.abs(_X), np.array([stresses.thickness]))
-    six = cartesian(radial, np.where(_X < 0.0, math.pi, 0.0), traction)
-    return six[2][0], six[5][0]
 
 
 def _dataset(

@@ -247,7 +247,6 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
             raise InputError("sweep.keep", name, nearest(name, names))
     dims, bits = solved.doubts
     names = [name for name in plan.sweep.keep or names if name not in dims]  # what is asked for is a coordinate
-    order = tuple(dim for dim in dims if dim in plan.dims)
     points = {dim: size for dim, size in zip(dims, bits.shape, strict=True) if dim not in plan.dims}
     points |= {"load": case.load.size} if "load" in points else {}
     layout = {name: tuple(dim for dim in (*plan.dims, *points) if dim in solved.variables[name][0]) for name in names}
@@ -267,12 +266,10 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
         | _of_sample(plan)
         | {"program": f"stiction {__version__}", "versions": versions}
     )
-    assert set(order) == set(plan.dims)
-    sizes = dict(plan.dims) | points
     if plan.sweep.statistics:
         _statistics(group, plan, layout, points, solved)
     else:
-        _arrays(group, plan, layout, sizes, solved)
+        _arrays(group, plan, layout, dict(plan.dims) | points, solved)
     coordinates = _coordinates(group, plan, case, points)
     xarray.Dataset(coords=coordinates).to_zarr(path, mode="a", consolidated=False, zarr_format=3)
     own = [one.name for one in plan.several.values() if one.name != one.dimension or one.name not in coordinates]
