@@ -20,6 +20,7 @@ from stiction.quantities.errors import InputError
 from stiction.records.sources import bibliography
 from stiction.report import html_report
 from stiction.report.html_report import as_html, case_as_html, write_report
+from stiction.report.prediction_pictures import prediction_figure
 from stiction.studies.findings import find_out
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
@@ -27,6 +28,9 @@ EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 SEVERAL = (
     STEEL_ON_STEEL.replace('"1 mm^2"', '["1 mm^2", "2 mm^2"]')
     + '[solve]\nmodel = "soft_coating_2015"\nload = ["0.1 N", "1 N"]\n'
+)
+OXIDISED = (
+    re.sub("interfacial_shear_strength = .*", 'interface = "oxidised metal"', STEEL_ON_STEEL) + '[solve]\nload = ["1 N"]\n'
 )
 SCRIPT = "<script>alert(1)</script>"
 
@@ -63,6 +67,27 @@ def test_without_a_model_the_prediction_answers(tmp_path):
         f"{float(f'{found[name].item():.2g}'):g}" for name in ("friction_coefficient_low", "friction_coefficient_high")
     )
     assert f"90% interval {low} to {high}" in text and found.attrs["regime"] in text
+
+
+@pytest.mark.parametrize(("ranges", "counted"), [("", "counted"), ("[uncertainty]\nranges = false\n", "not counted")])
+def test_inputs_say_what_the_answer_counts_and_where_the_strength_comes_from(tmp_path, ranges, counted):
+    """The ranges of materials are drawn unless the case says otherwise; the strength is that of the state that it names."""
+    write_report(small(tmp_path, OXIDISED + ranges), tmp_path / "report.html")
+    text = " ".join(Page((tmp_path / "report.html").read_text(encoding="utf-8")).text.split())
+    ranged = re.findall(r"known to be .*?: (not counted|counted)", text)
+    assert ranged and set(ranged) == {counted}
+    assert "state of the interface oxidised metal the case" in text
+    assert "the state of the interface (stiction interfaces)" in text and "interface." not in text.split("Curves")[0]
+
+
+def test_numbers_under_the_histogram_do_not_run_into_each_other(tmp_path):
+    """Draws of mu over less than two decades: the labels of matplotlib's own small ticks would lie on each other."""
+    figure = prediction_figure(st.predict(small(tmp_path, OXIDISED.replace("hardened_steel_52100", "copper", 1))))
+    figure.canvas.draw()
+    axis = figure.axes[0].xaxis
+    assert not any(one.get_text() for one in axis.get_ticklabels(minor=True))
+    boxes = sorted(one.get_window_extent().extents[[0, 2]].tolist() for one in axis.get_ticklabels() if one.get_text())
+    assert len(boxes) >= 2 and all(one[1] < other[0] for one, other in pairwise(boxes))
 
 
 def small(folder, text=SEVERAL, name="case.toml"):

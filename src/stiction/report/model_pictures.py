@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.pictures import BLUE, GREY, ORANGE, RED, finish, say
+from stiction.report.pictures import BLUE, GREY, ORANGE, RED, finish, say, sparse
 from stiction.report.views.comparison import Group
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def models_figure(
     axes.set_xlabel(f"static friction coefficient ${QUANTITIES[_MU].latex}$ at {text}")
     figure.suptitle(title, fontsize=11)
     finish(axes)
-    _sparse(axes)
+    sparse(axes)
     handles = [Line2D([], [], color=_COLOURS[min(at, 2)], marker="o", label=name) for at, name in enumerate(families)]
     if any(not group.fits for group in groups):
         handles.append(Line2D([], [], color=GREY, marker="o", markerfacecolor="white", linestyle="", label="does not fit"))
@@ -72,14 +72,3 @@ def _row(axes: Axes, row: int, ends: tuple[float, float, float, float], colour: 
     axes.plot([least, most], [row, row], color=colour, linewidth=1.2)
     axes.plot([low, high], [row, row], color=colour, linewidth=4.0, alpha=0.6, solid_capstyle="butt")
     axes.plot(np.sqrt(low * high), row, "o", color=colour, markerfacecolor=colour if fits else "white", markersize=7)
-
-
-def _sparse(axes: Axes) -> None:
-    """Put plain numbers on the axis of mu, few enough to be read."""
-    from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
-
-    low, high = axes.get_xlim()
-    subs = (1.0, 2.0, 5.0) if high < 200.0 * low else (1.0,)
-    axes.xaxis.set_major_locator(LogLocator(subs=subs))
-    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
-    axes.xaxis.set_minor_formatter(NullFormatter())

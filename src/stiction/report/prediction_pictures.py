@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.report.answer import at_working_load, headline
-from stiction.report.pictures import BLUE, RED, WIDE
+from stiction.report.pictures import BLUE, RED, WIDE, finish, sparse
 
 if TYPE_CHECKING:
     import xarray
@@ -39,6 +39,7 @@ def _band(axes: Axes, data: "xarray.Dataset") -> None:
         axes.set_yscale("log")
     else:
         axes.set_ylim(bottom=0.0)
+    finish(axes)
     axes.set_xlabel("load [N]")
     axes.set_ylabel("static friction coefficient")
     axes.legend(frameon=False, fontsize=9)
@@ -51,6 +52,7 @@ def _histogram(axes: Axes, data: "xarray.Dataset") -> None:
     low, high = np.quantile(values, [0.005, 0.995])
     axes.hist(np.clip(values, low, high), bins=np.geomspace(low * 0.999, high * 1.001, 30).tolist(), color=BLUE, alpha=0.4)
     axes.set_xscale("log")
+    sparse(axes)
     for name in (f"{_MU}_low", _MU, f"{_MU}_high"):
         axes.axvline(float(here[name]), color=RED, linestyle="-" if name == _MU else "--")
     axes.set_xlabel("static friction coefficient")

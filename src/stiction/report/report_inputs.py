@@ -18,7 +18,11 @@ _PARTS = {
     "roughness": "Roughness",
     "": "Contact",
 }
-_NOT_NUMBERS = {"bodies": "which body carries the film", "height_distribution": "distribution of asperity heights"}
+_NOT_NUMBERS = {
+    "bodies": "which body carries the film",
+    "height_distribution": "distribution of asperity heights",
+    "interface.name": "state of the interface",
+}
 
 
 _MOMENTS = "surface."  # of a roughness: the asperities that theories of the whole surface take
@@ -40,6 +44,7 @@ def groups_of_inputs(findings: Findings) -> list[Table]:
     subject, places = findings.case.subject, places_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
     known = {".".join(one.path[1:]): with_powers(f"{one.distribution.words}: counted") for one in findings.case.uncertain}
+    counted = findings.prediction is not None and "ranges" not in findings.case.uncertainty.model_fields_set
     grouped: dict[str, list[list[str]]] = {part: [] for part in _PARTS}
     for dotted, text in subject.listed():
         part = next((one for one in _PARTS if one and dotted.startswith(f"{one}.")), "")
@@ -50,7 +55,7 @@ def groups_of_inputs(findings: Findings) -> list[Table]:
         here = (table, *dotted.split("."))
         source = _source_of_material(material, name, here, places) if material else _source(findings, dotted, here, places)
         meaning, symbol = _meaning(name)
-        grouped[part].append([meaning, symbol, with_powers(text), known.get(dotted) or _range(material, name), source])
+        grouped[part].append([meaning, symbol, with_powers(text), known.get(dotted) or _range(material, name, counted), source])
     return [Table(_COLUMNS, rows, _title(subject, part), stacked=True) for part, rows in grouped.items() if rows]
 
 
@@ -70,7 +75,7 @@ def _meaning(name: str) -> tuple[str, str]:
     if name.startswith(_MOMENTS):
         meaning, symbol = _meaning(name.removeprefix(_MOMENTS))
         return f"{meaning}, by the moments of the surface", symbol
-    row = QUANTITIES.get(name)
+    row = QUANTITIES.get(name.rpartition(".")[2])
     return (_NOT_NUMBERS.get(name, name.replace("_", " ")), "") if row is None else (row.meaning, row.symbol)
 
 
@@ -80,11 +85,11 @@ def _material(subject: Any, part: str) -> Material | None:
     return subject if isinstance(subject, Material) else None
 
 
-def _range(material: Material | None, name: str) -> str:
-    """What tables and makes give of a number that is taken as it is."""
+def _range(material: Material | None, name: str, counted: bool) -> str:
+    """What tables and makes give of a number, and whether the answer counts it."""
     if material is None or name not in material.range:
         return ""
-    return with_powers(f"known to be {range_in_words(*material.range[name], name)}: not counted")
+    return with_powers(f"known to be {range_in_words(*material.range[name], name)}: {'counted' if counted else 'not counted'}")
 
 
 def _source_of_material(material: Material, name: str, here: tuple[str, ...], places: frozenset) -> str:
@@ -103,6 +108,8 @@ def _source(findings: Findings, dotted: str, here: tuple[str, ...], places: froz
     if dotted.startswith("roughness.") and measured is not None:
         by = "their moments" if dotted.startswith(f"roughness.{_MOMENTS}") else measured.method
         return f"measured in scans, by {by}"
+    if dotted.startswith("interface.") and here[:2] in places:
+        return "the case" if dotted == "interface.name" else "the state of the interface (stiction interfaces)"
     return "the case" if here in places or not places else "what holds where a case says nothing"
 
 

@@ -149,7 +149,9 @@ def pictures_of_scan(findings: Findings, body: str) -> Iterator[Picture]:
     surface = replace(found.surface, name="")
     caption = f"Heights of the {body} body as prepared, and their histogram."
     yield _picture(lambda: map_figure(surface, " "), f"map-{body}", caption, wide=True)
-    yield _picture(lambda: spectrum_figure(found.spectrum, " "), f"spectrum-{body}", f"Power spectrum of the {body} body.")
+    yield _picture(
+        lambda: spectrum_figure(found.spectrum, " "), f"spectrum-{body}", f"Power spectrum of the {body} body.", wide=True
+    )
     if found.asperities:
         yield _picture(lambda: asperity_figure(found.asperities.values(), surface, " "), f"asperities-{body}",
                        f"Asperities that each method finds in the {body} body.", wide=True)  # fmt: skip

@@ -19,6 +19,7 @@ from functools import cache
 import numpy as np
 
 from stiction.engine.compiled import formula, kernel
+from stiction.quantities.units import show
 from stiction.records.registry import AsperityMethod, Limit, Parameter
 from stiction.records.sources import Source
 from stiction.surfaces.asperity_method.shared.summits import FITS, areal, fitted
@@ -47,8 +48,8 @@ def persistence(surface: HeightMap, threshold: float | None, fit_points: int) ->
         heights,
         (row, column),
         fit_points,
-        f"summits that stand out by more than {threshold:.4g} m; paraboloid through {fit_points} points",
-        remedy=f"a threshold below {threshold:.4g} m, finer points or a larger map",
+        f"summits that stand out by more than {show(threshold, 'mean_separation', 4)}; paraboloid through {fit_points} points",
+        remedy=f"a threshold below {show(threshold, 'mean_separation', 4)}, finer points or a larger map",
     )
 
 
