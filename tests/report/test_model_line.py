@@ -1,5 +1,6 @@
 """The line that names the model: terminal, CSV, report and page name every law that answered, in the same words."""
 
+import re
 import tomllib
 
 import pytest
@@ -62,3 +63,14 @@ def said(tmp_path_factory):
 @pytest.mark.parametrize("place", ["terminal", "csv", "report", "page"])
 def test_every_law_is_named(said, place):
     assert LINE in said[place]
+
+
+def test_a_prediction_names_the_laws_of_what_is_stated_beside_the_area(tmp_path):
+    case = tmp_path / "case.toml"
+    case.write_text(re.sub("waiting_time.*\n|strengthening.*\n|cut_off_time.*\n|model = .*\n|presliding.*\n", "", CASE))
+    out, page = str(tmp_path / "out"), tmp_path / "report.html"
+    said = [CliRunner().invoke(app, ["run", str(case), *more]).output for more in (["--out", out], ["--details"])]
+    CliRunner().invoke(app, ["report", str(case), "--out", str(page)])
+    said += [(tmp_path / "out" / "curve.csv").read_text(encoding="utf-8"), Page(page.read_text(encoding="utf-8")).text]
+    for text in said:
+        assert "; meniscus law equilibrium_meniscus; contamination law independent_junctions" in " ".join(text.split())

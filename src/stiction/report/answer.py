@@ -104,6 +104,11 @@ def headline(data: "xarray.Dataset") -> str:
     return f"mu = {number(float(here[_MU]))}, {data.attrs['level']:.0%} interval {span(here, _MU)}"
 
 
+def beside_area(attrs: dict[str, Any]) -> str:
+    """Return the end of the line of the models: the laws of menisci and contamination that the prediction takes."""
+    return "".join(f"; {name}" for name in attrs["beside_area"])
+
+
 def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
     """Return the answer as rows of a head and a text; the first rows have the numbers."""
     here, attrs = at_working_load(data), data.attrs
@@ -121,7 +126,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("measured", _of_measured(data)),
         ("state", attrs["regime"]),
         ("uncertainty from", _shares(attrs["shares"])),
-        ("model", f"{', '.join(attrs['models'])}" + (", combined" if len(attrs["models"]) > 1 else "")),
+        ("model", ", ".join(attrs["models"]) + (", combined" if len(attrs["models"]) > 1 else "") + beside_area(attrs)),
         ("bare metal", _bare(attrs["bare_metal"])),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),

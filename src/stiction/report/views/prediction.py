@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record
+from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record, beside_area
 from stiction.report.files import comment_lines, record, write_csv
 from stiction.report.several_tables import several_table
 from stiction.report.table import facts
@@ -95,7 +95,7 @@ def _inputs(contact: Any) -> list[str]:
 
 
 def _models(data: "xarray.Dataset") -> str:
-    return ", ".join(f"{name} {share:.0%}" for name, share in data.attrs["models"].items())
+    return ", ".join(f"{name} {share:.0%}" for name, share in data.attrs["models"].items()) + beside_area(data.attrs)
 
 
 def _comments(case: "Case", data: "xarray.Dataset") -> list[str]:

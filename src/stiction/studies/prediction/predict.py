@@ -56,7 +56,8 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
         `contact_area` [m^2], medians, each with `_low` and `_high`, the ends of the interval; `friction_coefficient_samples`
         (sample, load). Attributes, at the middle load: `level`, `regime` (a sentence), `shares` (part -> share of the variance
         of ln mu), `warnings` (a list, the main one first), `inputs_not_used` (a list), `next_step`, `models` (law of the area
-        -> weight), `excluded` (share of draws that cannot be), `strength` (tau_0 [Pa]: median and ends). With measured friction
+        -> weight), `beside_area` (laws of menisci and contamination), `excluded` (share of
+        draws that cannot be), `strength` (tau_0 [Pa]: median and ends). With measured friction
         `shares` is empty; `value`, `low` and `high` over `parameter` are what it tells of the uncertain numbers, and `verdict`
         says which it does not tell. Where numbers are several, there are no samples, and attributes are `level`, `draws` and
         `refused`, the number of contacts without an answer.
@@ -226,6 +227,15 @@ def _width(low: float, high: float) -> float:
     return math.log(high / low) if low > 0.0 else high - low
 
 
+def _beside_area(contact: Contact) -> list[str]:
+    """Return the laws, by name, of what the contact states beside its area."""
+    stated = {
+        "meniscus law equilibrium_meniscus": contact.liquid,
+        "contamination law independent_junctions": contact.strength_variation,
+    }
+    return [name for name, value in stated.items() if value is not None]
+
+
 def _attributes(mixture: Mixture, samples: Samples, at: int, level: float, shares: Mapping[str, float]) -> dict[str, Any]:
     strength = np.quantile(samples.strength, [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level])
     return {
@@ -237,6 +247,7 @@ def _attributes(mixture: Mixture, samples: Samples, at: int, level: float, share
         "inputs_not_used": not_used(mixture.asked, mixture.strength, mixture.touching),
         "next_step": next_step(shares, mixture),
         "models": {law.name: float(law.weight[at]) for law in mixture.laws if law.weight[at] > 0.0},
+        "beside_area": _beside_area(mixture.asked.contact),
         "excluded": float(np.mean(~np.isfinite(samples.force))),
         "bare_metal": bare_metal(mixture, level),
         "checked_against": checked_against(mixture, at),
