@@ -1,6 +1,7 @@
 """All parts of a prediction together: mu, friction force and area of every draw."""
 
 from dataclasses import dataclass, fields
+from functools import cached_property
 
 import numpy as np
 
@@ -65,6 +66,11 @@ class Mixture:
         """Return the number of asperities that touch at each load (m,)."""
         return np.sum([law.weight * np.where(law.weight > 0.0, law.touching, 0.0) for law in self.laws], axis=0)
 
+    @cached_property
+    def _is_flattened(self) -> np.ndarray:
+        """Return where (m,) the load presses the faces together with more than the hardness."""
+        return self.asked.loads > _most_load(self.asked)
+
     @property
     def _touching_share(self) -> np.ndarray:
         """Return the share of all asperities of the nominal contact that touch at each load (m,)."""
@@ -94,7 +100,7 @@ class Mixture:
         if asked.metallic.any():
             growth = np.where(asked.metallic, grown(levels["growth"], borne / area, strength, hardness, shear), 1.0)
         area = np.minimum(area * growth, nominal)
-        force = np.where(_is_flattened(asked), np.nan, strength * area + coefficient * borne)
+        force = np.where(self._is_flattened, np.nan, strength * area + coefficient * borne)
         return Samples(force, area, pull, growth, strength, pressure / hardness)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
@@ -155,15 +161,11 @@ def _most_load(asked: Asked) -> np.ndarray:
     return np.broadcast_to(most, asked.loads.shape)
 
 
-def _is_flattened(asked: Asked) -> np.ndarray:
-    """Return where (m,) the load presses the faces together with more than the hardness."""
-    return asked.loads > _most_load(asked)
-
-
 def _refuse_flattened(asked: Asked) -> None:
     """Raise InputError for a load that presses the faces together with more than the hardness; of many contacts where all are
     pressed so."""
-    flattened, most = _is_flattened(asked), _most_load(asked)
+    most = _most_load(asked)
+    flattened = asked.loads > most
     at = int(np.argmax(asked.loads / most))
     if flattened.all() or (flattened.any() and asked.contacts == 1):
         shown = (asked.contact.show(one, "load", 3) for one in (asked.loads[at], most[at]))
