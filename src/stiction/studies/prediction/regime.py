@@ -41,7 +41,10 @@ def regime_of(mixture: Mixture, samples: Samples, at: int) -> str:
     else:
         said.append(_of_pressure(mixture, pressure, at))
     if touching < _FEW:
-        said.append(f"About {max(touching, 1.0):.0f} asperities touch: mu varies from one place to the next.")
+        count = round(max(touching, 1.0))
+        said.append(
+            f"About {count} {'asperity touches' if count == 1 else 'asperities touch'}: mu varies from one place to the next."
+        )
     return " ".join(said[:2])
 
 
