@@ -285,7 +285,7 @@ def outside(monkeypatch):
 
 @pytest.mark.filterwarnings("ignore::stiction.InputDoubt")  # every point is no asperity, and is said not to be
 def test_a_method_from_outside_is_like_the_others(outside, tmp_path):
-    from stiction.report.picture_style import look_of, plain
+    from stiction.report.pictures import look_of, plain
 
     surface = rough(4, 16)
     assert (*KEYS, "every_point") == tuple(methods()) == methods_for(surface)

@@ -16,8 +16,7 @@ import stiction as st
 from stiction import cli
 from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
-from stiction.report.pictures import curve_figure
-from stiction.report.uncertainty_pictures import uncertainty_figure
+from stiction.report.pictures import curve_figure, uncertainty_figure
 from stiction.report.views.run import band_lines
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT, solve_pointwise

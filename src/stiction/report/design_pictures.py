@@ -7,8 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.report.picture_style import along
-from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, finish, say
+from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, along, canvas, finish, say
 from stiction.report.table import shown
 from stiction.report.views.design import columns_of
 
@@ -28,8 +27,8 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     drawn.append(lambda axes: _front(axes, data, wishes) if two else _search(axes, data, wishes[0]))
     if two and not several and data.sizes["front"]:
         drawn.append(lambda axes: _chosen(axes, data, wishes[0]))
-    figure = Figure(figsize=(max(5.6 * len(drawn), 7.0), 4.8), layout="constrained")
-    for axes, draw in zip(figure.subplots(1, len(drawn), squeeze=False)[0], drawn, strict=True):
+    figure, panels = canvas(max(5.6 * len(drawn), 7.0), 4.8, 1, len(drawn))
+    for axes, draw in zip(panels, drawn, strict=True):
         draw(axes)
     missed = [f"missed: {words}" for words in data.attrs["missed"].split("\n") if words]
     figure.suptitle("\n".join(filter(None, [data.attrs.get("case", ""), "; ".join(said), *missed])), fontsize=11)
@@ -47,7 +46,7 @@ def _bars(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
     along(axes, "x", wish, values, log=False)
     axes.set_yticks(places, names)
     axes.grid(False, axis="y")
-    axes.set_title("best for each choice" + ("" if kept.all() else "; grey: breaks a limit"), fontsize=9)
+    axes.set_title("best for each choice" + ("" if kept.all() else "; grey: breaks a limit"))
 
 
 def _front(axes: Axes, data: "xarray.Dataset", wishes: list[str]) -> None:
@@ -59,7 +58,7 @@ def _front(axes: Axes, data: "xarray.Dataset", wishes: list[str]) -> None:
     axes.plot(x, y, color=BLUE, marker="o", markersize=4, linewidth=1)
     along(axes, "x", wishes[0], x)
     along(axes, "y", wishes[1], y)
-    axes.set_title("none is better in both than any of these", fontsize=9)
+    axes.set_title("none is better in both than any of these")
 
 
 def _chosen(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
@@ -74,9 +73,7 @@ def _chosen(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
         share = np.log(values / low) / np.log(high / low) if one.attrs["spacing"] == "log" else (values - low) / (high - low)
         axes.plot(x, share, color=colour, marker=marker, markersize=4, linewidth=0.8, label=text)
     along(axes, "x", wish, x)
-    axes.set_ylabel("from the low end (0) to the high end (1)")
-    axes.set_title("what is chosen along the front", fontsize=9)
-    axes.legend(fontsize=8, framealpha=0.9)
+    axes.set(ylabel="from the low end (0) to the high end (1)", title="what is chosen along the front")
 
 
 def _search(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
@@ -87,10 +84,7 @@ def _search(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
         return
     y = -value[there] if data.attrs["wishes"].startswith("most ") else value[there]
     axes.plot(1 + np.flatnonzero(there), y, color=ORANGE, linewidth=1.8, drawstyle="steps-post")
-    axes.set_xscale("log")
-    axes.set_xlabel("designs asked")
+    finish(axes, xscale="log", xlabel="designs asked", title="best design so far that keeps all limits")
     target = " next to " in data.attrs["wishes"]
     if not (target and y.min() <= 0.0):
         along(axes, "y", wish, y, log=target, before="off the target: " if target else "")
-    finish(axes)
-    axes.set_title("best design so far that keeps all limits", fontsize=9)

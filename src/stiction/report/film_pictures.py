@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from stiction.quantities.units import show
-from stiction.report.pictures import BLUE, GREY, ORANGE, RED, entitle, finish
+from stiction.report.pictures import BLUE, GREY, ORANGE, RED, canvas, entitle, finish
 from stiction.report.table import prefix, shown
 
 if TYPE_CHECKING:
@@ -20,8 +20,7 @@ _LEVELS = 12
 def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = "") -> Figure:
     """The von Mises stress over the yield stress of what is there, in section, with the largest marked; and the stresses along
     the interface. data: one point of `film_stresses`; section: of `film_section`."""
-    figure = Figure(figsize=(11.0, 4.6), layout="constrained")
-    left, right = figure.subplots(1, 2, width_ratios=(1.45, 1.0))
+    figure, (left, right) = canvas(11.0, 4.6, 1, 2, width_ratios=(1.45, 1.0))
     _section_panel(figure, left, section)
     _interface_panel(right, section)
     yields = "; inside the red line it yields" if float(section["stress_over_yield"].max()) > 1.0 else ""
@@ -75,6 +74,5 @@ def _interface_panel(axes: Axes, section: "xarray.Dataset") -> None:
     axes.plot(x, factor * normal, color=BLUE, label="across it, tension above 0")
     axes.plot(x, factor * shear, color=ORANGE, linestyle="--", label="shear on it, along x")
     axes.axhline(0.0, color=GREY, linewidth=0.8)
-    finish(axes)
-    axes.set(xlim=(x[0], x[-1]), xlabel="$x/a$, along the tangential force", ylabel=f"stress at the interface [{unit}]")
-    axes.legend(fontsize=8, framealpha=0.9)
+    axes.set_xlabel("$x/a$, along the tangential force")
+    finish(axes, xlim=(x[0], x[-1]), ylabel=f"stress at the interface [{unit}]")

@@ -8,8 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.quantities.units import show
-from stiction.report.picture_style import COLOURS, along, along_points, look_of
-from stiction.report.pictures import BLUE, GREY, SKY, draw_band, finish
+from stiction.report.pictures import BLUE, COLOURS, GREY, SKY, along, along_points, canvas, draw_band, finish, look_of
 from stiction.report.several_tables import coordinates_along, of_value, points_dimension
 from stiction.report.table import some
 
@@ -25,15 +24,16 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     quantities = list(dict.fromkeys(data["quantity"].values.tolist()))
     predicted = [name for name in quantities if f"predicted_{name}" in data]
     columns = 3 if predicted else 2
-    figure = Figure(figsize=(5.2 * columns, 4.2 * len(quantities) + 0.5), layout="constrained")
-    panels = figure.subplots(len(quantities), columns, squeeze=False)
-    for row, name in zip(panels, quantities, strict=True):
-        _measured_panel(row[0], data, name)
-        _residual_panel(row[1], data, name)
-        if name in predicted:
-            _predicted_panel(row[2], data, name)
-        elif columns == 3:
-            row[2].set_axis_off()
+    figure, panels = canvas(5.2 * columns, 4.2 * len(quantities) + 0.5, len(quantities), columns)
+    for at, name in enumerate(quantities):
+        measured, residual, *rest = panels[at * columns : (at + 1) * columns]
+        _measured_panel(measured, data, name)
+        _residual_panel(residual, data, name)
+        for axes in rest:
+            if name in predicted:
+                _predicted_panel(axes, data, name)
+            else:
+                axes.set_axis_off()
     used = data.attrs
     figure.suptitle("\n".join(filter(None, [title, f"{used['model']} fitted to {used['values']} values"])), fontsize=11)
     return figure
@@ -65,8 +65,7 @@ def _measured_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         axes.plot(x, rows["fitted"], color=look["color"], linewidth=1.6)
     _along_load(axes, data)
     along(axes, "y", name, data["measured"].values[data["quantity"].values == name], log=False)
-    axes.set_title("points: measured, standard error; lines: fitted", fontsize=9)
-    axes.legend(fontsize=8, framealpha=0.9)
+    axes.set_title("points: measured, standard error; lines: fitted")
 
 
 def _residual_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
@@ -76,9 +75,8 @@ def _residual_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         axes.plot(x, rows["residual"], linestyle="", **look)
     _along_load(axes, data)
     most = 1.1 * max(float(np.nanmax(np.abs(data["residual"].values))), 2.5)
-    axes.set(ylim=(-most, most), ylabel="(measured - fitted) / standard error")
-    axes.set_title("grey: 95 % of residuals, if the model holds", fontsize=9)
-    finish(axes)
+    title = "grey: 95 % of residuals, if the model holds"
+    finish(axes, ylim=(-most, most), ylabel="(measured - fitted) / standard error", title=title)
 
 
 def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
@@ -95,8 +93,7 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         axes.plot(x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "", label=text)
     along_points(axes, data[point])
     along(axes, "y", name, best.values, log=False)
-    axes.set_title("predicted; band: 95 %, of the fitted numbers alone", fontsize=9)
-    axes.legend(fontsize=8, framealpha=0.9)
+    axes.set_title("predicted; band: 95 %, of the fitted numbers alone")
 
 
 def profile_figure(data: "xarray.Dataset") -> Figure:
@@ -104,8 +101,7 @@ def profile_figure(data: "xarray.Dataset") -> Figure:
     count = data.sizes["parameter"]
     columns = min(count, 3)
     rows = -(-count // columns)
-    figure = Figure(figsize=(4.8 * columns, 3.9 * rows + 0.4), layout="constrained")
-    panels = figure.subplots(rows, columns, squeeze=False).flat
+    figure, panels = canvas(4.8 * columns, 3.9 * rows + 0.4, rows, columns)
     for at, axes in enumerate(panels):
         if at >= count:
             axes.set_axis_off()
@@ -127,7 +123,6 @@ def _profile_panel(axes: Axes, one: "xarray.Dataset") -> None:
     along(axes, "x", quantity, value[there])
     ends = [show(float(one[end]), quantity, 3) for end in ("low", "high")]
     opened = "open at an end: " if bool(one["open_low"]) or bool(one["open_high"]) else ""
-    axes.set_title(f"{opened}95 %: {ends[0]} to {ends[1]}", fontsize=9)
+    axes.set_title(f"{opened}95 %: {ends[0]} to {ends[1]}")
     axes.set_xlabel(f"{name} {axes.get_xlabel().rpartition('$')[2]}".strip())
     axes.set_ylabel("rise of $\\chi^2$")
-    axes.grid(alpha=0.3)

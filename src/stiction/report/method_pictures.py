@@ -11,19 +11,17 @@ from matplotlib.ticker import FixedLocator, NullLocator
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.picture_style import look_of, plain, unit_for
 from stiction.report.pictures import (
     GREY,
     METHOD_BAND,
-    MU_LABEL,
-    NOT_PRESSED,
-    SKY,
-    draw_band,
+    canvas,
     entitle,
     finish,
-    label,
+    friction_panel,
+    look_of,
+    plain,
     say,
-    scale_friction,
+    unit_for,
 )
 from stiction.report.table import prefix
 from stiction.solving.method_spread import METHOD
@@ -62,8 +60,7 @@ def resolution_figure(resolution_study: "xarray.Dataset", title: str = "") -> Fi
     the axis. The marks of friction say which distribution of heights it rests on: mu leaps where that changes.
     """
     panels = [panel for panel in _RESOLUTION_PANELS if panel[0] in resolution_study]
-    figure = Figure(figsize=(12, 8.6) if len(panels) > 3 else (14, 4.8), layout="constrained")
-    grid = list(np.atleast_1d(figure.subplots(*((2, 2) if len(panels) > 3 else (1, len(panels))))).flat)
+    figure, grid = canvas(12, 8.6, 2, 2) if len(panels) > 3 else canvas(14, 4.8, 1, len(panels))
     for axes, panel in zip(grid, panels, strict=True):
         _resolution_panel(axes, resolution_study, *panel)
     if "mu" in resolution_study and "height_distribution" in resolution_study:
@@ -105,7 +102,7 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
         axes.set_yscale("log")
     else:
         say(axes, "no method has a value here")
-    finish(axes)
+    finish(axes, legend=False)
     kept = _apart(places[order])
     names = {place: f"{cutoff:.3g}" if cutoff > 0.0 else "none" for place, cutoff in zip(places, cutoffs, strict=True)}
     axes.xaxis.set_major_locator(FixedLocator(kept))
@@ -175,47 +172,24 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """
     if "friction_coefficient_by_method" not in data:
         raise InputError("friction_coefficient_by_method", None, "a result for a contact whose roughness is measured in scans")
-    load = np.atleast_1d(data["load"].values)
-    drawn = load > 0.0
-    low, high, taken = (np.atleast_1d(data[f"friction_coefficient{end}"].values)[drawn] for end in ("_low", "_high", ""))
     table = data["friction_coefficient_by_method"].transpose(METHOD, ...)
-    methods = [str(method) for method in table[METHOD].values]
-    each = table.values.reshape(len(methods), -1)[:, drawn]
-    figure = Figure(figsize=(9.6, 5.2), layout="constrained")
+    (taken, *others), load = table[METHOD].values.tolist(), np.atleast_1d(data["load"].values)
+    figure, (axes,) = canvas(9.6, 5.2)
     entitle(figure, data, title)
-    axes = figure.subplots()
-    axes.set(xlabel=label(data["load"]), ylabel=MU_LABEL)
-    if drawn.any():
-        axes.set_xscale("log")
-        values = np.concatenate((each.ravel(), taken))
-        positive = values[values > 0.0] if (values > 0.0).any() else np.ones(1)
-        scale_friction(axes, positive)
-        logarithmic = axes.get_yscale() == "log"
-        floor = positive.min() / 2.0 if logarithmic else 0.0
-        if logarithmic:
-            axes.set_yscale("log", nonpositive="mask")
-            axes.set_ylim(floor, positive.max() * 2.0)
-        _friction_lines(axes, load[drawn], np.maximum([low, high], floor), taken, each, methods)
-    else:
-        say(axes, NOT_PRESSED)
-    finish(axes)
-    if axes.lines:
+    friction_panel(axes, data)
+    for line, band in zip(axes.lines, axes.collections, strict=False):
+        line.set(linewidth=2.4, marker="o" if load.size == 1 else "", label=f"taken: {plain(taken)}", zorder=3)
+        band.set_label(METHOD_BAND)
+    floor = 0.0 if axes.get_yscale() == "log" else -np.inf
+    for at, method in enumerate(others if axes.collections else (), 1):
+        one, text = np.atleast_1d(table.sel({METHOD: method}).values), plain(method)
+        pressed = one[load > 0.0]
+        if np.isnan(pressed).any():
+            text += "\n(carries no load here)" if np.isnan(pressed).all() else "\n(does not carry every load)"
+        elif (pressed <= floor).any():
+            text += "\n(0 where it is not drawn)"
+        drawn = np.where((load > 0.0) & (one > floor), one, np.nan)
+        axes.plot(load, drawn, linewidth=1.1, label=text, **(look_of(method, at) | {"markersize": 3.5}))
+    if axes.collections:
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=9, frameon=False)
     return figure
-
-
-def _friction_lines(
-    axes: Axes, load: np.ndarray, band: np.ndarray, taken: np.ndarray, each: np.ndarray, methods: list[str]
-) -> None:
-    if len(load) == 1:
-        axes.set_xlim(load[0] / 3.0, load[0] * 3.0)
-    draw_band(axes, load, *band, color=SKY, alpha=0.25, label=METHOD_BAND)
-    alone = "o" if len(load) == 1 else ""
-    axes.plot(load, taken, color="black", linewidth=2.4, marker=alone, label=f"taken: {plain(methods[0])}", zorder=3)
-    for at, (method, one) in enumerate(zip(methods[1:], each[1:], strict=True)):
-        text = plain(method)
-        if np.isnan(one).any():
-            text += "\n(carries no load here)" if np.isnan(one).all() else "\n(does not carry every load)"
-        elif axes.get_yscale() == "log" and (one <= 0.0).any():
-            text += "\n(0 where it is not drawn)"
-        axes.plot(load, one, linewidth=1.1, label=text, **(look_of(method, at) | {"markersize": 3.5}))

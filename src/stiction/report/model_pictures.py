@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.pictures import BLUE, GREY, ORANGE, RED, finish, say, sparse
+from stiction.report.pictures import BLUE, GREY, ORANGE, RED, canvas, finish, say, sparse
 from stiction.report.views.comparison import Group
 
 if TYPE_CHECKING:
@@ -32,8 +32,7 @@ def models_figure(
     groups = [one for one in groups if one.possible and one.low > 0.0]
     groups = [one for one in groups if one.high > max(other.high for other in groups) / _WIDE][:_ROWS]
     count = len(groups) + (prediction is not None)
-    figure = Figure(figsize=(8.0, 1.4 + 0.36 * max(count, 2)), layout="constrained")
-    axes = figure.subplots()
+    figure, (axes,) = canvas(8.0, 1.4 + 0.36 * max(count, 2))
     if not count:
         say(axes, "no model says anything of friction here")
         return figure

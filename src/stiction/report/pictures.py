@@ -2,13 +2,11 @@
 
 import re
 import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogFormatter, LogLocator, NullFormatter, NullLocator, StrMethodFormatter
 
@@ -16,22 +14,16 @@ from stiction.laws.validity import doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
 from stiction.report.table import prefix
+from stiction.surfaces.finding import methods
 
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.paper.claims import ClaimMap
-    from stiction.studies.paper.figures import PanelCurves
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
 BLUE, ORANGE, GREEN, RED, SKY, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777"
-# Broad below, narrow and broken above: lines that lie on one another stay visible.
-_VARYING: tuple[dict[str, Any], ...] = (
-    {"color": SKY, "linewidth": 4.0},
-    {"color": RED, "linewidth": 2.2},
-    {"color": BLUE, "linewidth": 1.6, "linestyle": "--"},
-)
-
+COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
+_MARKERS = ("o", "s", "^", "D", "v", "P")
 # The lines of the panels of a curve: label and look. A part that a model does not have is left out. Parts that lie on one
 # another or on the total stay visible: the total is a broad band beneath, and the bodies have markers.
 _PARTS: dict[str, tuple[str, dict[str, Any]]] = {
@@ -52,6 +44,7 @@ _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so tha
 _MANY_DECADES = 1e3
 _FEW_POINTS = 20  # of a curve, up to which each is marked
 _MOST_DOUBTS = 5  # that are told below a picture
+_MU = "friction_coefficient"
 NOT_PRESSED = "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined"
 METHOD_BAND = "spread over methods of\nfinding asperities"
 MU_LABEL = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
@@ -113,14 +106,22 @@ def panels(data: "xarray.Dataset") -> list[tuple[str, str]]:
 
 def panel_of_curve(data: "xarray.Dataset", what: str, against: str) -> Figure:
     """One of the panels of a curve as a picture of its own."""
-    figure = Figure(figsize=(5.2, 3.9), layout="constrained")
-    _draw_panel(figure.subplots(), data, what, against)
+    figure, (axes,) = canvas(5.2, 3.9)
+    _draw_panel(axes, data, what, against)
+    return figure
+
+
+def uncertainty_figure(data: "xarray.Dataset", title: str = "") -> Figure:
+    """The friction coefficient over load with its band over what is uncertain."""
+    figure, (axes,) = canvas(7.0, 5.2)
+    friction_panel(axes, data)
+    figure.suptitle(heading(data, title), fontsize=11)
     return figure
 
 
 def _draw_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
-    if what == "friction_coefficient":
-        _friction_panel(axes, data)
+    if what == _MU:
+        friction_panel(axes, data)
     else:
         _parts_panel(axes, data, what, against)
 
@@ -163,10 +164,13 @@ def _marked(count: int) -> dict[str, Any]:
     return {"marker": "o", "markersize": 4.0} if count <= _FEW_POINTS else {}
 
 
-def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    load, mu = data["load"].values, data["friction_coefficient"].values
+def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
+    """Draw friction against the load, with what is known of its bands: the interval of a prediction, the range over methods of
+    finding asperities, quantiles over what is uncertain with their median and the error of their sampling."""
+    load, mu = (np.atleast_1d(data[name].values) for name in ("load", _MU))
     drawn = (load > 0.0) & (mu > 0.0)
-    axes.plot(load[drawn], mu[drawn], color="black", **_marked(int(drawn.sum())))
+    text = "median" if "level" in data.attrs else "of the nominal numbers" if f"{_MU}_quantile" in data else ""
+    axes.plot(load[drawn], mu[drawn], color="black", label=text, **_marked(int(drawn.sum())))
     seen = [mu[drawn]]
     for low, high, look in _friction_bands(data):
         there = (load > 0.0) & (high > 0.0) & np.isfinite(low)
@@ -174,20 +178,33 @@ def _friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
             # Where friction may be 0 the band reaches down to the edge of a logarithmic axis.
             low = np.maximum(low[there], np.concatenate([low[there & (low > 0.0)], high[there]]).min() / 2.0)
             draw_band(axes, load[there], low, high[there], **look)
-            axes.legend(fontsize=8, framealpha=0.9)
             seen += [low, high[there]]
-    axes.set(xlabel=label(data["load"]), ylabel=MU_LABEL)
+    if f"{_MU}_quantile" in data:
+        _quantiles(axes, data, load)
     if drawn.any():
         axes.set_xscale("log")
-        scale_friction(axes, np.concatenate(seen))
+        scale_friction(axes, np.concatenate(seen), WIDE if len(seen) == 1 else 0.1 * WIDE)
+        if load.size == 1:
+            axes.set_xlim(load[0] / 3.0, load[0] * 3.0)
     else:
         say(axes, NOT_PRESSED)
-    finish(axes)
+    finish(axes, xlabel=label(data["load"]), ylabel=MU_LABEL)
 
 
-def scale_friction(axes: Axes, values: np.ndarray) -> None:
+def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
+    """Draw the median, and two standard errors of the outer quantiles."""
+    band, error = (data[f"{_MU}_quantile{end}"].values.reshape(-1, load.size) for end in ("", "_error"))
+    known = (load > 0.0) & (band > 0.0).all(axis=0)
+    look: dict[str, Any] = {"marker": "_", "markersize": 14} if load.size == 1 else {}
+    axes.plot(load[known], band[len(band) // 2, known], color=BLUE, linestyle="--", label="median", **look)
+    for at, text in ((0, "two standard errors of the sampling"), (-1, None)):
+        ends = 2.0 * error[at, known]
+        axes.errorbar(load[known], band[at, known], ends, linestyle="", color=BLUE, elinewidth=0.8, label=text)
+
+
+def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
     """Make the axis of friction, or of what goes with it, logarithmic where it varies much; else it begins at 0."""
-    if values.max() > WIDE * values.min():
+    if values.max() > wide * values.min():
         axes.set_yscale("log")
     else:
         axes.set_ylim(0.0, 1.08 * values.max())  # room above a friction that does not vary
@@ -204,19 +221,16 @@ def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **lo
 def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.ndarray, dict[str, Any]]]:
     """Yield low and high end, and look, of the bands of friction that are known: over the methods of finding asperities in a
     measured surface, and over what is uncertain of the inputs."""
-    mu = "friction_coefficient"
-    if f"{mu}_low" in data:
-        look = {
-            "color": SKY,
-            "alpha": 0.25,
-            "label": f"{METHOD_BAND}; taken:\n{data.attrs.get('roughness_method', 'first method')}",
-        }
-        yield data[f"{mu}_low"].values, data[f"{mu}_high"].values, look
-    if f"{mu}_quantile" in data:
-        shares = data["quantile"].values
-        low, high = (np.broadcast_to(data[f"{mu}_quantile"].values[at], data["load"].shape) for at in (0, -1))
-        text = f"{shares[0]:.0%} to {shares[-1]:.0%} of what is\nuncertain of the inputs"
-        yield low, high, {"color": BLUE, "alpha": 0.2, "label": text}
+    if f"{_MU}_low" in data:
+        text = f"{METHOD_BAND}; taken:\n{data.attrs.get('roughness_method', 'first method')}"
+        text = f"{data.attrs['level']:.0%} interval" if "level" in data.attrs else text
+        low, high = (np.atleast_1d(data[f"{_MU}_{end}"].values) for end in ("low", "high"))
+        yield low, high, {"color": SKY, "alpha": 0.25, "label": text}
+    if f"{_MU}_quantile" in data:
+        shares, band = data["quantile"].values, data[f"{_MU}_quantile"].values.reshape(data.sizes["quantile"], -1)
+        for at, depth in enumerate(np.linspace(0.2, 0.4, len(shares) // 2)):
+            text = f"{shares[at]:.0%} to {shares[-1 - at]:.0%} of what is\nuncertain of the inputs"
+            yield band[at], band[-1 - at], {"color": BLUE, "alpha": depth, "label": text}
 
 
 def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
@@ -253,13 +267,16 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
         _prefixed(axes, data[against])
         axes.invert_xaxis()  # pressing harder goes to the right, as in the other panels
     finish(axes)
-    if axes.lines:
-        axes.legend(fontsize=8, framealpha=0.9)
 
 
-def finish(axes: Axes) -> None:
-    """Grid, and small ticks only where a logarithmic axis has few large ones."""
+def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
+    """Set names and scales of the axes, grid, a legend of what is named, and small ticks only where a logarithmic axis has few
+    large ones."""
+    axes.set(**named)
+    axes.title.set_fontsize(9)
     axes.grid(True, alpha=0.3)
+    if legend and axes.get_legend_handles_labels()[0]:
+        axes.legend(fontsize=8, framealpha=0.9)
     for axis in (axes.xaxis, axes.yaxis):
         low, high = sorted(axis.get_view_interval())
         if axis.get_scale() == "log" and high > _MANY_DECADES * low:
@@ -298,73 +315,61 @@ def _prefixed(axes: Axes, variable: "xarray.DataArray") -> None:
     axes.set_xlabel(label(variable).replace(f"[{variable.attrs['units']}]", f"[{unit}]"))
 
 
+def canvas(width: float, height: float, rows: int = 1, columns: int = 1, **more: Any) -> tuple[Figure, list[Axes]]:
+    """Return a figure of a size [inches], and its panels row by row."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    return figure, list(figure.subplots(rows, columns, squeeze=False, **more).flat)
+
+
 def say(axes: Axes, text: str) -> None:
     """A word in place of curves, without numbers along the axes."""
     axes.set(xticks=[], yticks=[])
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 
 
-def panel_figure(curves: "PanelCurves") -> Figure:
-    """One of the paper's figures: friction coefficient against load for films, beside the uncoated surface."""
-    figure = Figure(figsize=(7, 5.4), layout="constrained")
-    axes = figure.subplots()
-    along = curves.panel.along
-    _friction_line(axes, curves.bare, label="uncoated", color="black", linewidth=2.0)
-    for value, look in zip(curves.panel.values, _VARYING, strict=False):
-        one = curves.coated.sel({along: value})
-        _friction_line(axes, one, label=f"${QUANTITIES[along].latex}$ = {value:g}", **look)
-    axes.set_title(_with_letters(curves.caption), fontsize=9.5)
-    axes.set(xscale="log", yscale="log", xlabel=label(curves.bare["load"]), ylabel=MU_LABEL)
+def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool = True, before: str = "") -> None:
+    """Label and ticks of the "x" or "y" axis for values (n,) of a quantity, in SI, in a unit with a fitting prefix; logarithmic
+    where they span a decade, unless that is not wanted."""
+    row, axis = QUANTITIES[quantity], getattr(axes, f"{which}axis")
+    seen = np.abs(values[np.isfinite(values)])
+    if log and seen.size and values.min() > 0.0 and seen.max() > 9.0 * seen.min():
+        getattr(axes, f"set_{which}scale")("log")
+    factor, unit = prefix(quantity, float(seen.max(initial=0.0)))
     finish(axes)
-    axes.legend()
-    return figure
+    if row.unit and factor != 1.0:
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:.6g}"))
+        if axis.get_scale() == "log":
+            axis.set_minor_formatter(InUnit(factor))
+    axis.set_label_text(f"{before}{row.short or row.meaning} ${row.latex}$" + (f" [{unit}]" if unit else ""))
 
 
-def _with_letters(text: str) -> str:
-    """The text with the symbols of the groups set as formulas."""
-    letters = {QUANTITIES[name].symbol: QUANTITIES[name].latex for name in ("theta", "lam", "n_E", "n_H", "tau")}
-    return re.sub(rf"\b({'|'.join(letters)})\b", lambda found: f"${letters[found[0]]}$", text)
+def along_points(axes: Axes, points: "xarray.DataArray") -> None:
+    """Label and scale the x axis for the points of a result: loads or separations, in SI or normalised."""
+    values = points.values
+    if points.attrs.get("units", "1") != "1":
+        along(axes, "x", str(points.name), values)
+        return
+    if values.min() > 0.0 and values.max() > 9.0 * values.min():
+        axes.set_xscale("log")
+    axes.set_xlabel(label(points))
+    finish(axes)
 
 
-def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
-    load, mu = data["load"].values, data["friction_coefficient"].values
-    drawn = (load > 0.0) & (mu > 0.0)
-    axes.plot(np.where(drawn, load, np.nan), np.where(drawn, mu, np.nan), **look)
+def look_of(method: str, at: int) -> dict[str, Any]:
+    """Colour and mark of a method, the same in all pictures; of anything else, of its place among the lines."""
+    known = list(methods())
+    at = known.index(method) if method in known else at
+    return {"color": COLOURS[at % len(COLOURS)], "marker": _MARKERS[at % len(_MARKERS)], "markersize": 5}
 
 
-def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
-    """The map of the claims: a column for each, a row for each reading and for the film that is solved; here: theta and lam
-    that are marked."""
-    import matplotlib
+def plain(method: str) -> str:
+    """What a method finds, in a few words; anything else as it is."""
+    record = methods().get(method)
+    return method.replace("_", " ") if record is None else record.label
 
-    from stiction.studies.paper.claims import CLAIMS, READINGS
-    from stiction.studies.paper.figures import in_words
 
-    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(READINGS)), layout="constrained")
-    grid = figure.subplots(len(READINGS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
-    colours = matplotlib.colormaps["viridis"]
-    norm = BoundaryNorm(np.linspace(0.0, 1.0, 11), colours.N)
-    for row, reading in enumerate(READINGS):
-        for column, claim in enumerate(CLAIMS):
-            axes = grid[row, column]
-            share = np.ma.masked_invalid(claims.share[column, row].T)
-            axes.pcolormesh(claims.theta, claims.lam, share, cmap=colours, norm=norm, shading="nearest")
-            axes.set(xscale="log", yscale="log")
-            for colour, style in (("white", "-"), ("black", "--")):  # seen on dark and on light colours
-                axes.axvline(10.0, color=colour, linewidth=0.9, linestyle=style)
-                axes.axhline(0.125, color=colour, linewidth=0.9, linestyle=style)
-            axes.plot(here["theta"], here["lam"], marker="*", color=RED, markeredgecolor="white", markersize=12)
-            if row == 0:
-                axes.set_title(f"({claim.key}) {textwrap.fill(claim.says, 36)}", fontsize=9)
-            if column == 0:
-                axes.set_ylabel(f"{in_words(reading)}\nplastic adhesion index $\\lambda$")
-            if row == len(READINGS) - 1:
-                axes.set_xlabel(r"elastic adhesion index $\theta$")
-    bar = figure.colorbar(ScalarMappable(norm, colours), ax=grid, shrink=0.8, pad=0.01)
-    bar.set_label("share of its cases for which it holds (white: not comparable)")
-    figure.suptitle(
-        "Where the claims of the 2015 paper hold; dashed: below $\\theta$ = 10 or $\\lambda$ = 0.125 adhesion matters; "
-        f"star: $\\theta$ = {here['theta']:g}, $\\lambda$ = {here['lam']:g}",
-        fontsize=10,
-    )
-    return figure
+def unit_for(quantity: str, largest: float) -> tuple[float, str]:
+    """What values up to this one, in SI, are to be multiplied by, and the unit they then have."""
+    if quantity == "asperity_density":
+        return next(((per, unit) for per, unit in ((1e-12, "1/µm²"), (1e-6, "1/mm²")) if largest * per >= 0.1), (1.0, "1/m²"))
+    return prefix(quantity, largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")

@@ -128,7 +128,7 @@ def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
 def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
     """The band of a named model over the inputs, and over the ways of finding asperities."""
     data = findings.data
-    from stiction.report.uncertainty_pictures import uncertainty_figure
+    from stiction.report.pictures import uncertainty_figure
 
     if "friction_coefficient_quantile" in data and not findings.case.is_several:
         caption = "The friction coefficient with its band over what is uncertain of the inputs."

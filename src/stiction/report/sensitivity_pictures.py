@@ -10,8 +10,7 @@ from matplotlib.ticker import MaxNLocator
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import part_name
-from stiction.report.picture_style import along_points
-from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, finish, heading, say
+from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, along_points, canvas, finish, heading, say
 from stiction.report.several_tables import of_point, points_dimension
 from stiction.report.views.sensitivity import at_working_load, head_of, ranked, results_of, working_place
 
@@ -28,13 +27,12 @@ def sensitivity_figure(data: "xarray.Dataset") -> Figure:
     """Ranked Sobol indices at the working load, the total ones over load, the effects of Morris, and the elasticities of all
     numbers; the last alone where nothing is uncertain."""
     if "friction_coefficient_share" in data:
-        figure = Figure(figsize=(11.0, 4.8), layout="constrained")
-        panels = figure.subplots(1, 2)
-        _shares(panels[0], data)
-        _elasticities(panels[1], data)
+        figure, (shares, slopes) = canvas(11.0, 4.8, 1, 2)
+        _shares(shares, data)
+        _elasticities(slopes, data)
     elif "input" not in data.dims:
-        figure = Figure(figsize=(7.5, 5.6), layout="constrained")
-        _elasticities(figure.subplots(), data)
+        figure, (slopes,) = canvas(7.5, 5.6)
+        _elasticities(slopes, data)
     else:
         figure, dim = Figure(figsize=(13.5, 9.4), layout="constrained"), points_dimension(data)
         several = dim is not None and data.sizes[dim] > 1
@@ -54,8 +52,7 @@ def _shares(axes: Axes, data: "xarray.Dataset") -> None:
     names = [part_name(name) for name in data["input"].values.tolist()]
     axes.barh(names, data["friction_coefficient_share"].values, color=BLUE)
     axes.invert_yaxis()
-    axes.set(xlim=(0.0, 1.0), xlabel="share of the variance of ln mu")
-    finish(axes)
+    finish(axes, xlim=(0.0, 1.0), xlabel="share of the variance of ln mu")
 
 
 def _symbol(name: str) -> str:
@@ -79,8 +76,8 @@ def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     axes.set_yticks(y, [str(one["input"].values[at]) for at in order], fontsize=9)
     axes.set(xlabel=f"share of the variance, 95 % intervals; {of_point(data, working_place(data))}")
     axes.set_xlim(left=0.0)
-    axes.set_title("which input should be measured better?", fontsize=10)
-    _finished(axes)
+    finish(axes, title="which input should be measured better?")
+    axes.grid(False, axis="y")
 
 
 def _over_load(axes: Axes, data: "xarray.Dataset", name: str, dim: str) -> None:
@@ -91,9 +88,7 @@ def _over_load(axes: Axes, data: "xarray.Dataset", name: str, dim: str) -> None:
         axes.plot(data[dim].values, one[f"{name}_total_order"].values, color=colour, marker="o", markersize=4,
                   label=str(one["input"].item()))  # fmt: skip
     along_points(axes, data[dim])
-    axes.set(ylabel=f"total Sobol index of ln {_symbol(name)}")
-    axes.set_ylim(bottom=0.0)
-    axes.legend(fontsize=8, framealpha=0.9)
+    axes.set(ylabel=f"total Sobol index of ln {_symbol(name)}", ylim=(0.0, None))
 
 
 def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
@@ -112,8 +107,7 @@ def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     axes.xaxis.set_major_locator(MaxNLocator(_TICKS))
     axes.set(xlabel=f"mean size of its effect on ln {_symbol(name)}, from end to end", ylabel="deviation: it depends on others")
     axes.set_ylim(0.0, 1.15 * max(float(np.nanmax(deviation)), 1e-9))
-    axes.set_title("effects of Morris", fontsize=10)
-    finish(axes)
+    finish(axes, title="effects of Morris")
 
 
 def _elasticities(axes: Axes, data: "xarray.Dataset") -> None:
@@ -129,16 +123,9 @@ def _elasticities(axes: Axes, data: "xarray.Dataset") -> None:
         axes.barh(y + 0.4 - (at + 0.5) * height, values, height=height, color=colour, label=head_of(name))
     axes.set_yticks(y, [str(one["number"].values[at]) for at in order], fontsize=9)
     axes.axvline(0.0, color="black", linewidth=0.8)
-    axes.set(xlabel="elasticity: % by which 1 % more changes it")
-    axes.set_title("at the nominal numbers", fontsize=10)
-    _finished(axes)
+    finish(axes, xlabel="elasticity: % by which 1 % more changes it", title="at the nominal numbers")
+    axes.grid(False, axis="y")
 
 
 def _known(one: "xarray.Dataset", name: str, at: int) -> float:
     return float(np.nan_to_num(one[f"{name}_elasticity"].values[at]))
-
-
-def _finished(axes: Axes) -> None:
-    finish(axes)
-    axes.grid(False, axis="y")
-    axes.legend(fontsize=8, framealpha=0.9)

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
-from stiction.report.pictures import NOT_PRESSED, WIDE, entitle, finish, label, say, scale_friction
+from stiction.report.pictures import NOT_PRESSED, WIDE, canvas, entitle, finish, label, say, scale_friction
 from stiction.report.several_tables import (
     coordinates_along,
     of_point,
@@ -50,8 +50,7 @@ def _curves(data: "xarray.Dataset", dim: str) -> Figure:
     """Against the quantity, a line for each of some points; and against the points, a line for each of some values."""
     points = points_dimension(data)
     over_points = points is not None and data.sizes[points] > 1
-    figure = Figure(figsize=(11.0 if over_points else 6.5, 4.8), layout="constrained")
-    panels = figure.subplots(1, 2 if over_points else 1, squeeze=False)[0]
+    figure, panels = canvas(11.0 if over_points else 6.5, 4.8, 1, 2 if over_points else 1)
     along = coordinates_along(data, dim)
     numbers = some(_points(data), _LINES)
     lines = [(of_point(data, at), _at_point(data, at).values) for at in numbers]
@@ -88,7 +87,6 @@ def _lines(axes: Axes, x: np.ndarray, lines: list[tuple[str, np.ndarray]], count
     if _is_log(x):
         axes.set_xscale("log")
     finish(axes)
-    axes.legend(fontsize=8, framealpha=0.9)
 
 
 def _maps(data: "xarray.Dataset", dims: list[str]) -> Figure:
@@ -104,8 +102,7 @@ def _maps(data: "xarray.Dataset", dims: list[str]) -> Figure:
         places = [(fixed | dict(zip(outer, map(int, at), strict=True)), middle) for at in product(*outer.values())]
         columns = len(outer[dims[2]])
     rows = -(-len(places) // columns)
-    figure = Figure(figsize=(4.0 * columns + 1.6, 3.6 * rows + 0.9), layout="constrained")
-    panels: list[Axes] = list(figure.subplots(rows, columns, squeeze=False).flat)
+    figure, panels = canvas(4.0 * columns + 1.6, 3.6 * rows + 0.9, rows, columns)
     for axes in panels[len(places) :]:
         axes.set_axis_off()
     panels = panels[: len(places)]

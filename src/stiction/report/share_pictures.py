@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, finish, label, say
+from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY, canvas, finish, label, say
 
 if TYPE_CHECKING:
     import xarray
@@ -50,8 +50,7 @@ def part_in_words(name: str, total: str) -> str:
 def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
     """One of the stacks of a curve, over the loads that press; colours with hatches, for those who cannot tell them apart."""
     total, parts = stacks(curve)[what]
-    figure = Figure(figsize=(5.2, 3.9), layout="constrained")
-    axes = figure.subplots()
+    figure, (axes,) = canvas(5.2, 3.9)
     load, shares = curve["load"].values, shares_of(curve, parts)
     order = np.argsort(load)
     drawn = order[(load[order] > 0.0) & np.isfinite(shares[:, order]).all(axis=0)]
@@ -68,7 +67,6 @@ def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
             "linewidth": 0.0,
         }
         axes.fill_between(load[drawn], edges[at], edges[at + 1], label=part_in_words(name, total), **look)
-    axes.set(xscale="log", ylim=(0.0, 1.0), xlim=(load[drawn][0], load[drawn][-1]))
-    finish(axes)
+    finish(axes, legend=False, xscale="log", ylim=(0.0, 1.0), xlim=(load[drawn][0], load[drawn][-1]))
     figure.legend(loc="outside upper center", ncols=min(len(parts), 3), fontsize=9, frameon=False)
     return figure

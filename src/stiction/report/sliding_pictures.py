@@ -8,8 +8,7 @@ from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.report.picture_style import COLOURS, along
-from stiction.report.pictures import NOT_PRESSED, entitle, say
+from stiction.report.pictures import COLOURS, NOT_PRESSED, along, canvas, entitle, say
 
 if TYPE_CHECKING:
     import xarray
@@ -19,8 +18,7 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """Force over load against displacement, with the static friction that it cannot pass and where it is largest; and, where
     asperities keep their strength, the energy lost in cycles. data: result of `slide` with one dimension of points, or none."""
     lost = "energy_loss" in data
-    figure = Figure(figsize=(12.0 if lost else 7.0, 5.4), layout="constrained")
-    panels = figure.subplots(1, 2 if lost else 1, squeeze=False)[0]
+    figure, panels = canvas(12.0 if lost else 7.0, 5.4, 1, 1 + lost)
     points = [one for one in data["tangential_force"].dims if one != "displacement"]
     rows = [data.isel({points[0]: at}) for at in range(data.sizes[points[0]])] if points else [data]
     _forces(panels[0], rows)
@@ -53,7 +51,6 @@ def _forces(axes: Axes, rows: list["xarray.Dataset"]) -> None:
     axes.plot([], [], "o", color="black", label="99 % of it" if "energy_loss" in rows[0] else "largest")
     axes.set_ylim(bottom=0.0)
     along(axes, "x", "displacement", rows[0]["displacement"].values, log=False)
-    axes.legend(fontsize=8, framealpha=0.9)
 
 
 def _losses(axes: Axes, rows: list["xarray.Dataset"]) -> None:

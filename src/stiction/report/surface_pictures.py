@@ -14,8 +14,7 @@ from matplotlib.image import AxesImage
 from matplotlib.ticker import FixedLocator, MaxNLocator, NullLocator
 
 from stiction.quantities.units import show
-from stiction.report.picture_style import look_of, plain, unit_for
-from stiction.report.pictures import BLUE, GREEN, GREY, SKY, finish, say
+from stiction.report.pictures import BLUE, GREEN, GREY, SKY, canvas, finish, look_of, plain, say, unit_for
 from stiction.report.table import prefix
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap
@@ -118,8 +117,7 @@ def _draw_profile(axes: Axes, surface: HeightMap, factor: float, unit: str) -> N
     for start, end in _runs(np.isnan(surface.heights[0])):
         axes.axvspan((start - 0.5) * pitch, (end - 0.5) * pitch, linewidth=0.0, **_ABSENT)
     axes.plot(np.arange(surface.heights.shape[1]) * pitch, surface.heights[0] * factor, color=BLUE, linewidth=0.9)
-    axes.set(xlabel=f"x [{length}]", ylabel=f"height [{unit}]", xlim=(0.0, surface.size[1] * across))
-    finish(axes)
+    finish(axes, xlabel=f"x [{length}]", ylabel=f"height [{unit}]", xlim=(0.0, surface.size[1] * across))
 
 
 def _runs(marked: np.ndarray) -> np.ndarray:
@@ -144,7 +142,6 @@ def _histogram(axes: Axes, heights: np.ndarray, ends: tuple[float, float], unit:
     axes.xaxis.set_major_locator(MaxNLocator(4))
     axes.yaxis.set_label_position("right")
     axes.yaxis.tick_right()
-    axes.legend(fontsize=8)
     finish(axes)
 
 
@@ -167,8 +164,7 @@ def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], tit
     spectrum: one, or several by what is to be said of them; all of maps or all of profiles. The band shaded is the first one's.
     """
     named = {"": spectrum} if isinstance(spectrum, BinnedSpectrum) else dict(spectrum)
-    figure = Figure(figsize=(8.2, 5.6), layout="constrained")
-    axes = figure.subplots()
+    figure, (axes,) = canvas(8.2, 5.6)
     first = next(iter(named.values()))
     if not any((one.density > 0.0).any() for one in named.values()):
         say(axes, "no waves: all heights are alike")
@@ -181,11 +177,10 @@ def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], tit
         band = [2.0 * math.pi / (length * factor) for length in (first.longest, first.shortest)]
         ends = " to ".join(show(length, "mean_separation", 3) for length in (first.longest, first.shortest))
         axes.axvspan(*band, color=GREEN, alpha=0.1, linewidth=0.0, label=f"reliable band: wavelengths of {ends}")
-    axes.set(xscale="log", yscale="log", xlabel=rf"wavevector $q = 2\pi$ / wavelength [rad/{unit}]")
-    axes.set_ylabel(f"power spectral density $C$ [{unit}{'³' if first.is_profile else '⁴'}]")
     figure.suptitle(title, fontsize=11)
-    finish(axes)
-    axes.legend(fontsize=9)
+    axes.set_xlabel(rf"wavevector $q = 2\pi$ / wavelength [rad/{unit}]")
+    axes.set_ylabel(f"power spectral density $C$ [{unit}{'³' if first.is_profile else '⁴'}]")
+    finish(axes, xscale="log", yscale="log")
     _wavelengths_above(axes, factor)
     return figure
 
@@ -244,9 +239,7 @@ def asperity_figure(found: Iterable[Asperities], surface: HeightMap | None = Non
     for at, one in enumerate(sets):
         _height_line(axes, one, factor, look_of(one.method, at)["color"], _summed_up(one, *per_area))
     axes.set(xlabel=f"height over the mean plane [{unit}]", ylabel=f"share of the asperities [1/{unit}]")
-    axes.set(xlim=(ends[0] * factor, ends[1] * factor))
-    axes.set_ylim(bottom=0.0)
-    finish(axes)
+    finish(axes, legend=False, xlim=(ends[0] * factor, ends[1] * factor), ylim=(0.0, None))
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=9, labelspacing=0.9, frameon=False)
     return figure
 

@@ -8,7 +8,7 @@ from nicegui import ui
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
-from stiction.report.pictures import panel_figure
+from stiction.report.paper_pictures import panel_figure
 from stiction.studies.paper.claims import CLAIMS, LAM, READINGS, THETA, ClaimMap, claim_map
 from stiction.studies.paper.figures import PANELS, panel_curves
 from stiction.studies.paper.place import ADHESION_MATTERS, PLASTICITY, Place, place_of, plasticity_line

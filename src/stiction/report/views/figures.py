@@ -56,8 +56,8 @@ def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[
         "claims.csv": lambda path: write_rows(path, *claim_rows(claims)),
     }
     pictures = {
-        f"{one.panel.name}.png": picture(f"figure {one.panel.name[3:]}", "pictures.panel_figure", one) for one in panels
+        f"{one.panel.name}.png": picture(f"figure {one.panel.name[3:]}", "paper_pictures.panel_figure", one) for one in panels
     }
-    pictures["claims.png"] = picture("where each claim holds", "pictures.claims_figure", claims, here)
+    pictures["claims.png"] = picture("where each claim holds", "paper_pictures.claims_figure", claims, here)
     found = {"theta": theta, "lambda": lam, "reading": reading, "claims": rows}
     return View("figures", None, parts, lambda: found, files, pictures)

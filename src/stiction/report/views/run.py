@@ -132,6 +132,6 @@ def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
         told = "friction by every way of finding asperities"
         pictures["band.png"] = picture(told, "method_pictures.method_spread_figure", data, case.title)
     if "friction_coefficient_quantile" in data and not case.is_several:
-        drawn = "uncertainty_pictures.uncertainty_figure"
+        drawn = "pictures.uncertainty_figure"
         pictures["uncertainty.png"] = picture("friction with its band", drawn, data, case.title)
     return pictures

@@ -1,0 +1,89 @@
+"""The pictures of the 2015 paper, and the map of its claims."""
+
+import re
+import textwrap
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm
+from matplotlib.figure import Figure
+
+from stiction.quantities.table import QUANTITIES
+from stiction.report.pictures import BLUE, MU_LABEL, RED, SKY, canvas, finish, label
+from stiction.studies.paper.claims import CLAIMS, READINGS
+from stiction.studies.paper.figures import in_words
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.studies.paper.claims import ClaimMap
+    from stiction.studies.paper.figures import PanelCurves
+
+# Broad below, narrow and broken above: lines that lie on one another stay visible.
+_VARYING: tuple[dict[str, Any], ...] = (
+    {"color": SKY, "linewidth": 4.0},
+    {"color": RED, "linewidth": 2.2},
+    {"color": BLUE, "linewidth": 1.6, "linestyle": "--"},
+)
+
+
+def panel_figure(curves: "PanelCurves") -> Figure:
+    """One of the paper's figures: friction coefficient against load for films, beside the uncoated surface."""
+    figure, (axes,) = canvas(7, 5.4)
+    along = curves.panel.along
+    _friction_line(axes, curves.bare, label="uncoated", color="black", linewidth=2.0)
+    for value, look in zip(curves.panel.values, _VARYING, strict=False):
+        one = curves.coated.sel({along: value})
+        _friction_line(axes, one, label=f"${QUANTITIES[along].latex}$ = {value:g}", **look)
+    axes.set_title(_with_letters(curves.caption))
+    finish(axes, xscale="log", yscale="log", xlabel=label(curves.bare["load"]), ylabel=MU_LABEL)
+    return figure
+
+
+def _with_letters(text: str) -> str:
+    """The text with the symbols of the groups set as formulas."""
+    letters = {QUANTITIES[name].symbol: QUANTITIES[name].latex for name in ("theta", "lam", "n_E", "n_H", "tau")}
+    return re.sub(rf"\b({'|'.join(letters)})\b", lambda found: f"${letters[found[0]]}$", text)
+
+
+def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
+    load, mu = data["load"].values, data["friction_coefficient"].values
+    drawn = (load > 0.0) & (mu > 0.0)
+    axes.plot(np.where(drawn, load, np.nan), np.where(drawn, mu, np.nan), **look)
+
+
+def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
+    """The map of the claims: a column for each, a row for each reading and for the film that is solved; here: theta and lam
+    that are marked."""
+    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(READINGS)), layout="constrained")
+    grid = figure.subplots(len(READINGS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
+    colours = matplotlib.colormaps["viridis"]
+    norm = BoundaryNorm(np.linspace(0.0, 1.0, 11), colours.N)
+    for row, reading in enumerate(READINGS):
+        for column, claim in enumerate(CLAIMS):
+            axes = grid[row, column]
+            share = np.ma.masked_invalid(claims.share[column, row].T)
+            axes.pcolormesh(claims.theta, claims.lam, share, cmap=colours, norm=norm, shading="nearest")
+            axes.set(xscale="log", yscale="log")
+            for colour, style in (("white", "-"), ("black", "--")):  # seen on dark and on light colours
+                axes.axvline(10.0, color=colour, linewidth=0.9, linestyle=style)
+                axes.axhline(0.125, color=colour, linewidth=0.9, linestyle=style)
+            axes.plot(here["theta"], here["lam"], marker="*", color=RED, markeredgecolor="white", markersize=12)
+            if row == 0:
+                axes.set_title(f"({claim.key}) {textwrap.fill(claim.says, 36)}", fontsize=9)
+            if column == 0:
+                axes.set_ylabel(f"{in_words(reading)}\nplastic adhesion index $\\lambda$")
+            if row == len(READINGS) - 1:
+                axes.set_xlabel(r"elastic adhesion index $\theta$")
+    bar = figure.colorbar(ScalarMappable(norm, colours), ax=grid, shrink=0.8, pad=0.01)
+    bar.set_label("share of its cases for which it holds (white: not comparable)")
+    figure.suptitle(
+        "Where the claims of the 2015 paper hold; dashed: below $\\theta$ = 10 or $\\lambda$ = 0.125 adhesion matters; "
+        f"star: $\\theta$ = {here['theta']:g}, $\\lambda$ = {here['lam']:g}",
+        fontsize=10,
+    )
+    return figure
