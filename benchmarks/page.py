@@ -174,10 +174,8 @@ class Visitor:
 def expected(place: float) -> str:
     """What the page has to say, without the page."""
     from stiction.quantities.units import show
-    from stiction.web.asked import Question, solved
-    from stiction.web.fields import placed
-    from stiction.web.first import first_case
-    from stiction.web.words import headline
+    from stiction.web.asked import Question, headline, solved
+    from stiction.web.fields import first_case, placed
 
     given = show(10.0**place, "asperity_radius", 4)
     answer = solved(Question(placed(first_case(), ("contact", "roughness", "asperity_radius"), given)))

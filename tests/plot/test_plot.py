@@ -11,6 +11,7 @@ from stiction.case.read import read_case
 from stiction.contact.contact import Contact, Indices
 from stiction.report import pictures as plot
 from stiction.report.film_pictures import film_figure
+from stiction.report.paper_pictures import claims_figure, panel_figure
 from stiction.solving.solve import solve
 from stiction.studies.case_results import film_of_case
 from stiction.studies.paper import figures as figures
@@ -108,7 +109,7 @@ def test_a_model_without_separation_is_drawn_against_load_only(friction):
 @pytest.mark.parametrize("panel", figures.PANELS, ids=lambda panel: panel.name)
 def test_the_papers_figures_show_films_beside_the_uncoated_surface(panel):
     curves = figures.panel_curves(panel, 40.0, 10.0, "published")
-    axes = plot.panel_figure(curves).axes[0]
+    axes = panel_figure(curves).axes[0]
     assert "not printed in the paper" in axes.get_title() and "published" in axes.get_title()
     drawn = lines(axes)
     assert len(drawn) == 4
@@ -125,7 +126,7 @@ def test_the_papers_figures_show_films_beside_the_uncoated_surface(panel):
 
 def test_the_map_of_the_claims_has_a_panel_for_each_claim_and_reading():
     found = claim_map(np.geomspace(1, 1e4, 3), np.geomspace(1e-3, 1e4, 3))
-    figure = plot.claims_figure(found, {"theta": 40.0, "lam": 10.0})
+    figure = claims_figure(found, {"theta": 40.0, "lam": 10.0})
     panels = [axes for axes in figure.axes if axes.collections and axes.get_xscale() == "log"]
     assert len(panels) == 15
     shown = panels[0].collections[0].get_array().reshape(3, 3)

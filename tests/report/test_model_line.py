@@ -9,8 +9,7 @@ from typer.testing import CliRunner
 from cases import SILICON_CASE
 from report.page import Page
 from stiction.cli import app
-from stiction.web.asked import Question, solved
-from stiction.web.words import remarks
+from stiction.web.asked import Question, remarks, solved
 
 CASE = (
     SILICON_CASE

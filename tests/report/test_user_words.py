@@ -16,7 +16,7 @@ from stiction.report.views.run import uncertain_notes
 from stiction.report.views.sensitivity import sensitivity_notes
 from stiction.studies.case_results import film_of_case
 from stiction.studies.findings import find_out
-from stiction.web.first import first_case
+from stiction.web.fields import first_case
 
 
 def _case(thickness="200 nm", **solve):

@@ -21,7 +21,7 @@ import pytest
 import stiction as st
 from cases import of_one_model
 from stiction.web.address import packed
-from stiction.web.first import first_case
+from stiction.web.fields import first_case
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 pytestmark = [

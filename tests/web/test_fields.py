@@ -7,8 +7,7 @@ from stiction.contact.materials import Material
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.surfaces.roughness import Roughness
-from stiction.web.fields import as_written, got, numbers_of, parts_of, placed
-from stiction.web.first import first_case
+from stiction.web.fields import as_written, first_case, got, numbers_of, parts_of, placed
 
 
 def _numbers(tables):

@@ -16,7 +16,7 @@ from nicegui.testing import User, user_simulation
 import stiction as st
 from cases import of_one_model
 from stiction.web.address import packed
-from stiction.web.first import first_case
+from stiction.web.fields import first_case
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "silver_on_steel.toml"
 MAIN = Path(__file__).parent / "simulated.py"

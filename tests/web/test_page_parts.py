@@ -18,14 +18,13 @@ from cases import of_one_model
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
 from stiction.studies.findings import find_out
-from stiction.web.asked import Question, solved
+from stiction.web.asked import Question, headline, solved
 from stiction.web.charts import chart, curve_chart, line
-from stiction.web.downloads import report_of
-from stiction.web.first import first_case
+from stiction.web.fields import first_case
 from stiction.web.fitting import fitted
 from stiction.web.pictures import image_of
+from stiction.web.share_tab import report_of
 from stiction.web.studies_tab import designed
-from stiction.web.words import headline
 from stiction.web.working import Progress
 
 

@@ -12,9 +12,8 @@ from typer.testing import CliRunner
 import stiction as st
 from stiction.case.text import as_toml
 from stiction.cli import app
-from stiction.web.asked import Question, compared, solved
-from stiction.web.downloads import KINDS, content
-from stiction.web.words import headline
+from stiction.web.asked import Question, compared, headline, solved
+from stiction.web.share_tab import KINDS, content
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
@@ -80,13 +79,13 @@ def test_pictures_are_pictures():
 
 
 def test_the_first_case_is_that_of_the_examples():
-    from stiction.web.first import first_case
+    from stiction.web.fields import first_case
 
     assert first_case() == tomllib.loads((ROOT / "examples" / "silver_on_steel.toml").read_text(encoding="utf-8"))
 
 
 def test_a_case_that_is_too_large_for_a_page_is_refused():
-    from stiction.web.first import first_case
+    from stiction.web.fields import first_case
 
     tables = first_case()
     tables["solve"] = {"load": {"start": "1 mN", "stop": "1 N", "count": 90_000}}
@@ -99,7 +98,7 @@ def test_a_case_that_is_too_large_for_a_page_is_refused():
 
 
 def test_questions_about_numbers_are_in_the_answer_and_no_warning():
-    from stiction.web.first import first_case
+    from stiction.web.fields import first_case
 
     tables = first_case()
     tables["contact"]["roughness"] |= {"asperity_height_deviation": "50 um", "asperity_radius": "48 nm"}

@@ -1,13 +1,17 @@
-"""The answer of a prediction in words and as JSON: one text for terminal, page, report and notebook."""
+"""The answer in words and as JSON: one text for terminal, page, report and notebook; and the model that gave it."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stiction.quantities.units import show
+from stiction.records.registry import GRADES
+from stiction.solving.choice import LAWS
 
 if TYPE_CHECKING:
     import xarray
+
 
 __all__ = [
     "PREDICTION_HEADS",
@@ -177,3 +181,20 @@ def part_name(name: str) -> str:
 def _shares(shares: dict[str, float]) -> str:
     named = ((part_name(name), share) for name, share in shares.items() if share >= _LEAST)
     return ", ".join(f"{name} {share:.0%}" for name, share in named)
+
+
+def model_line(used: Mapping[str, Any]) -> str:
+    """Return the model of a result, by its attributes, with all laws and options that answered and its heights.
+
+    >>> model_line({"model": "greenwood_williamson_1966", "asperity": "hertz", "film": "none"})
+    'greenwood_williamson_1966, asperity law hertz'
+    """
+    laws = [f"{kind} law {used[kind]}" for kind in LAWS if kind != "model" and used.get(kind, "none") != "none"]
+    options = [f"{name.replace('_', ' ')} {used[name]}" for name in str(used.get("options", "")).split() if name in used]
+    heights = [f"{used['heights']} heights"] if "heights" in used else []
+    return ", ".join([str(used["model"]), *laws, *options, *heights])
+
+
+def grade_line(used: Mapping[str, Any]) -> str:
+    """Return the grade of a result, by its attributes, with what it means."""
+    return f"{used['grade']}: {GRADES[used['grade']]}"

@@ -43,10 +43,9 @@ def _bars(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
     values, kept = data[columns[wish]].values[:count], data["kept"].values[:count]
     places = np.arange(count)[::-1]
     axes.barh(places, values, color=[BLUE if one else GREY for one in kept])
-    along(axes, "x", wish, values, log=False)
+    along(axes, "x", wish, values, log=False, title="best for each choice" + ("" if kept.all() else "; grey: breaks a limit"))
     axes.set_yticks(places, names)
     axes.grid(False, axis="y")
-    axes.set_title("best for each choice" + ("" if kept.all() else "; grey: breaks a limit"))
 
 
 def _front(axes: Axes, data: "xarray.Dataset", wishes: list[str]) -> None:
@@ -57,8 +56,7 @@ def _front(axes: Axes, data: "xarray.Dataset", wishes: list[str]) -> None:
     x, y = (data[columns[one]].values for one in wishes)
     axes.plot(x, y, color=BLUE, marker="o", markersize=4, linewidth=1)
     along(axes, "x", wishes[0], x)
-    along(axes, "y", wishes[1], y)
-    axes.set_title("none is better in both than any of these")
+    along(axes, "y", wishes[1], y, title="none is better in both than any of these")
 
 
 def _chosen(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
@@ -72,8 +70,7 @@ def _chosen(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
         text = f"{last.replace('_', ' ')}: {shown(low, last, 3)} to {shown(high, last, 3)}"
         share = np.log(values / low) / np.log(high / low) if one.attrs["spacing"] == "log" else (values - low) / (high - low)
         axes.plot(x, share, color=colour, marker=marker, markersize=4, linewidth=0.8, label=text)
-    along(axes, "x", wish, x)
-    axes.set(ylabel="from the low end (0) to the high end (1)", title="what is chosen along the front")
+    along(axes, "x", wish, x, ylabel="from the low end (0) to the high end (1)", title="what is chosen along the front")
 
 
 def _search(axes: Axes, data: "xarray.Dataset", wish: str) -> None:

@@ -18,7 +18,7 @@ from stiction.laws.validity import doubts_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import installed
 from stiction.quantities.paths import require_place
-from stiction.report.model_line import grade_line, model_line
+from stiction.report.answer import grade_line, model_line
 
 if TYPE_CHECKING:
     import xarray

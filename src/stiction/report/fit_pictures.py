@@ -64,8 +64,14 @@ def _measured_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         axes.errorbar(x, rows["measured"], rows["error"], **look, **said)
         axes.plot(x, rows["fitted"], color=look["color"], linewidth=1.6)
     _along_load(axes, data)
-    along(axes, "y", name, data["measured"].values[data["quantity"].values == name], log=False)
-    axes.set_title("points: measured, standard error; lines: fitted")
+    along(
+        axes,
+        "y",
+        name,
+        data["measured"].values[data["quantity"].values == name],
+        log=False,
+        title="points: measured, standard error; lines: fitted",
+    )
 
 
 def _residual_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
@@ -92,8 +98,7 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         draw_band(axes, x, low.isel(place).values, high.isel(place).values, color=colour, alpha=0.25)
         axes.plot(x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "", label=text)
     along_points(axes, data[point])
-    along(axes, "y", name, best.values, log=False)
-    axes.set_title("predicted; band: 95 %, of the fitted numbers alone")
+    along(axes, "y", name, best.values, log=False, title="predicted; band: 95 %, of the fitted numbers alone")
 
 
 def profile_figure(data: "xarray.Dataset") -> Figure:
@@ -120,9 +125,7 @@ def _profile_panel(axes: Axes, one: "xarray.Dataset") -> None:
     axes.axvspan(float(one["low"]), float(one["high"]), color=SKY, alpha=0.3, linewidth=0)
     axes.axvline(float(one["value"]), color="black", linewidth=1)
     axes.set_ylim(-0.3, max(4.5, min(_TOP, 1.05 * np.nanmax(rise))))
-    along(axes, "x", quantity, value[there])
     ends = [show(float(one[end]), quantity, 3) for end in ("low", "high")]
     opened = "open at an end: " if bool(one["open_low"]) or bool(one["open_high"]) else ""
-    axes.set_title(f"{opened}95 %: {ends[0]} to {ends[1]}")
+    along(axes, "x", quantity, value[there], title=f"{opened}95 %: {ends[0]} to {ends[1]}", ylabel="rise of $\\chi^2$")
     axes.set_xlabel(f"{name} {axes.get_xlabel().rpartition('$')[2]}".strip())
-    axes.set_ylabel("rise of $\\chi^2$")

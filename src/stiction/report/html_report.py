@@ -23,7 +23,7 @@ from stiction.report.honest_digits import rounded
 from stiction.report.html_words import breakable, formula
 from stiction.report.printed_sources import printed
 from stiction.report.report_answer import answer_in_words, doubts_here, headline, interval_of, question
-from stiction.report.report_inputs import groups_of_groups, groups_of_inputs
+from stiction.report.report_sections import groups_of_groups, groups_of_inputs
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.overview import entries
 from stiction.studies.findings import Findings, find_out, text_of_file

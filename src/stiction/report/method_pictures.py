@@ -176,7 +176,7 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     (taken, *others), load = table[METHOD].values.tolist(), np.atleast_1d(data["load"].values)
     figure, (axes,) = canvas(9.6, 5.2)
     entitle(figure, data, title)
-    friction_panel(axes, data)
+    friction_panel(axes, data.drop_vars("friction_coefficient_quantile", errors="ignore"))
     for line, band in zip(axes.lines, axes.collections, strict=False):
         line.set(linewidth=2.4, marker="o" if load.size == 1 else "", label=f"taken: {plain(taken)}", zorder=3)
         band.set_label(METHOD_BAND)

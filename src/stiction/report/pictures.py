@@ -170,7 +170,6 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     load, mu = (np.atleast_1d(data[name].values) for name in ("load", _MU))
     drawn = (load > 0.0) & (mu > 0.0)
     text = "median" if "level" in data.attrs else "of the nominal numbers" if f"{_MU}_quantile" in data else ""
-    axes.plot(load[drawn], mu[drawn], color="black", label=text, **_marked(int(drawn.sum())))
     seen = [mu[drawn]]
     for low, high, look in _friction_bands(data):
         there = (load > 0.0) & (high > 0.0) & np.isfinite(low)
@@ -181,6 +180,7 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
             seen += [low, high[there]]
     if f"{_MU}_quantile" in data:
         _quantiles(axes, data, load)
+    axes.plot(load[drawn], mu[drawn], color="black", label=text, **_marked(int(drawn.sum())))
     if drawn.any():
         axes.set_xscale("log")
         scale_friction(axes, np.concatenate(seen), WIDE if len(seen) == 1 else 0.1 * WIDE)
@@ -229,7 +229,7 @@ def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.nda
     if f"{_MU}_quantile" in data:
         shares, band = data["quantile"].values, data[f"{_MU}_quantile"].values.reshape(data.sizes["quantile"], -1)
         for at, depth in enumerate(np.linspace(0.2, 0.4, len(shares) // 2)):
-            text = f"{shares[at]:.0%} to {shares[-1 - at]:.0%} of what is\nuncertain of the inputs"
+            text = f"{shares[at]:.0%} to {shares[-1 - at]:.0%} over uncertain inputs"
             yield band[at], band[-1 - at], {"color": BLUE, "alpha": depth, "label": text}
 
 
@@ -327,15 +327,15 @@ def say(axes: Axes, text: str) -> None:
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 
 
-def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool = True, before: str = "") -> None:
+def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool = True, before: str = "", **named: Any) -> None:
     """Label and ticks of the "x" or "y" axis for values (n,) of a quantity, in SI, in a unit with a fitting prefix; logarithmic
-    where they span a decade, unless that is not wanted."""
+    where they span a decade, unless that is not wanted. named: of the axes, as `finish` takes them."""
     row, axis = QUANTITIES[quantity], getattr(axes, f"{which}axis")
     seen = np.abs(values[np.isfinite(values)])
     if log and seen.size and values.min() > 0.0 and seen.max() > 9.0 * seen.min():
         getattr(axes, f"set_{which}scale")("log")
     factor, unit = prefix(quantity, float(seen.max(initial=0.0)))
-    finish(axes)
+    finish(axes, **named)
     if row.unit and factor != 1.0:
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:.6g}"))
         if axis.get_scale() == "log":

@@ -9,7 +9,7 @@ from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report import answer
 from stiction.report.honest_digits import rounded
-from stiction.report.report_inputs import plain_name, with_powers
+from stiction.report.report_sections import plain_name, with_powers
 from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
 from stiction.report.table import shown
 from stiction.solving.choice import RECOMMENDED

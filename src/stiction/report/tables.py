@@ -14,8 +14,7 @@ from stiction.laws.validity import doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
-from stiction.report.answer import model_record, number
-from stiction.report.model_line import grade_line, model_line
+from stiction.report.answer import grade_line, model_line, model_record, number
 from stiction.report.plain_formulas import as_text
 from stiction.report.table import Column, Table, facts, numbers, prefix, short, shown, some
 from stiction.solving.accuracy.film_errors import in_words

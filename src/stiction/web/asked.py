@@ -1,4 +1,4 @@
-"""What the page asks of the rooms below: a case solved, its models compared. No physics, no browser; in any thread."""
+"""Questions of the page to the rooms below, a case solved or models compared, and answers in words. In any thread."""
 
 import math
 from collections.abc import Mapping
@@ -16,6 +16,9 @@ from stiction.laws.proportion import questions
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.records.registry import KINDS, all_options, of_kind
+from stiction.report.answer import answer_lines, grade_line, model_line
+from stiction.report.honest_digits import rounded
+from stiction.report.report_answer import interval_of, value_in_words
 from stiction.solving.candidates import candidates
 from stiction.solving.choice import LAWS
 from stiction.studies.case_results import compare_case, solve_case
@@ -146,3 +149,37 @@ def option_values(data: xarray.Dataset | None) -> dict[str, tuple[str, ...]]:
     """The options that the model and the laws of a result have, each with what it may be."""
     named = [] if data is None else str(data.attrs.get("options", "")).split()
     return {name: values for name, values in all_options().items() if name in named}
+
+
+_MU = "friction_coefficient"
+_WHERE = {"load": "at a load of", "contact_area": "real contact area", "mean_separation": "mean separation"}
+
+
+def headline(answer: Answer, at: int) -> tuple[str, str]:
+    """Return the number and where it holds: of a prediction with its interval, of one model with as many digits as its doubt
+    leaves it."""
+    if answer.prediction is not None:
+        return answer_lines(answer.prediction)[0]
+    here = answer.at(at)
+    said = {name: value_in_words(here[name], float(here[name]), 4) for name in (_MU, *_WHERE) if name in here}
+    if _MU not in said:
+        return f"real contact area {said['contact_area']}", f"at a load of {said['load']}; this model is of contact only"
+    where = ", ".join(f"{head} {said[name]}" for name, head in _WHERE.items() if name in said)
+    if said[_MU] == "not defined":
+        return "mu is not defined: the surfaces hold themselves together", where
+    return f"mu ≈ {rounded(float(here[_MU]), interval_of(here))}", f"{where}, mu to four digits {said[_MU]}"
+
+
+def remarks(answer: Answer) -> list[str]:
+    """What else is to be said of an answer: model, grade, questions about numbers, inputs that change nothing."""
+    assert answer.data is not None
+    said, (*several, _) = answer.data.attrs, answer.data["load"].dims or ("",)
+    found = [] if answer.prediction is not None else [f"Model {model_line(said)}; grade {grade_line(said)}."]
+    found += [f"Warning: {one}" for one in said.get("warnings", [])[1:]]
+    found += [f"Questioned: {one}" for one in answer.questions]
+    found += [f"Not used: {said['inputs_not_used']}"] if said.get("inputs_not_used") else []
+    found += [f"Remark: {one}" for one in str(said.get("remarks", "")).splitlines() if one]
+    return [
+        *found,
+        *([f"numbers are several along {', '.join(map(str, several))}: the first of each is drawn"] if several else []),
+    ]

@@ -8,10 +8,10 @@ from stiction.laws.validity import doubts_of
 from stiction.records.claims import KINDS_OF_DOUBT
 from stiction.report.answer import answer_lines
 from stiction.report.share_pictures import stacks
+from stiction.web.asked import remarks
 from stiction.web.charts import curve_chart, share_chart
 from stiction.web.drawn import Picture, Rows, attributes
 from stiction.web.explorer import Explorer
-from stiction.web.words import remarks
 
 _ICONS = {
     "impossible": "block",

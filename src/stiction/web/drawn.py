@@ -1,10 +1,12 @@
-"""Elements of the page that are drawn anew when what they show changes."""
+"""Elements of the page that are drawn anew when what they show changes, and a button that takes a file."""
 
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from typing import Any
 
 from nicegui import ui
+from nicegui.events import UploadEventArguments
 
+from stiction.web.explorer import Explorer
 from stiction.web.fitting import NARROW, fitted
 
 
@@ -53,3 +55,34 @@ class Picture:
             self.element.options.update(options)
             attributes(self.element, aria_label=options.get("aria", {}).get("label", {}).get("description", ""))
             self.element.update()
+
+
+def upload_button(
+    explorer: Explorer,
+    label: str,
+    taken: Callable[[str, str], Awaitable[None]],
+    refused: Callable[[str], object],
+    most: int,
+) -> None:
+    """The button. taken(path, name): told where the file is kept and what it was called; refused: told why one is not
+    taken; most: bytes."""
+
+    async def arrived(event: UploadEventArguments) -> None:
+        path = explorer.upload(event.file.name, await event.file.read())
+        # Another one may come, and may be on its way already: `reset` would end it.
+        hidden.run_method("removeUploadedFiles")
+        await taken(path, event.file.name)
+
+    hidden = ui.upload(auto_upload=True, max_file_size=most, on_upload=arrived)
+    hidden.on_rejected(lambda: refused(f"{label}: refused; allowed: one file of {most // 2**20} MiB at most"))
+
+    def failed() -> None:
+        hidden.reset()  # else the library takes no other file
+        refused(f"{label}: the file did not arrive; try again")
+
+    hidden.on("failed", failed)
+    # Of the library's own box only what sends the file is used: it has parts without a name.
+    attributes(hidden, aria_label=label).style("display: none")
+    button = ui.button(label, icon="upload_file").props("no-caps outline")
+    # The browser opens a file chooser only within the click itself, so that no message to the server may come before.
+    button.on("click", js_handler=f"() => document.querySelector('#{hidden.html_id} input[type=file]').click()")

@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import Any
 from weakref import WeakSet
 
-from stiction.web.asked import Answer, Question, solved
+from stiction.web.asked import Answer, Question, headline, solved
 from stiction.web.fields import got, placed
-from stiction.web.words import headline
 from stiction.web.working import Latest
 
 

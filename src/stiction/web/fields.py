@@ -1,9 +1,10 @@
-"""What the form asks: the fields of the records of a case, with unit, bounds and help of the table of quantities."""
+"""What the form asks: the fields of the records of a case, and the case that the page begins with."""
 
 import math
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from importlib import resources
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel
@@ -193,3 +194,21 @@ def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
         value = placed(inner if isinstance(inner, Mapping) else {}, rest, value)
     kept = {name: one for name, one in tables.items() if name != key or value is not None}
     return kept if value is None else {**kept, key: value}
+
+
+# What the switch of a part that may be left out puts there.
+OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
+    "coating": {"material": "silver", "thickness": "200 nm", "bodies": "first"},
+    "liquid": {"relative_humidity": 0.5, "contact_angle_first": "10 deg", "contact_angle_second": "10 deg"},
+}
+
+# What is known of a surface, with what it begins with.
+SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
+    "sigma, R and N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+    "its finish and Sq or Ra": {"finish": "ground"},
+}
+
+
+def first_case() -> dict[str, Any]:
+    """The tables of the case of a page that was asked for none: a soft film on hardened steel."""
+    return tomllib.loads(resources.files("stiction.web").joinpath("first.toml").read_text(encoding="utf-8"))

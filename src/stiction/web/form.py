@@ -14,7 +14,9 @@ from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import (
     NOT_STATED,
+    OPTIONAL_PARTS,
     ROUGHNESS,
+    SURFACE_KNOWN_BY,
     Choices,
     Number,
     Part,
@@ -24,7 +26,6 @@ from stiction.web.fields import (
     parts_of,
     placed,
 )  # fmt: skip
-from stiction.web.first import OPTIONAL_PARTS, SURFACE_KNOWN_BY
 
 _OWN = "numbers of its own"
 _STRENGTH = "a stated strength"

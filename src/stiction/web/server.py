@@ -11,7 +11,7 @@ from stiction.quantities.errors import InputError
 from stiction.web.address import files_named
 from stiction.web.asked import Question, keys_by_choice, option_values, solved
 from stiction.web.explorer import close_all
-from stiction.web.first import first_case
+from stiction.web.fields import first_case
 from stiction.web.guard import Guard, names_for
 from stiction.web.page import make_page
 

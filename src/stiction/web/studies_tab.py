@@ -11,12 +11,11 @@ from stiction.case.read import case_in
 from stiction.quantities.errors import InputError
 from stiction.report.view import View
 from stiction.web.asked import Question, case_asked
-from stiction.web.drawn import attributes
+from stiction.web.drawn import attributes, upload_button
 from stiction.web.explorer import Explorer
 from stiction.web.fields import Number, got, numbers_of, parts_of, placed
 from stiction.web.pictures import Shown
 from stiction.web.studying import Study
-from stiction.web.uploading import upload_button
 from stiction.web.working import Progress
 
 

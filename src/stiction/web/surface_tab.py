@@ -13,12 +13,11 @@ from stiction.quantities.units import show
 from stiction.studies.scans.analysis import Analysis
 from stiction.surfaces.finding import methods
 from stiction.surfaces.spectrum import BinnedSpectrum
-from stiction.web.drawn import Picture, Rows, attributes
+from stiction.web.drawn import Picture, Rows, attributes, upload_button
 from stiction.web.explorer import Explorer
 from stiction.web.guard import LARGEST_UPLOAD
 from stiction.web.pictures import show_image
 from stiction.web.studying import Study
-from stiction.web.surface_charts import solid_chart, spectrum_chart, wavevectors
 from stiction.web.surface_work import (
     Band,
     Scan,
@@ -28,9 +27,11 @@ from stiction.web.surface_work import (
     read_bounded,
     resolution_picture,
     said_of_friction,
+    solid_chart,
+    spectrum_chart,
     spectrum_of,
+    wavevectors,
 )
-from stiction.web.uploading import upload_button
 from stiction.web.working import Latest, Progress, run
 
 _FORMS = {0: "no form", 1: "plane", 2: "curved", 3: "order 3", 4: "order 4"}

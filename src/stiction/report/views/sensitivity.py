@@ -9,9 +9,8 @@ import numpy as np
 from rich.text import Text
 
 from stiction.laws.validity import doubts_of
-from stiction.report.answer import answer_record, headline, part_name
+from stiction.report.answer import answer_record, headline, model_line, part_name
 from stiction.report.files import record, write_csv
-from stiction.report.model_line import model_line
 from stiction.report.several_tables import of_point, points_dimension
 from stiction.report.table import Column, Table, numbers
 from stiction.report.view import Picture, View
