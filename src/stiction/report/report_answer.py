@@ -9,9 +9,8 @@ from stiction.laws.validity import Doubt, doubts_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report import answer
 from stiction.report.honest_digits import rounded
-from stiction.report.report_sections import plain_name, with_powers
 from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
-from stiction.report.table import shown
+from stiction.report.table import shown, with_powers
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.findings import Findings
 
@@ -20,6 +19,11 @@ if TYPE_CHECKING:
 
 _MU = "friction_coefficient"
 _COUNTED = {2: "two", 3: "three", 4: "four", 5: "five"}
+
+
+def plain_name(name: str) -> str:
+    """Return the name of a material as it is read: hardened steel 52100."""
+    return name.replace("_", " ")
 
 
 def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) -> str:

@@ -18,8 +18,8 @@ from stiction.records.claims import KINDS_OF_DOUBT
 from stiction.records.sources import bibliography
 from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, model_line
 from stiction.report.html_words import letters, on_page
-from stiction.report.report_answer import doubts_here, value_in_words
-from stiction.report.table import Column, Table, numbers
+from stiction.report.report_answer import doubts_here, plain_name, value_in_words
+from stiction.report.table import Column, Table, numbers, with_powers
 from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
 from stiction.report.views.run import draws_in_words, in_draws, with_meaning
@@ -47,16 +47,6 @@ _NOT_NUMBERS = {
 
 _MOMENTS = "surface."  # of a roughness: the asperities that theories of the whole surface take
 _COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column, ("how well it is known", "source"))]
-
-
-def plain_name(name: str) -> str:
-    """The name of a material as it is read: hardened steel 52100."""
-    return name.replace("_", " ")
-
-
-def with_powers(text: str) -> str:
-    """m² in place of m^2."""
-    return text.replace("m^2", "m²").replace("m^3", "m³")
 
 
 def groups_of_inputs(findings: Findings) -> list[Table]:

@@ -40,7 +40,7 @@ class Table:
 
     looks: of each row, "bold", "dim" or "". ruled: whether a line stands below the heads. gap: between columns. whole: a name
     that has no room beside its row stands on a line above it, so that it can be copied. stacked: on a narrow page cells stand
-    below one another, each beside the head of its column.
+    below one another, each beside the head of its column. ranked: the first rows matter most.
     """
 
     columns: Sequence[Column]
@@ -51,15 +51,16 @@ class Table:
     gap: int = 2
     whole: bool = False
     stacked: bool = False
+    ranked: bool = False
 
     @property
     def heads(self) -> list[str]:
         """Return the heads of the columns; all are empty where the names are bold in their place."""
         return [column.head for column in self.columns]
 
-    def few(self, most: int, spaced: bool = True) -> "Table":
-        """Return at most so many of the rows: evenly spaced ones with both ends, or the first ones."""
-        chosen = some(len(self.rows), most) if spaced else range(min(len(self.rows), most))
+    def few(self, most: int) -> "Table":
+        """Return at most so many of the rows: evenly spaced ones with both ends, or of ranked ones the first."""
+        chosen = range(min(len(self.rows), most)) if self.ranked else some(len(self.rows), most)
         looks = [self.looks[at] for at in chosen] if self.looks else ()
         return replace(self, rows=[self.rows[at] for at in chosen], looks=looks)
 
@@ -117,16 +118,26 @@ def short(value: float, digits: int = 4) -> str:
     return f"{float(f'{value:.{digits}g}'):g}" if np.isfinite(value) else "-"
 
 
+def with_powers(text: str) -> str:
+    """Return a text with m² in place of m^2."""
+    return text.replace("m^2", "m²").replace("m^3", "m³")
+
+
+def dim(lines: Iterable[str]) -> list[Text]:
+    """Return notes of lesser weight, a line each."""
+    return dim(lines)
+
+
 def shown(value: float, name: str, digits: int = 4) -> str:
     """Return a value of the named quantity, given in SI, with a fitting prefix, to a few digits; "-" if it is no number."""
-    return show(value, name, digits).replace("m^2", "m²") if np.isfinite(value) else "-"
+    return with_powers(show(value, name, digits)) if np.isfinite(value) else "-"
 
 
 def prefix(quantity: str, largest: float) -> tuple[float, str]:
     """Return what values up to this one, in SI, are multiplied by, and the unit with a fitting prefix that they then have."""
     size = 10.0 ** math.floor(math.log10(largest)) if largest > 0.0 else 1.0
     text, _, unit = show(size, quantity).partition(" ")
-    return float(text) / size, unit.replace("m^2", "m²")
+    return float(text) / size, with_powers(unit)
 
 
 def facts(pairs: Iterable[tuple[str, Any]]) -> Table:

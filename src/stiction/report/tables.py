@@ -209,12 +209,10 @@ def _measured(rows: list[dict[str, Any]]) -> list[str]:
     return [f"measured: {in_words(row)}" for row in [row for row in rows if "error" in row] or rows[:1]]
 
 
-def outside_validity(data: "xarray.Dataset") -> Text | None:
-    """What is used beyond the claims of its authors, highlighted; None if nothing is."""
-    lines = [str(doubt) for doubt in doubts_of(data)]
-    if not lines:
-        return None
-    return Text("\n".join(["outside the range of validity", *(f"  {line}" for line in lines)]), style="bold yellow")
+def outside_validity(data: "xarray.Dataset") -> Iterator[Text]:
+    """Yield what is used beyond the claims of its authors, highlighted."""
+    if lines := [f"  {doubt}" for doubt in doubts_of(data)]:
+        yield Text("\n".join(["outside the range of validity", *lines]), style="bold yellow")
 
 
 def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:

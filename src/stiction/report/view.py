@@ -7,13 +7,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from stiction.report.files import write_folder, write_netcdf, write_picture
+from stiction.report.table import Table
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
 MOST_LINES = 15  # that a command prints on a terminal of 80 columns, unless all of it is asked for
-_COLUMNS = 80
+_COLUMNS, _ROWS = 80, 5
 
 
 def lines_of(part: Any, columns: int = _COLUMNS) -> int:
@@ -26,12 +27,11 @@ def lines_of(part: Any, columns: int = _COLUMNS) -> int:
 
 
 def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = False) -> Iterator[Any]:
-    """Yield the parts that fit into MOST_LINES, and a line that says how to see the rest; written: whether a line follows that
-    says where files are."""
+    """Yield the parts that fit into MOST_LINES, tables with a few of their rows, and a line that says how to see the rest;
+    written: whether a line follows that says where files are."""
     left = MOST_LINES - 1 - 2 * written
-    for part in parts:
-        if isinstance(part, str) and not part:
-            continue
+    for part in filter(None, parts):
+        part = part.few(_ROWS) if isinstance(part, Table) else part
         lines = lines_of(part, columns)
         if lines <= left:
             left -= lines

@@ -15,7 +15,7 @@ from stiction.laws.validity import read_doubts
 from stiction.quantities.units import show
 from stiction.report.answer import answer_lines, answer_record, number
 from stiction.report.files import write_netcdf, write_rows
-from stiction.report.table import Column, Table, facts, numbers
+from stiction.report.table import Column, Table, dim, facts, numbers
 from stiction.report.view import MOST_LINES, View, lines_of, picture
 from stiction.studies.comparison.compare import FAMILIES, RESULTS
 from stiction.studies.prediction.unused import refusal_of
@@ -281,7 +281,7 @@ def comparison_view(
         yield from groups_table(groups, room, silent_models(case, data) if groups else 0, more)
         if every:
             yield from (Text(line) for line in data.attrs["criteria"].splitlines())
-            yield from (Text(f"left out: {line}", style="dim") for line in data.attrs["left_out"].splitlines())
+            yield from dim(f"left out: {line}" for line in data.attrs["left_out"].splitlines())
             if measured is not None:
                 from stiction.report.views.surface import roughness_notes, roughness_table
 

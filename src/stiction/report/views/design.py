@@ -1,6 +1,7 @@
 """A design: its tables, sentences and files."""
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -8,9 +9,9 @@ import numpy as np
 from rich.text import Text
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.files import record, rows_of, write_rows
+from stiction.report.files import record, write_csv
 from stiction.report.table import Table, numbers, shown
-from stiction.report.view import Picture, View
+from stiction.report.view import View, picture
 from stiction.studies.design.plan import quantity_of
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ def design_table(data: "xarray.Dataset", along: str) -> Table:
     columns = columns_of(data, along)
     shown_columns = [name for name in columns if name not in ("broken", "violated")]
     rows = [[_cell(name, data[columns[name]].values[at]) for name in shown_columns] for at in range(data.sizes[along])]
-    return Table(numbers(*map(_head, shown_columns), wrap=True), rows).few(_ROWS, spaced=along == "front")
+    return Table(numbers(*map(_head, shown_columns), wrap=True), rows, ranked=along == "design").few(_ROWS)
 
 
 def _head(name: str) -> str:
@@ -83,15 +84,6 @@ def _which(data: "xarray.Dataset", at: int) -> str:
     return f" ({', '.join(map(str, taken)) or f'design {at + 1}'})" if data.sizes["design"] > 1 else ""
 
 
-def design_rows(data: "xarray.Dataset", along: str) -> tuple[list[str], list[list[Any]]]:
-    """Heads and rows for a file, in SI units."""
-    columns = columns_of(data, along)
-    heads = [
-        f"{name} [{unit}]" if (unit := data[one].attrs.get("units", "1")) != "1" else name for name, one in columns.items()
-    ]
-    return heads, rows_of(data, columns.values())
-
-
 def design_view(found: "Designing", folder: Path | None = None) -> View:
     """Return what a design shows. folder: where its files go, from which the designed case names other files."""
     data = found.data()
@@ -101,30 +93,19 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
             yield Text(data.attrs["case"], style="bold")
         yield from (f"model {data.attrs['model']}; {data.attrs['asked']} designs asked", "")
         yield "best for each choice from the lists" if data.sizes["design"] > 1 else "best"
-        yield from (design_table(data, "design"), "")
+        yield from (design_table(data, "design"), "", *design_notes(data))
         if data.sizes.get("front"):
-            yield from ("none is better in both wishes than any of these", design_table(data, "front"), "")
-        yield from design_notes(data)
+            yield from ("", "none is better in both wishes than any of these", design_table(data, "front"))
 
-    def short() -> Iterator[Any]:
-        if "case" in data.attrs:
-            yield Text(data.attrs["case"], style="bold")
-        yield f"model {data.attrs['model']}; {data.attrs['asked']} designs asked"
-        yield design_table(data, "design").few(4, spaced=False)
-        yield from design_notes(data)
-        if data.sizes.get("front"):
-            yield design_table(data, "front").few(4)
-
-    def drawn() -> Any:
-        from stiction.report.design_pictures import design_figure
-
-        return design_figure(data)
-
-    files = {"design.csv": lambda path: write_rows(path, *design_rows(data, "design"))}
+    tables: dict[str, Any] = {"design.csv": columns_of(data, "design")}
     if data.sizes.get("front"):
-        files["front.csv"] = lambda path: write_rows(path, *design_rows(data, "front"))
+        tables["front.csv"] = columns_of(data, "front")
+    files: dict[str, Any] = {
+        name: partial(write_csv, data[list(columns.values())].rename({one: head for head, one in columns.items()}))
+        for name, columns in tables.items()
+    }
     if folder is not None:
         files["designed.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
     missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
-    pictures = {"design.png": Picture("designs by how near they come to the wish", drawn)}
-    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, tuple(missed), short)
+    pictures = {"design.png": picture("designs by how near they come to the wish", "design_pictures.design_figure", data)}
+    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, tuple(missed))

@@ -11,7 +11,7 @@ from rich.text import Text
 from stiction.quantities.units import show
 from stiction.report.files import record, rows_of, write_csv, write_rows
 from stiction.report.table import Column, Table, numbers
-from stiction.report.view import Picture, View
+from stiction.report.view import View, picture
 from stiction.report.views.prediction import prediction_view
 from stiction.studies.fit.predicted import fitted_case
 
@@ -61,7 +61,7 @@ def evidence_table(data: "xarray.Dataset") -> Table:
         cells = [f"{float(one[key]):.4g}" for key in (left, "aicc")]
         rows.append([name, *cells, f"{float(one['weight']):.2g}", f"{float(one['left_out']):.3g}"])
     heads = left.replace("_", " "), "AICc", "weight", data["left_out"].attrs["long_name"]
-    return Table([Column("model", wrap=True), *numbers(*heads, wrap=True)], rows, whole=True)
+    return Table([Column("model", wrap=True), *numbers(*heads, wrap=True)], rows, whole=True, ranked=True)
 
 
 def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
@@ -96,16 +96,6 @@ def fit_view(found: "Fitting", folder: Path | None = None) -> View:
         if "model" in data.dims:
             yield from ("", evidence_table(data))
 
-    def fitted() -> Any:
-        from stiction.report.fit_pictures import fit_figure
-
-        return fit_figure(data, title)
-
-    def profiles() -> Any:
-        from stiction.report.fit_pictures import profile_figure
-
-        return profile_figure(data)
-
     files = {
         "parameters.csv": lambda path: write_rows(path, *parameter_rows(data)),
         "residuals.csv": lambda path: write_rows(path, *row_rows(data)),
@@ -115,10 +105,10 @@ def fit_view(found: "Fitting", folder: Path | None = None) -> View:
     if names := prediction_names(data):
         files["predictions.csv"] = lambda path: write_csv(data[names].drop_vars(_OTHERS, errors="ignore"), path)
     pictures = {
-        "fit.png": Picture("measured and fitted", fitted),
-        "profiles.png": Picture("likelihood along each fitted number", profiles),
+        "fit.png": picture("measured and fitted", "fit_pictures.fit_figure", data, title),
+        "profiles.png": picture("likelihood along each fitted number", "fit_pictures.profile_figure", data),
     }
-    return View("fit", data, parts, lambda: record(data, {}), files, pictures, short=lambda: _short(found.plan.title, data))
+    return View("fit", data, parts, lambda: record(data, {}), files, pictures)
 
 
 def fitted_prediction_view(given: Any, case: "Case", data: "xarray.Dataset", details: bool, out: Path | None = None) -> View:
@@ -128,12 +118,3 @@ def fitted_prediction_view(given: Any, case: "Case", data: "xarray.Dataset", det
         fitted = {"fitted.toml": lambda path: path.write_text(fitted_case(given, case, data, out), encoding="utf-8")}
         return replace(view, files={**view.files, **fitted})
     return view
-
-
-def _short(title: str, data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield the fitted numbers, how good the fit is, and the best of the other models."""
-    if title:
-        yield Text(title, style="bold")
-    yield from (f"model {data.attrs['model']}", parameter_table(data), *list(fit_notes(data))[:3])
-    if "model" in data.dims:
-        yield evidence_table(data).few(4, spaced=False)

@@ -13,7 +13,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import model_record
 from stiction.report.files import comments_of, record, write_csv
 from stiction.report.several_tables import of_point, points_dimension, several_table, shown_quantity, varied
-from stiction.report.table import Table, numbers, short, some
+from stiction.report.table import Table, dim, numbers, short, some
 from stiction.report.tables import curve_table, in_brief, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.view import Picture, View, picture
 from stiction.solving.method_spread import METHOD
@@ -98,7 +98,7 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
 
     def short() -> Iterator[Any]:
         yield from in_brief(case, data)
-        yield (several_table(data) if case.is_several else curve_table(data)).few(_FEW)
+        yield (several_table(data) if case.is_several else curve_table(data))
 
     return View(
         "curve", data, lambda: _parts(case, data, all_rows), found, {"curve.csv": table}, _pictures(case, data), short=short
@@ -120,9 +120,8 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
         from stiction.report.views.surface import roughness_notes, roughness_table
 
         yield from (roughness_table(case.measured, data), *roughness_notes(case.measured), "")
-    yield from (Text(note, style="dim") for note in run_notes(data))
-    if (beyond := outside_validity(data)) is not None:
-        yield beyond
+    yield from dim(run_notes(data))
+    yield from outside_validity(data)
 
 
 def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:

@@ -13,7 +13,7 @@ from stiction.report.answer import answer_record, headline, model_line, part_nam
 from stiction.report.files import record, write_csv
 from stiction.report.several_tables import of_point, points_dimension
 from stiction.report.table import Column, Table, numbers
-from stiction.report.view import Picture, View
+from stiction.report.view import View, picture
 from stiction.report.views.prediction import plain
 from stiction.report.views.run import draws_in_words, in_draws
 from stiction.solving.pointwise import WHY_NOT
@@ -70,7 +70,7 @@ def indices_table(data: "xarray.Dataset") -> Table:
         cells = [_share(row, f"{first}_total_order"), f"{max(low, 0.0):.2f} to {high:.2f}" if np.isfinite(low) else "-"]
         cells += [_share(row, f"{first}_first_order"), _share(row, f"{first}_effect")]
         rows.append([str(row["input"].item()), *cells, *(_share(row, f"{name}_total_order") for name in others)])
-    return Table([Column(f"{of_point(data, working_place(data))}\n"), *numbers(*heads)], rows, whole=True)
+    return Table([Column(f"{of_point(data, working_place(data))}\n"), *numbers(*heads)], rows, whole=True, ranked=True)
 
 
 def _share(row: "xarray.Dataset", name: str) -> str:
@@ -96,7 +96,7 @@ def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
     """Yield the parts of the width of a prediction, and what one per cent more of the main numbers does to mu."""
     parts = zip(data["input"].values.tolist(), data["friction_coefficient_share"].values.tolist(), strict=True)
     rows = [(part_name(name), f"{share:.0%}") for name, share in parts]
-    yield Table([Column("mu varies with"), *numbers("share")], rows)
+    yield Table([Column("mu varies with"), *numbers("share")], rows, ranked=True)
     yield elasticities_table(data)
 
 
@@ -138,15 +138,6 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
             yield from (indices_table(data), "")
         yield from (elasticities_table(data), "", *sensitivity_notes(data))
 
-    def short() -> Iterator[Any]:
-        for part in parts():
-            yield part.few(5, spaced=False) if isinstance(part, Table) else part
-
-    def drawn() -> Any:
-        from stiction.report.sensitivity_pictures import sensitivity_figure
-
-        return sensitivity_figure(data)
-
     def found() -> dict[str, Any]:
         if _SHARE not in data:
             return record(data, groups or {})
@@ -158,5 +149,5 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
         for name, dim in _TABLES.items()
         if dim in data.dims
     }
-    pictures = {"sensitivity.png": Picture("inputs by what they change", drawn)}
-    return View("sensitivity", plain(data), parts, found, files, pictures, short=short)
+    pictures = {"sensitivity.png": picture("inputs by what they change", "sensitivity_pictures.sensitivity_figure", data)}
+    return View("sensitivity", plain(data), parts, found, files, pictures)

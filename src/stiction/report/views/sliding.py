@@ -3,10 +3,8 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from rich.text import Text
-
 from stiction.report.files import comments_of, record, write_csv
-from stiction.report.table import Table
+from stiction.report.table import Table, dim
 from stiction.report.tables import curve_table, in_brief, outside_validity, run_notes, run_summary
 from stiction.report.view import View, picture
 
@@ -45,9 +43,8 @@ def sliding_view(case: "Case", data: "xarray.Dataset") -> View:
 
     def parts() -> Iterator[Any]:
         yield from (run_summary(case, data), "", sliding_table(data), "")
-        yield from (Text(note, style="dim") for note in sliding_notes(data))
-        if (beyond := outside_validity(data)) is not None:
-            yield beyond
+        yield from dim(sliding_notes(data))
+        yield from outside_validity(data)
 
     def short() -> Iterator[Any]:
         yield from (*in_brief(case, data), sliding_table(data))

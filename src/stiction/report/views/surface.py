@@ -12,7 +12,7 @@ from rich.text import Text
 from stiction.case.text import inline
 from stiction.quantities.units import show
 from stiction.report.files import as_json, write_csv, write_netcdf, write_rows
-from stiction.report.table import Column, Table, facts, numbers, short, shown
+from stiction.report.table import Column, Table, dim, facts, numbers, short, shown
 from stiction.report.view import Picture, View, picture
 from stiction.studies.scans.analysis import Analysis, spectrum_rows, summary
 from stiction.studies.scans.map_contact import summary_of_contact
@@ -160,7 +160,7 @@ def surface_notes(analysis: Analysis) -> list[Text]:
     lines += [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
     lines += [f"{method}: {one.note}; {analysis.heights[method].reason}" for method, one in analysis.asperities.items()]
     lines += [f"{method} found nothing: {why}" for method, why in analysis.failures.items()]
-    return [Text(line, style="dim") for line in lines]
+    return dim(lines)
 
 
 def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) -> Table:
@@ -185,7 +185,7 @@ def roughness_notes(measured: "Measured") -> list[Text]:
     lines = [f"taken: {measured.method}{found}{band}"]
     lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
     lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
-    return [Text(line, style="dim") for line in lines]
+    return dim(lines)
 
 
 def map_notes(data: "xarray.Dataset") -> list[Text]:
@@ -201,7 +201,7 @@ def map_notes(data: "xarray.Dataset") -> list[Text]:
         f"{shown(float(last['contact_area_pixels']), 'contact_area', 3)} counted in points; "
         f"{float(last['load_share_plastic']):.1%} of the load on points that bear the hardness",
     ]
-    return [Text(line, style="dim") for line in lines]
+    return dim(lines)
 
 
 def contact_table(contact: "ContactOfMap") -> Table:
