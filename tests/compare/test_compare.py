@@ -17,7 +17,7 @@ from stiction.case.read import read_case
 from stiction.cli import app
 from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
 from stiction.report.model_pictures import models_figure
-from stiction.report.views.comparison import at_load_rows, comparison, groups_of
+from stiction.report.views.comparison import at_working_load, comparison, groups_of
 from stiction.studies.case_results import compare_case
 from stiction.studies.comparison.compare import candidates, compare, working_load
 
@@ -350,10 +350,11 @@ def test_the_table_at_the_working_load(case, tmp_path, data):
 def test_the_table_has_the_ends_over_methods_if_the_surface_is_measured(data):
     low, high = (data["friction_coefficient_at_load"] * factor for factor in (0.5, 2.0))
     with_range_over_methods = data.assign(friction_coefficient_at_load_low=low, friction_coefficient_at_load_high=high)
-    heads, rows = at_load_rows(with_range_over_methods)
-    assert heads[2:5] == ["friction_coefficient", "friction_coefficient_low", "friction_coefficient_high"]
-    table = np.array([row[2:5] for row in rows])
-    assert_allclose(table, table[:, :1] * [1.0, 0.5, 2.0])
+    table = at_working_load(with_range_over_methods)
+    names = ["friction_coefficient", "friction_coefficient_low", "friction_coefficient_high"]
+    assert list(table)[1:4] == names
+    for name, factor in zip(names, (1.0, 0.5, 2.0), strict=True):
+        assert_allclose(table[name], factor * data["friction_coefficient_at_load"])
 
 
 # The picture ---------------------------------------------------------------------------------------------------------------
@@ -397,5 +398,4 @@ def test_families_by_what_plastic_junctions_resist(data, case, tmp_path):
     assert set(said.values()) >= {"none", "interface", "full stick"}
     rows = comparison(data)["models"]
     assert {row["model"]: row["plastic_junctions_resist"] or "" for row in rows} == said
-    heads, table = at_load_rows(data)
-    assert [row[heads.index("plastic_junctions_resist")] for row in table] == list(said.values())
+    assert list(at_working_load(data)["plastic_junctions_resist"].values) == list(said.values())

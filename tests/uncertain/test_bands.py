@@ -223,8 +223,9 @@ ADHESIVE = {
 def test_the_band_is_drawn():
     data = solve_case(case(uncertainty={"count": 64}))
     (axes,) = uncertainty_figure(data, "title").axes
-    np.testing.assert_array_equal(axes.lines[1].get_ydata(), data["friction_coefficient"])
-    np.testing.assert_array_equal(axes.lines[0].get_ydata(), data["friction_coefficient_quantile"][2])
+    lines = {line.get_label(): line.get_ydata() for line in axes.lines}
+    np.testing.assert_array_equal(lines["of the nominal numbers"], data["friction_coefficient"])
+    np.testing.assert_array_equal(lines["median"], data["friction_coefficient_quantile"][2])
     low = axes.collections[0].get_paths()[0].vertices[:, 1].min()
     assert low == pytest.approx(float(data["friction_coefficient_quantile"][0].min()))
 

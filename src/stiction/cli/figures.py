@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from stiction.cli.program import Json, Out, app, bar, option, present, solving
+from stiction.cli.options import Json, Out, option
+from stiction.cli.program import app, bar, present, solving
 from stiction.quantities.extras import require
 from stiction.quantities.table import QUANTITIES
 

@@ -7,8 +7,6 @@ from contextlib import contextmanager
 from threading import current_thread, main_thread
 from typing import Any
 
-__all__ = ["INTERRUPTED", "ended_by_interrupts"]
-
 INTERRUPTED = 130  # exit code
 
 

@@ -4,8 +4,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from stiction.cli.options import Json, argument, every_key, names_of, option
 from stiction.cli.output import print_json
-from stiction.cli.program import Json, app, argument, every_key, names_of, option, show
+from stiction.cli.program import app, show
 from stiction.quantities.errors import InputError
 
 

@@ -9,8 +9,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import Any, NoReturn
 
-__all__ = ["closed_pipe", "give_up_output", "print_json", "readable", "said_if_unwritable"]
-
 _UNWRITABLE = 1
 _IN_ASCII = {"µ": "u", "μ": "u", "−": "-", "⁻": "-", "·": "*", "×": "x", "σ": "sigma", "Δ": "Delta", "–": "-", "…": "..."}
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from stiction.cli.program import (
+from stiction.cli.options import (
     AllRows,
     Asperity,
     Details,
@@ -16,15 +16,12 @@ from stiction.cli.program import (
     Ranges,
     TakesOptionsOfRecords,
     Tangential,
-    app,
     argument,
     chosen_laws,
     keys_of,
     option,
-    present,
-    read,
-    solving,
 )
+from stiction.cli.program import app, present, read, solving
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 

@@ -3,7 +3,8 @@
 import sys
 from pathlib import Path
 
-from stiction.cli.program import app, argument, busy, option
+from stiction.cli.options import argument, option
+from stiction.cli.program import app, busy
 from stiction.quantities.extras import require
 
 _LOOPBACK = ("127.0.0.1", "localhost", "::1")

@@ -5,8 +5,7 @@ from typing import Any
 
 import typer
 
-from stiction.cli.output import print_json
-from stiction.cli.program import (
+from stiction.cli.options import (
     AllRows,
     Asperity,
     Details,
@@ -16,19 +15,13 @@ from stiction.cli.program import (
     Ranges,
     TakesOptionsOfRecords,
     Tangential,
-    app,
     argument,
-    bar,
-    busy,
     chosen_laws,
-    console,
     keys_of,
     option,
-    present,
-    read,
-    solving,
-    telling_how_far,
 )
+from stiction.cli.output import print_json
+from stiction.cli.program import app, bar, busy, console, present, read, solving, telling_how_far
 
 
 @app.command()

@@ -4,7 +4,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from stiction.cli.program import Json, Out, app, argument, bar, busy, option, present, solving
+from stiction.cli.options import Json, Out, argument, option
+from stiction.cli.program import app, bar, busy, present, solving
 from stiction.quantities.errors import InputError
 
 if TYPE_CHECKING:

@@ -4,7 +4,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from time import monotonic
 
-from stiction.cli.program import Details, Json, app, argument, busy, folder, option, present
+from stiction.cli.options import Details, Json, argument, folder, option
+from stiction.cli.program import app, busy, present
 
 
 @app.command()

@@ -13,17 +13,6 @@ if TYPE_CHECKING:
     import xarray
 
 
-__all__ = [
-    "PREDICTION_HEADS",
-    "answer_lines",
-    "answer_record",
-    "at_working_load",
-    "headline",
-    "model_record",
-    "number",
-    "part_name",
-]
-
 # Result of a prediction -> head of its column.
 PREDICTION_HEADS = {
     "load": "load",

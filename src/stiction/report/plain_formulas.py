@@ -17,23 +17,7 @@ _RELATIONS = {
     "to": "→", "ge": "≥", "geq": "≥", "le": "≤", "leq": "≤", "ll": "≪", "gg": "≫", "approx": "≈", "propto": "∝", "sim": "~",
     "ne": "≠", "in": "∈",
 }  # fmt: skip
-_FUNCTIONS = (
-    "arctan",
-    "arcsin",
-    "arccos",
-    "sin",
-    "cos",
-    "tan",
-    "coth",
-    "tanh",
-    "cosh",
-    "sinh",
-    "ln",
-    "log",
-    "exp",
-    "min",
-    "max",
-)
+_FUNCTION = re.compile("(arc)?(sin|cos|tan)|(cos|cot|sin|tan)h|ln|log|exp|min|max")
 _ACCENTS = {"bar": "\u0304", "overline": "\u0304", "hat": "\u0302", "dot": "\u0307", "tilde": "\u0303"}
 _AS_WRITTEN = ("mathrm", "text", "operatorname", "mathcal", "mathbf")
 _RAISED = str.maketrans("0123456789+-n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ")
@@ -114,7 +98,9 @@ class _Reader:
         if _GREEK.fullmatch(name):
             case = "CAPITAL" if name[0].isupper() else "SMALL"
             return _Piece(unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}"))
-        return _Piece(_SIGNS.get(name, name), word=name not in _SIGNS or name in ("sum", "int"), function=name in _FUNCTIONS)
+        return _Piece(
+            _SIGNS.get(name, name), word=name not in _SIGNS or name in ("sum", "int"), function=bool(_FUNCTION.fullmatch(name))
+        )
 
     def _after_a_value(self) -> bool:
         last = next((one for one in reversed(self.pieces) if one.text.strip()), None)

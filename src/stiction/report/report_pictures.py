@@ -13,9 +13,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.report.answer import at_working_load
-from stiction.report.pictures import panel_of_curve, panels
+from stiction.report.method_pictures import method_spread_figure
+from stiction.report.model_pictures import models_figure
+from stiction.report.pictures import panel_of_curve, panels, uncertainty_figure
+from stiction.report.prediction_pictures import prediction_figure
 from stiction.report.report_answer import value_in_words
+from stiction.report.several_pictures import several_figure
 from stiction.report.several_tables import shown_quantity
+from stiction.report.share_pictures import part_in_words, share_figure, shares_of, stacks
+from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
 from stiction.studies.findings import Findings
 
 if TYPE_CHECKING:
@@ -105,13 +111,9 @@ def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
     # Doubts stand in words on the page, and not below every picture.
     data = findings.data.assign_attrs(doubts="[]", outside_validity="")
     if findings.prediction is not None:
-        from stiction.report.prediction_pictures import prediction_figure
-
         yield _picture(lambda: prediction_figure(data), "prediction", "The friction coefficient with its interval.", wide=True)
         return
     if findings.case.is_several:
-        from stiction.report.several_pictures import several_figure
-
         name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
         yield _picture(lambda: several_figure(data), "several", f"{name.capitalize()} over what varies.", wide=True)
         return
@@ -122,8 +124,6 @@ def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
         title = _TITLES[what]
         make = partial(panel_of_curve, data, what, against)
         yield _picture(make, f"p-{what}", f"{title}.", f"{title}. {_in_words(data, what, against)}")
-    from stiction.report.share_pictures import part_in_words, share_figure, stacks
-
     for at, (what, (total, parts)) in enumerate(stacks(data).items()):
         if pressing < _FEW or _the_one(data, parts):
             continue  # said in words
@@ -135,16 +135,12 @@ def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
     """The part that is nearly all of its stack wherever something presses; "" where there is none."""
-    from stiction.report.share_pictures import shares_of
-
     shares = shares_of(data, parts)[:, np.asarray(data["load"].values) > 0.0]
     return next((name for name, one in zip(parts, shares, strict=True) if one.size and np.nanmin(one) > _NEARLY_ALL), "")
 
 
 def all_of_one(findings: Findings) -> list[str]:
     """What a picture of shares would be of one colour for."""
-    from stiction.report.share_pictures import part_in_words, stacks
-
     data, lines = findings.data, []
     if findings.prediction is not None:
         return []
@@ -161,7 +157,6 @@ def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
     told, data = findings.told, findings.prediction
     if told is None:
         return
-    from stiction.report.model_pictures import models_figure
     from stiction.report.views.comparison import groups_of
 
     here = None if data is None else at_working_load(data)
@@ -172,14 +167,10 @@ def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
 def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
     """The band of a named model over the inputs, and over the ways of finding asperities."""
     data = findings.data
-    from stiction.report.pictures import uncertainty_figure
-
     if "friction_coefficient_quantile" in data and not findings.case.is_several:
         caption = "The friction coefficient with its band over what is uncertain of the inputs."
         yield _picture(lambda: uncertainty_figure(data), "band", caption)
     if "friction_coefficient_by_method" in data:
-        from stiction.report.method_pictures import method_spread_figure
-
         plain = data.assign_attrs(doubts="[]")
         caption = "Friction against load after every way of finding asperities in the scans."
         yield _picture(lambda: method_spread_figure(plain), "methods", caption, wide=True)
@@ -187,8 +178,6 @@ def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
 
 def pictures_of_scan(findings: Findings, body: str) -> Iterator[Picture]:
     """Heights, spectrum and asperities of the scan of one body."""
-    from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
-
     found = findings.analyses[body]
     surface = replace(found.surface, name="")
     caption = f"Heights of the {body} body as prepared, and their histogram."

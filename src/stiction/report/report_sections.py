@@ -4,7 +4,7 @@ import json
 import platform
 import re
 import shlex
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -274,11 +274,7 @@ def scan_parts(findings: Findings) -> list[tuple[str, Any, Table, list[str]]]:
 def versions() -> list[tuple[str, str]]:
     """What computed this: programs with their versions, no place on any machine."""
     rows = [("stiction", version("stiction")), ("Python", platform.python_version())]
-    for name in _PACKAGES:
-        try:
-            rows.append((name, version(name)))
-        except PackageNotFoundError:  # pragma: no cover - all of them are required
-            continue
+    rows += [(name, version(name)) for name in _PACKAGES]
     return [*rows, ("system", f"{platform.system()} {platform.machine()}")]
 
 

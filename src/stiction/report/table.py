@@ -125,7 +125,7 @@ def with_powers(text: str) -> str:
 
 def dim(lines: Iterable[str]) -> list[Text]:
     """Return notes of lesser weight, a line each."""
-    return dim(lines)
+    return [Text(line, style="dim") for line in lines]
 
 
 def shown(value: float, name: str, digits: int = 4) -> str:

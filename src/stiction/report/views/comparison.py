@@ -5,6 +5,7 @@ import math
 import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from stiction.contact.contact import Contact
 from stiction.laws.validity import read_doubts
 from stiction.quantities.units import show
 from stiction.report.answer import answer_lines, answer_record, number
-from stiction.report.files import write_netcdf, write_rows
+from stiction.report.files import write_csv, write_netcdf
 from stiction.report.table import Column, Table, dim, facts, numbers
 from stiction.report.view import MOST_LINES, View, lines_of, picture
 from stiction.studies.comparison.compare import FAMILIES, RESULTS
@@ -87,37 +88,15 @@ def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
     }
 
 
-def comparison_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
-    """Heads and rows of a table: every point of every model."""
-    heads = [_head(data, name) for name in RESULTS]
-    columns = [data[name].values for name in RESULTS]
-    points = range(data.sizes["point"])
-    names = data["model"].values
-    rows = ([str(name), *(float(column[at, point]) for column in columns)] for at, name in enumerate(names) for point in points)
-    return ["model", *heads], rows
-
-
-def _head(data: "xarray.Dataset", name: str) -> str:
-    unit = data[name].attrs.get("units", "1")
-    return name if unit == "1" else f"{name} [{unit}]"
-
-
-def at_load_rows(data: "xarray.Dataset") -> tuple[list[str], Iterator[list[Any]]]:
-    """Heads and rows of a table: what every model says at the working load; of a measured surface also the lowest and the
-    highest friction coefficient over the methods of finding asperities."""
-    names = [f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1])]
-    names[1:1] = [f"{names[0]}_{end}" for end in ("low", "high") if f"{names[0]}_{end}" in data]
-    heads = [_head(data, name).replace("_at_load", "") for name in names]
-    names += ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
-    heads += names[-3:]
-    texts = ("plastic_junctions_resist", "status", "outside_validity", "why_not")
-    rows = (
-        [str(one[name].item()) for name in ("model", "grade")]
-        + [one[name].item() for name in names]
-        + [str(one[name].item()) for name in texts]
-        for one in (data.isel(model=at) for at in range(data.sizes["model"]))
-    )
-    return ["model", "grade", *heads, *texts], rows
+def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
+    """Return what every model says at the working load; of a measured surface also the lowest and the highest friction
+    coefficient over the methods of finding asperities."""
+    mu, *others = (f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1]))
+    names = [mu, *(f"{mu}_{end}" for end in ("low", "high") if f"{mu}_{end}" in data), *others]
+    errors = ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
+    texts = ["plastic_junctions_resist", "status", "outside_validity", "why_not"]
+    table = data[["grade", *names, *errors, *texts]]
+    return table.rename({name: name.replace("_at_load", "") for name in names})
 
 
 _MU = "friction_coefficient_at_load"
@@ -291,13 +270,13 @@ def comparison_view(
         answer = None if prediction is None else answer_record(prediction)
         return {"answer": answer} | comparison(data) | ({} if measured is None else {"measured": measured.record()})
 
-    files = {
-        "compare.csv": lambda path: write_rows(path, *comparison_rows(data)),
-        "compare.nc": lambda path: write_netcdf(data, path),
+    files: dict[str, Any] = {
+        "compare.csv": partial(write_csv, data[list(RESULTS)].reset_coords(drop=True)),
+        "compare.nc": partial(write_netcdf, data),
     }
     pictures = {}
     if "working_load" in data.attrs:
-        files["compare_at_load.csv"] = lambda path: write_rows(path, *at_load_rows(data))
+        files["compare_at_load.csv"] = partial(write_csv, at_working_load(data))
         told = "friction at the working load by models that say the same"
         pictures["compare.png"] = picture(told, "model_pictures.models_figure", data, groups, prediction, case.title)
     return View("compare", None, parts, record, files, pictures)

@@ -97,13 +97,10 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
         if data.sizes.get("front"):
             yield from ("", "none is better in both wishes than any of these", design_table(data, "front"))
 
-    tables: dict[str, Any] = {"design.csv": columns_of(data, "design")}
-    if data.sizes.get("front"):
-        tables["front.csv"] = columns_of(data, "front")
-    files: dict[str, Any] = {
-        name: partial(write_csv, data[list(columns.values())].rename({one: head for head, one in columns.items()}))
-        for name, columns in tables.items()
-    }
+    files: dict[str, Any] = {}
+    for along in ("design", *(["front"] if data.sizes.get("front") else [])):
+        columns = {name: head for head, name in columns_of(data, along).items()}
+        files[f"{along}.csv"] = partial(write_csv, data[list(columns)].rename(columns).drop_vars(along, errors="ignore"))
     if folder is not None:
         files["designed.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
     missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]

@@ -1,0 +1,126 @@
+"""Options that commands share, and how their words are completed."""
+
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from typer.core import TyperCommand
+
+from stiction.quantities.errors import InputError
+
+if TYPE_CHECKING:
+    from stiction.case.read import Case
+    from stiction.solving.choice import Choice
+
+
+class TakesOptionsOfRecords(TyperCommand):
+    """A command that also takes the options of models and laws, as their records name them: --reading published."""
+
+    def parse_args(self, ctx, args):
+        own = {name for parameter in self.params for name in (*parameter.opts, *parameter.secondary_opts)} | {"-h", "--help"}
+        if any(word.startswith("--") and word.partition("=")[0] not in own for word in args):
+            ctx.meta[_OPTIONS], args = _take(args, own)
+        return super().parse_args(ctx, args)
+
+
+_OPTIONS = "stiction.options"
+
+
+def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
+    """The options of records among the words of a command line, by name, and the other words; own: the command's options."""
+    from stiction.records.registry import all_options
+
+    known = {f"--{name.replace('_', '-')}": (name, values) for name, values in all_options().items()}
+    found, rest, left = {}, [], iter(words)
+    for word in left:
+        flag, _, value = word.partition("=")
+        if flag in own or flag not in known:
+            rest.append(word)
+            continue
+        name, values = known[flag]
+        given = value or next(left, None)
+        if given not in values:
+            raise InputError(flag, given, ", ".join(values))
+        found[name] = given
+    return found, rest
+
+
+def option(told: str, default: Any = None, *names: str, **more: Any) -> Any:
+    """Return an option of a command; names: by default that of its parameter."""
+    return typer.Option(default, *names, help=told, **more)
+
+
+def argument(metavar: str, told: str, default: Any = ..., **more: Any) -> Any:
+    """Return an argument of a command, required where it has no default."""
+    return typer.Argument(default, metavar=metavar, help=told, **more)
+
+
+def keys_of(kind: str) -> Callable[[str], list[str]]:
+    """What completes a word on the command line to the keys of the records of a kind, by its keyword in `solve`."""
+
+    def complete(incomplete: str) -> list[str]:
+        from stiction.records.registry import KINDS, of_kind
+
+        known = [key for one in KINDS if one.keyword == kind for key in of_kind(one)]
+        return [key for key in [*known, *(["none"] if kind == "tangential" else [])] if key.startswith(incomplete)]
+
+    return complete
+
+
+def names_of(module: str, function: str) -> Callable[[str], list[str]]:
+    """Return what completes a word to a name that a function of the package lists."""
+    return lambda incomplete: [name for name in getattr(import_module(module), function)() if name.startswith(incomplete)]
+
+
+def every_key(incomplete: str) -> list[str]:
+    """What completes a word to the key of any record."""
+    from stiction.records.registry import records
+
+    return [one.key for one in records() if one.key.startswith(incomplete)]
+
+
+def chosen_laws(context: typer.Context, case: "Case", **fixed: str) -> "Choice":
+    """Return the laws and options of a case, with those that a command was given in their place."""
+    from stiction.solving.choice import LAWS
+
+    laws = {name: context.params.get(name) for name in LAWS} | fixed
+    return case.choice.with_changes(laws, context.meta.get(_OPTIONS, {}))
+
+
+def folder(text: str | Path) -> Path:
+    """A folder that is named, by a user or by default: without a name it would be the current one, which nobody asked for."""
+    if not str(text).strip():
+        raise typer.BadParameter(f"'{text}' is not the name of a folder, new or existing (a dot is the current one)")
+    return Path(text)
+
+
+def _checked(out: Path | None) -> Path | None:
+    """Refuse a place where no folder can be before anything is computed for it."""
+    if out is not None:
+        from stiction.report.files import check_folder
+
+        check_folder(out)
+    return out
+
+
+Out = Annotated[
+    Path | None,
+    typer.Option(
+        "--out", parser=folder, callback=_checked, metavar="FOLDER", help="Folder for the results; other files in it stay."
+    ),
+]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+Ranges = Annotated[
+    bool | None,
+    typer.Option("--ranges/--no-ranges", help="Numbers of materials vary within their ranges, whatever the case says of that."),
+]
+Load = Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')]
+Asperity = Annotated[str | None, typer.Option(help="Asperity law in place of its own.", autocompletion=keys_of("asperity"))]
+Tangential = Annotated[
+    str | None,
+    typer.Option(help="Tangential law in place of its own; none: contact only.", autocompletion=keys_of("tangential")),
+]
+AllRows = Annotated[bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")]
+Details = Annotated[bool, typer.Option("--details", help="Print all that the answer rests on.")]
