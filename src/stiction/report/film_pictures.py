@@ -9,7 +9,7 @@ from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from stiction.quantities.units import show
 from stiction.report.pictures import BLUE, GREY, ORANGE, RED, canvas, entitle, finish
-from stiction.report.table import prefix, shown
+from stiction.report.table import prefix, with_unit
 
 if TYPE_CHECKING:
     import xarray
@@ -32,8 +32,7 @@ def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = 
 def _sizes(data: "xarray.Dataset", section: "xarray.Dataset") -> str:
     """The load, and what the mean asperity is, with units where the contact has them."""
     used = section.attrs
-    load = shown(float(data["load"]), "load") if data["load"].attrs.get("units", "1") != "1" else f"{float(data['load']):.4g}"
-    words = [f"load {load}", f"a/t = {1.0 / used['thickness_over_radius']:.3g}"]
+    words = [f"load {with_unit(data['load'])}", f"a/t = {1.0 / used['thickness_over_radius']:.3g}"]
     if "mean_pressure" in used:
         lengths = (show(used[name], "mean_separation", 3) for name in ("contact_radius", "film_thickness"))
         words += [f"a = {next(lengths)}", f"t = {next(lengths)}", f"mean pressure {show(used['mean_pressure'], 'hardness', 3)}"]

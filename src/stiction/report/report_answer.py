@@ -10,7 +10,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.report import answer
 from stiction.report.honest_digits import rounded
 from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
-from stiction.report.table import shown, with_powers
+from stiction.report.table import with_powers, with_unit
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.findings import Findings
 
@@ -32,9 +32,7 @@ def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) 
         return "not defined"
     if variable.attrs.get("normalised_by"):
         return f"{value:.{digits}g} {variable.attrs['normalised_by']}"
-    name = str(variable.name)
-    plain = variable.attrs.get("units", "1") == "1" or name not in QUANTITIES
-    return f"{value:.{digits}g}" if plain else shown(value, name, digits)
+    return with_unit(variable, value, digits)
 
 
 def interval_of(here: "xarray.Dataset") -> list[float]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import number
-from stiction.report.table import Table, numbers, shown, some
+from stiction.report.table import Table, numbers, shown, some, with_unit
 
 if TYPE_CHECKING:
     import xarray
@@ -51,8 +51,7 @@ def of_point(data: "xarray.Dataset", at: int) -> str:
         return "at the point"
     variable, value = data[dim], float(data[dim].values[at])
     symbol = variable.attrs.get("symbol", dim)
-    plain = variable.attrs.get("units", "1") == "1"
-    return f"{symbol} = " + (f"{value:.4g}" if plain else shown(value, dim))
+    return f"{symbol} = {with_unit(variable, value)}"
 
 
 def _head(name: str) -> str:

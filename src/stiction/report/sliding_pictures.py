@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import show
 from stiction.report.pictures import COLOURS, NOT_PRESSED, along, canvas, entitle, say
+from stiction.report.table import with_unit
 
 if TYPE_CHECKING:
     import xarray
@@ -30,9 +30,7 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 def _named(row: "xarray.Dataset") -> str:
     """The load of a row."""
-    load = row["load"]
-    text = show(float(load), "load", 3) if load.attrs.get("units") == "N" else f"{float(load):.3g}"
-    return f"${QUANTITIES['load'].latex}$ = {text}"
+    return f"${QUANTITIES['load'].latex}$ = {with_unit(row['load'], digits=3)}"
 
 
 def _forces(axes: Axes, rows: list["xarray.Dataset"]) -> None:

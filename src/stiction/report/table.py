@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.box import SIMPLE_HEAD
@@ -13,7 +13,11 @@ from rich.segment import Segment
 from rich.table import Table as Printed
 from rich.text import Text
 
+from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+
+if TYPE_CHECKING:
+    import xarray
 
 _MARK = "\ue000"  # of private use: no name has it
 _WIDE = 10_000
@@ -131,6 +135,13 @@ def dim(lines: Iterable[str]) -> list[Text]:
 def shown(value: float, name: str, digits: int = 4) -> str:
     """Return a value of the named quantity, given in SI, with a fitting prefix, to a few digits; "-" if it is no number."""
     return with_powers(show(value, name, digits)) if np.isfinite(value) else "-"
+
+
+def with_unit(variable: "xarray.DataArray", value: float | None = None, digits: int = 4) -> str:
+    """Return a value of a result, by default its only one, with a fitting prefix; a plain number where it has no unit."""
+    value, name = float(variable if value is None else value), str(variable.name)
+    plain = variable.attrs.get("units", "1") == "1" or name not in QUANTITIES
+    return short(value, digits) if plain else shown(value, name, digits)
 
 
 def prefix(quantity: str, largest: float) -> tuple[float, str]:

@@ -16,7 +16,7 @@ from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
 from stiction.report.answer import grade_line, model_line, model_record, number
 from stiction.report.plain_formulas import as_text
-from stiction.report.table import Column, Table, facts, numbers, prefix, short, shown, some
+from stiction.report.table import Column, Table, facts, numbers, prefix, short, shown, some, with_unit
 from stiction.solving.accuracy.film_errors import in_words
 from stiction.solving.unused import unused_of
 
@@ -161,19 +161,15 @@ def _pull_off(data: "xarray.Dataset") -> str:
         return ""
     force = data["pull_off_force"]
     if force.size > 1:
-        return f"{_of_force(force.min())} to {_of_force(force.max())}" if bool((force > 0.0).any()) else _NO_TENSION
+        return f"{with_unit(force.min())} to {with_unit(force.max())}" if bool((force > 0.0).any()) else _NO_TENSION
     if not float(force) > 0.0:
         return _NO_TENSION
     if force.attrs.get("units", "1") == "1":
         return f"{float(force):.4g} at h = {float(data['pull_off_separation']):.4g}"
-    return _of_force(force)
+    return with_unit(force)
 
 
 _NO_TENSION = "none: there is no tension at any separation"
-
-
-def _of_force(force: "xarray.DataArray") -> str:
-    return shown(float(force), "pull_off_force") if force.attrs.get("units", "1") != "1" else f"{float(force):.4g}"
 
 
 def run_notes(data: "xarray.Dataset") -> list[str]:

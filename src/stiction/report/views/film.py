@@ -7,7 +7,7 @@ import numpy as np
 from rich.text import Text
 
 from stiction.report.files import comments_of, record, write_csv, write_netcdf
-from stiction.report.table import Table, dim, numbers, short, shown, some
+from stiction.report.table import Table, dim, numbers, some, with_unit
 from stiction.report.tables import in_brief, outside_validity, run_summary
 from stiction.report.view import View, picture
 from stiction.studies.stresses.film_section import film_section
@@ -46,7 +46,7 @@ def film_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
 def _cell(value: Any, variable: "xarray.DataArray") -> str:
     if variable.dtype.kind in "OU":
         return str(value) or "-"
-    return short(value) if variable.attrs.get("units", "1") == "1" else shown(float(value), str(variable.name))
+    return with_unit(variable, value)
 
 
 def film_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:
