@@ -32,7 +32,7 @@ def parameter_table(data: "xarray.Dataset") -> Table:
         )
         ends = [f"{end} (open)" if bool(one[f"open_{side}"]) else end for end, side in ((low, "low"), (high, "high"))]
         rows.append([name, value, *ends, f"{least} to {most}"])
-    return Table([Column("free", wrap=True), *numbers("best", "95 % from", "to", "searched")], rows)
+    return Table([Column("free", wrap=True), *numbers("best", "95 % from", "to", "searched")], rows, ranked=True)
 
 
 def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
