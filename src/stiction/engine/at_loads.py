@@ -14,7 +14,7 @@ import numpy as np
 
 from stiction.engine.compiled import formula, kernel
 from stiction.engine.heights import NEGLIGIBLE, gaussian_density, gaussian_window
-from stiction.engine.nodes import Placing
+from stiction.engine.placing import Placing
 from stiction.engine.regime import Regime
 from stiction.engine.summation import _COUNTS, _RULES
 from stiction.engine.tiers import specialised

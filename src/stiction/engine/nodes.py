@@ -1,7 +1,8 @@
 """Nodes of the sums and the law there, in stages: all that a law has to be compiled for are two short loops.
 
-`evaluating` and `inverting` make the two loops of a regime. All else knows no law: `cutting` and `spanning` find the parts of
-pieces that count, `place_nodes` puts Gauss-Legendre nodes on them, `adding` and `append_nodes` use what the law gives there.
+`evaluating` and `inverting` make the two loops of a regime. All else knows no law: `cutting` finds the parts of pieces that
+count, `place_nodes` puts Gauss-Legendre nodes on them, `adding` sums what the law gives
+there; `placing` is for many separations.
 A loop that does everything for one regime (`sum_kernels.scattering`) runs faster and takes six times as long to compile.
 
 parts: the arrays of `Parts`, as the kernels take them.
@@ -9,7 +10,6 @@ parts: the arrays of `Parts`, as the kernels take them.
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -17,7 +17,7 @@ import numpy as np
 
 from stiction.engine.compiled import kernel, loop, unpack
 from stiction.engine.regime import Regime, columns
-from stiction.engine.sum_kernels import LONGEST, SHORT, WIDEST, map_piece, placing
+from stiction.engine.sum_kernels import LONGEST, SHORT, map_piece
 
 _BLOCK = 512  # laws at a time: their values stay in the processor's cache
 # Nodes and weights (rules, 2, longest) on [0, 1], and how many of them (rules,).
@@ -180,46 +180,6 @@ def cutting(window: Callable) -> Any:
     return cut
 
 
-@cache
-def spanning(window: Callable) -> Any:
-    """Return the kernel that finds the parts of pieces whose displacements count at any of many separations."""
-
-    @kernel
-    def span(reach, shape, laws, parts):
-        """Fill `parts` for every law, its owner, and return how many there are.
-
-        reach: the displacements w_low and w_top between which nodes count, and the nearest separation: a piece ends where the
-        density is negligible against its own left end at the nearest separation, and so at all others. laws: as in `cutting`.
-        """
-        (w_low, w_top, nearest), (edges, displaced) = reach, laws
-        laws_of, owner, ends, asked, rule, at_knot = parts
-        used = 0
-        for i in range(edges.shape[0]):
-            for piece in range(edges.shape[1] - 1):
-                left, right = edges[i, piece], edges[i, piece + 1]
-                w_left, w_right = displaced[i, piece], displaced[i, piece + 1]
-                if not (right > left and w_right > w_low and w_left < w_top):
-                    continue
-                first = max(w_left, w_low)
-                w_high = min(w_right, w_top, window(nearest + first, np.inf, shape)[1] - nearest)
-                if not w_high > first:
-                    continue
-                count = 1 + int((w_high - first) / WIDEST)
-                step = (w_high - first) / count
-                for part in range(count):
-                    laws_of[used], owner[used] = i, i
-                    ends[used, 0], ends[used, 1] = left, right
-                    asked[used, 0] = math.nan if part == 0 and w_left > w_low else first + part * step
-                    asked[used, 1] = first + (part + 1) * step
-                    if part == count - 1:
-                        asked[used, 1] = math.nan if w_high == w_right else w_high
-                    rule[used], at_knot[used] = 0 if w_high - first <= SHORT else 1, False
-                    used += 1
-        return used
-
-    return span
-
-
 @kernel
 def place_nodes(parts, branch, two_sided, rules, nodes):
     """Fill rows of nodes with coordinates and weights, and return how many rows there are."""
@@ -331,85 +291,3 @@ def adding(density: Callable) -> Any:
             sums[4] += yield_limited
 
     return add
-
-
-@loop
-def _copy(state, count, out):
-    for node in range(8 * (count // 8)):
-        out[node] = state[node]
-
-
-@loop
-def _weigh(weight, state, count, quantity, out):
-    """Fill in the weights of nodes times one value of the law, the derivative of the displacement included."""
-    for node in range(8 * (count // 8)):
-        out[node] = weight[node] * state[LONGEST + node] * state[quantity * LONGEST + node]
-
-
-@kernel
-def append_nodes(evaluated, nodes):
-    """Append rows to the tables of nodes of their owners; values (n, rows, room) has one row for the load, three for load, area
-    and resistance, five for the quantities."""
-    (owner, counts, weights, states), (places, values, used) = evaluated, nodes
-    rows = values.shape[1]
-    for i in range(owner.size):
-        law, count, state, weight = owner[i], counts[i], states[i], weights[i]
-        some = slice(used[law], used[law] + count)
-        _copy(state, count, places[law, some])
-        if rows == 5:
-            for node in range(count):
-                values[law, 0, used[law] + node] = weight[node] * state[LONGEST + node]
-            for quantity in range(1, 5):
-                _weigh(weight, state, count, quantity + 1, values[law, quantity, some])
-        else:
-            _weigh(weight, state, count, 2, values[law, 0, some])
-        if rows == 3:
-            _weigh(weight, state, count, 3, values[law, 1, some])
-            for node in range(count):
-                both = state[4 * LONGEST + node] + state[5 * LONGEST + node]
-                values[law, 2, used[law] + node] = weight[node] * state[LONGEST + node] * both
-        used[law] += count
-
-
-@dataclass(frozen=True)
-class Placing:
-    """A regime whose nodes are placed once for many separations. parts: the most that a law of it is cut into; displaced:
-    displacements at its edges (n, m + 1), None where the loop that is compiled for the regime places nodes; rows: of what is
-    summed, as `append_nodes` has them."""
-
-    regime: Regime
-    laws: Laws
-    window: Callable
-    parts: int
-    displaced: np.ndarray | None
-    rows: int
-
-    @classmethod
-    def of(cls, regime: Regime, window: Callable, widest: float, rows: int, specialised: bool) -> "Placing":
-        """Return a regime under heights of this window; widest: of the displacements that count; specialised: whether a loop is
-        compiled for the regime."""
-        laws = Laws.of(regime)
-        parts = (laws.edges.shape[1] - 1) * (1 + int(widest / WIDEST))
-        displaced = None if specialised else displacements(regime, laws)
-        return cls(regime, laws, window, parts, displaced, rows)
-
-    @property
-    def room(self) -> int:
-        """Return the most nodes that a law has."""
-        return self.parts * LONGEST
-
-    def on(self, laws: int, rules: Rules) -> Callable:
-        """Return the function (reach, shape, block, nodes) that appends the nodes of a block of at most so many laws to their
-        tables; reach: as in `spanning`."""
-        regime, displaced = self.regime, self.displaced
-        if displaced is None:
-            place = placing(regime.along, regime.coordinate, self.window, self.laws.table.shape[1], self.rows)
-            return lambda reach, shape, block, nodes: place(reach, shape, tuple(self.laws.some(block)), rules, nodes)
-        span, parts, rows = spanning(self.window), Parts.room(laws * self.parts), Rows.room(laws * self.parts, rules)
-
-        def append(reach: tuple[float, float, float], shape: np.ndarray, block: slice, nodes: tuple) -> None:
-            some = self.laws.some(block)
-            used = span(reach, shape, (some.edges, displaced[block]), tuple(parts))
-            append_nodes(tuple(evaluate_parts(regime, some, parts, used, rules, rows)), nodes)
-
-        return append

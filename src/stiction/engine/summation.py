@@ -18,10 +18,11 @@ from itertools import pairwise
 import numpy as np
 
 from stiction.engine.heights import Heights
-from stiction.engine.nodes import LONGEST, Laws, Parts, Placing, Rows, adding, cutting, displacements, evaluate_parts
+from stiction.engine.nodes import Laws, Parts, Rows, adding, cutting, displacements, evaluate_parts
+from stiction.engine.placing import Placing
 from stiction.engine.regime import Regime
 from stiction.engine.skeleton import carry_over, near_each_other, skeleton
-from stiction.engine.sum_kernels import scattering, summing
+from stiction.engine.sum_kernels import LONGEST, scattering, summing
 from stiction.engine.tiers import specialised
 from stiction.quantities.errors import InputError
 
