@@ -278,7 +278,7 @@ def test_elasticities_of_a_prediction_are_differences_of_predictions():
     data = st.sensitivity(predicted_case())
     found = data["friction_coefficient_elasticity"]
     assert float(found.sel(number="interfacial_shear_strength")) == pytest.approx(1.0, abs=1e-6)
-    ends = [st.predict(predicted_case(radius=f"{50.0 * math.exp(step)!r} um")) for step in (-0.01, 0.01)]
+    ends = [st.predict(predicted_case(radius=f"{50.0 * math.exp(step)!r} um")) for step in (-0.2, 0.2)]
     low, high = (float(one.friction_coefficient.item()) for one in ends)
-    assert float(found.sel(number="asperity_radius")) == pytest.approx(math.log(high / low) / 0.02, rel=0.02)
+    assert float(found.sel(number="asperity_radius")) == pytest.approx(math.log(high / low) / 0.4, rel=0.03)
     assert sensitivity_figure(data).get_suptitle() == "Two bodies\nrecommended"

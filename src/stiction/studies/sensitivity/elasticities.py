@@ -24,6 +24,8 @@ from stiction.studies.uncertainty.drawing import OUTPUTS, Variant, draw
 # Half the width of the wider difference, in ln x.
 _WIDTH = 0.02
 _STENCIL = np.array([-1.0, -0.5, 0.5, 1.0]) * _WIDTH
+# The same for a prediction: its median is one of few hundred draws, and smaller steps show how these change places.
+_WIDE = np.array([-0.2, 0.2])
 # Numbers of a contact that decide nothing of it, or that a roughness is measured by.
 _LEFT_OUT = ("surface_energy",)
 
@@ -80,7 +82,7 @@ def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
 
 def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> Elasticities:
     """The elasticities of results of a case for every number of its contact. Raises InputError."""
-    inputs, stepped, steps = _stepped_case(case)
+    inputs, stepped, steps = _stepped_case(case, _STENCIL)
     found = draw(stepped, steps, [Variant(choice)], names=names, progress=progress)
     each = {name: _slopes(found.tables[name], len(inputs)) for name in found.tables}
     tables, errors = ({name: pair[at] for name, pair in each.items()} for at in (0, 1))
@@ -88,21 +90,22 @@ def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, pro
 
 
 def elasticities_of_prediction(case: Case, load: float) -> dict[str, float]:
-    """Return d ln mu/d ln x of the median of a prediction at a load [N], by name of the number."""
-    inputs, stepped, steps = _stepped_case(case)
+    """Return d ln mu/d ln x of the median of a prediction at a load [N], by name of the number, over steps of 20 %."""
+    inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
     for region, _, solved in predict_many(case.tables, numbers, np.array([load])):
         if solved is not None:
             mu[region[SAMPLE]] = solved.variables["friction_coefficient"][1].ravel()
-    return dict(zip(inputs, _slopes(mu, len(inputs))[0].tolist(), strict=True))
+    low, high = np.log(mu.reshape(-1, 2)).T
+    return dict(zip(inputs, ((high - low) / np.ptp(_WIDE)).tolist(), strict=True))
 
 
-def _stepped_case(case: Case) -> tuple[list[str], Case, np.ndarray]:
-    """Return names of the numbers (k,), the case in which each of them is stepped, and the steps (4 k, k)."""
+def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.ndarray]:
+    """Return names of the numbers (k,), the case in which each is stepped by a stencil (s,), and the steps (k s, k)."""
     inputs = numbers_of(case)
-    steps = np.zeros((len(inputs), len(_STENCIL), len(inputs)))
+    steps = np.zeros((len(inputs), len(stencil), len(inputs)))
     for at in range(len(inputs)):
-        steps[at, :, at] = _STENCIL
+        steps[at, :, at] = stencil
     stepped = replace(case, uncertain=tuple(one for group in inputs.values() for one in group))
     assert list(stepped.unknowns) == list(inputs)
     return list(inputs), stepped, steps.reshape(-1, len(inputs))
