@@ -30,8 +30,9 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
     def parts() -> Iterator[Any]:
         if case.title:
             yield Text(case.title, style="bold")
-        more = f"--details; --out DIR; stiction compare {Path(file).name}"
-        rows = answer_lines(data)
+        name = Path(file).name
+        more = f"--details; --out DIR; stiction compare {name}"
+        rows = [(head, text.replace("CASE.toml", name)) for head, text in answer_lines(data)]
         if details:
             yield from (facts(rows), *_details(case, data))
         else:
