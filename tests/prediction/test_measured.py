@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 
 import stiction as st
 from stiction.cli import app
+from stiction.report.answer import answer_lines
 
 SPREAD = math.log(2.5) / norm.ppf(0.95)  # of ln tau_0
 CASE = """
@@ -148,3 +149,13 @@ def test_a_named_model_without_free_numbers_is_refused(case, tmp_path):
     case.write_text(CASE + 'model = "greenwood_williamson_1966"\n', encoding="utf-8")
     with pytest.raises(st.InputError, match=r"fit\.free"):
         st.fit(case, series(tmp_path, DATA))
+
+
+@pytest.mark.parametrize("slope", ["", "pressure_coefficient = 0.1"])
+def test_a_line_for_the_case_is_offered_only_where_it_keeps_the_answer(slope, tmp_path):
+    """Beside a state whose strength grows with pressure, a fitted strength alone would lose that growth."""
+    path = tmp_path / "case.toml"
+    path.write_text(CASE.replace("[contact.interface]", f"[contact.interface]\n{slope}"), encoding="utf-8")
+    found = st.predict(path, load="1 N", measured=series(tmp_path, "load [N],friction_coefficient\n1,0.12\n"))
+    told = dict(answer_lines(found))["measured"]
+    assert ("in the case: " in told) is (not slope) and ("the pressure coefficient of the state" in told) is bool(slope)

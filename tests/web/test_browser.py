@@ -151,7 +151,7 @@ def test_the_first_screen_is_an_answer(page):
     number, low, high = _predicted()
     assert _status(page) == f"mu = {number}\n90% interval {low} to {high}, at 2.36 N"
     assert page.get_by_text(
-        "state the interface (stiction interfaces), or measure mu once: stiction fit", exact=True
+        "state the interface (stiction interfaces), or measure mu once: stiction fit CASE.toml --data FILE", exact=True
     ).is_visible()
     assert page.locator("header").inner_text().splitlines()[:2] == ["stiction", f"mu = {number}"]
 

@@ -148,6 +148,8 @@ def _of_measured(data: "xarray.Dataset") -> str:
     values = "1 value" if count == 1 else f"{count} values"
     middle, low, high = (show(one, "interfacial_shear_strength", 2) for one in data.attrs["strength"])
     strength = f"interface strength {middle} ({low} to {high})"
+    if "parameter" not in data.dims and data.attrs["grows_with_pressure"]:
+        return f"{values}: {strength} at zero pressure; the pressure coefficient of the state still applies"
     if "parameter" not in data.dims:
         return f'{values}: {strength}; in the case: interfacial_shear_strength = {{ low = "{low}", high = "{high}" }}'
     names = data["parameter"].values.tolist()

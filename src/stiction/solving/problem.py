@@ -279,8 +279,7 @@ def _others(model: str) -> str:
     """Said where a model wants what there is not, and maybe nobody chose it."""
     if model != DEFAULT_MODEL:
         return ""
-    which = "`stiction compare CASE.toml` shows those that do without it, --model names one"
-    return f"{model} is the model where none is named: {which}"
+    return "`stiction compare CASE.toml` shows models that do without it, --model names one"
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:

@@ -58,7 +58,7 @@ def checked_against(mixture: Mixture, at: int) -> str:
     printed = {} if stated is None else printed_contacts().get(stated.name, {})
     if not printed:
         return f"{area}, never against measured friction"
-    return f"{area}, {printed['held']} of {printed['contacts']} printed friction values"
+    return f"{area}, {printed['held']} of {printed['contacts']} printed friction values inside"
 
 
 def _half_width(mixture: Mixture, law: AreaLaw, at: int) -> float:

@@ -77,7 +77,7 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     rows = order[np.minimum(np.searchsorted(np.cumsum(weights[order]), (np.arange(count) + 0.5) / count), len(order) - 1)]
     if chi.min() / len(measured.log_mu) > 9.0:
         return rows, ["The measured friction is beyond what the stated contact allows: check the interface and the inputs."]
-    text = f"Measured errors are taken {larger:.2g} times larger, as few draws meet them: check the inputs."
+    text = f"Few draws meet the measured friction: its errors are taken {larger:.2g} times larger. Check the inputs."
     return rows, [text] if larger > 1.0 else []
 
 

@@ -101,7 +101,8 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
     stated = case.uncertain
     case, (loads, at) = with_uncertain(case), pressing_loads(case)
     if not loads.size:
-        raise InputError("load", None, "a load above 0: nothing presses at any point of the case")
+        given = None if case.load is None else case.subject.show(float(case.load.max()), "load")
+        raise InputError("load", given, "above 0: nothing presses at any point of the case")
     if measured is None:
         levels = draws_of(case)
         mixture = Mixture.of(Asked(case, loads, levels.inputs))
@@ -209,6 +210,7 @@ def _given(
     found = _attributes(mixture, chosen, at, level, {})
     weights = mixture.weights_of_laws(levels, rows)
     found |= {"warnings": [*warnings, *found["warnings"]], "models": weights, "measured": len(known.load), "next_step": ""}
+    found["grows_with_pressure"] = int(mixture.strength.grows_with_pressure)  # a netCDF file has no truth values
     if not stated:
         return chosen, found, {}
     drawn = case.numbers_at(levels.inputs[rows])

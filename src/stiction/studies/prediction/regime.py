@@ -117,7 +117,7 @@ _STEPS = {
 def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
     """Return what to measure or state next: what the width comes from most."""
     if len(mixture.strength.states) > 1:
-        return "state the interface (stiction interfaces), or measure mu once: stiction fit"
+        return "state the interface (stiction interfaces), or measure mu once: stiction fit CASE.toml --data FILE"
     if not shares:
         return ""
     largest = max(shares, key=lambda name: shares[name])

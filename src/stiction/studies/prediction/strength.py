@@ -43,6 +43,12 @@ class Strength:
             self.aged = asked.column(DataArray(factor(groups).reshape(tuple(dims.values())), dims=list(dims)))
 
     @property
+    def grows_with_pressure(self) -> bool:
+        """Return whether a state of the interface adds strength in proportion to pressure."""
+        middle = np.array([0.5])
+        return self.takes_states and any(np.any(one.pressure_coefficient_at(middle) > 0.0) for one, _ in self.states)
+
+    @property
     def over_body(self) -> float:
         """Return the stated strength, aged, over the shear strength of the weaker body; 0 where none is stated."""
         return 0.0 if self.stated is None else float(np.median(self.stated * self.aged / self.bodies.shear_strength))
