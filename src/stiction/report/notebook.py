@@ -3,12 +3,14 @@
 Results stay datasets of xarray, whose own view folds their attributes away, and with these the doubts.
 """
 
+from html import escape
 from typing import TYPE_CHECKING
 
 from stiction.laws.validity import doubts_of
 from stiction.quantities import html
 from stiction.records.registry import GRADES
 from stiction.report.answer import answer_lines
+from stiction.report.card import Card, card_of
 from stiction.solving.unused import unused_of
 
 if TYPE_CHECKING:
@@ -21,10 +23,12 @@ class Summary:
     """Rows of a name and a text, and notes: what is doubtful, not used, or worth knowing; as HTML in a notebook, as text where
     it is printed."""
 
-    def __init__(self, title: str, rows: list[tuple[str, str]], notes: list[str]):
-        self.title, self.rows, self.notes = title, rows, notes
+    def __init__(self, title: str, rows: list[tuple[str, str]], notes: list[str], card: Card | None = None):
+        self.title, self.rows, self.notes, self.card = title, rows, notes, card
 
     def _repr_html_(self) -> str:
+        if self.card is not None:
+            return f"<strong>{escape(self.title)}</strong>{self.card.html()}"
         return html.table(self.title, self.rows, self.notes)
 
     def __repr__(self) -> str:
@@ -41,7 +45,7 @@ def summary(result: "xarray.Dataset") -> Summary:
     """
     used = result.attrs
     if "regime" in used:
-        return Summary(used.get("case") or "Prediction", answer_lines(result), [])
+        return Summary(used.get("case") or "Prediction", answer_lines(result), [], card_of(result))
     named = ("model", "asperity", "tangential", "film", "roughness_method")
     rows = [(name.replace("_", " "), str(used[name])) for name in named if used.get(name, "none") not in ("", "none")]
     if "grade" in used:

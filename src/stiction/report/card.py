@@ -1,0 +1,104 @@
+"""The answer card: mu with its interval as a bar, how sure it is, what decides it, one warning and what to do next."""
+
+import math
+from html import escape
+from typing import TYPE_CHECKING, NamedTuple
+
+from stiction.quantities import html
+from stiction.quantities.units import show
+from stiction.report.answer import answer_lines, at_working_load, number, part_name
+
+if TYPE_CHECKING:
+    import xarray
+
+_WORDS = 12  # of a warning
+_CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # factor from the median to an end -> word
+_WIDTH, _DECADES, _BLUE = 320, (-2, 1), "#0072B2"  # of the bar, which reaches from .01 to 10 at least
+
+
+class Card(NamedTuple):
+    """The answer in short. rows: all of it, as a head and a text; named: what a model that was named says, "" for none."""
+
+    mu: float
+    low: float
+    high: float
+    level: float
+    load: str
+    decides: str
+    warning: str
+    next_step: str
+    rows: list[tuple[str, str]]
+    named: str = ""
+
+    @property
+    def interval(self) -> str:
+        """Return the interval in words."""
+        return f"{number(self.low)} to {number(self.high)}"
+
+    @property
+    def confidence(self) -> str:
+        """Return how sure mu is: a word, and by what factor it may be off."""
+        factor = math.sqrt(self.high / self.low) if self.low > 0.0 else math.inf
+        word = next(word for most, word in _CONFIDENCE.items() if factor <= most)
+        return f"{word}, within a factor of {number(factor)}" if math.isfinite(factor) else word
+
+    @property
+    def lines(self) -> list[tuple[str, str]]:
+        """Return the rows below mu."""
+        rows = [("Confidence", self.confidence), ("Decided by", self.decides)]
+        rows += [("Warning", self.warning), ("Measure next", self.next_step)]
+        return [(head, text) for head, text in rows if text]
+
+    def bar(self) -> str:
+        """Return the interval as a drawing, on a logarithmic axis."""
+        known = [value for value in (self.low, self.mu, self.high) if value > 0.0]
+        first = min(_DECADES[0], *(math.floor(math.log10(value)) for value in known))
+        last = max(_DECADES[1], *(math.ceil(math.log10(value)) for value in known))
+
+        def x(value: float) -> float:
+            return 12.0 + (_WIDTH - 24.0) * (math.log10(max(value, 10.0**first)) - first) / (last - first)
+
+        step = -(-(last - first) // 5)
+        ticks = "".join(
+            f'<text x="{x(10.0**at):.1f}" y="34" text-anchor="middle" font-size="10" fill="currentColor">{10.0**at:g}</text>'
+            for at in range(first, last + 1, step)
+        )
+        return (
+            f'<svg role="img" aria-label="mu from {self.interval}" viewBox="0 0 {_WIDTH} 38" style="max-width:{_WIDTH * 1.5}px">'
+            f'<line x1="12" x2="{_WIDTH - 12}" y1="12" y2="12" stroke="currentColor" stroke-opacity=".3"/>'
+            f'<rect x="{x(self.low):.1f}" y="7" width="{x(self.high) - x(self.low):.1f}" height="10" rx="5" fill="{_BLUE}" '
+            f'fill-opacity=".45"/><circle cx="{x(self.mu):.1f}" cy="12" r="7" fill="{_BLUE}"/>{ticks}</svg>'
+        )
+
+    def html(self, why: bool = True) -> str:
+        """Return the card as a part of a page; why: with all of the answer, folded."""
+        big = 'style="font-size:2em;font-weight:650;line-height:1.2"'
+        named = f"<p><span {big}>{escape(self.named)}</span></p>" if self.named else ""
+        rows = "".join(f"<dt><strong>{head}</strong></dt><dd>{escape(text)}</dd>" for head, text in self.lines)
+        folded = f"<details><summary>why</summary>{html.table('', self.rows)}</details>" if why else ""
+        return (
+            f'<div class="card">{named}<p><span {big}>μ = {number(self.mu)}</span> '
+            f"{self.interval} ({self.level:.0%} interval) at {escape(self.load)}</p>{self.bar()}<dl>{rows}</dl>{folded}</div>"
+        )
+
+
+def card_of(data: "xarray.Dataset", named: str = "") -> Card:
+    """Return the card of a prediction at its working load; named: what a model that was named says."""
+    here, attrs = at_working_load(data), data.attrs
+    mu, low, high = (float(here[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
+    largest = max(attrs["shares"], key=attrs["shares"].get, default="")
+    decides = f"{part_name(largest)} ({attrs['shares'][largest]:.0%})" if largest else ""
+    warning = briefly(next(iter(attrs["warnings"]), ""))
+    load = show(float(here["load"]), "load", 3)
+    return Card(mu, low, high, attrs["level"], load, decides, warning, attrs["next_step"], answer_lines(data), named)
+
+
+def briefly(warning: str) -> str:
+    """Return a warning in at most twelve words: without what follows a colon, then a comma, where it is longer.
+
+    >>> briefly("The interface is not stated: mu is a mixture over ceramic, boundary lubricant, oxidised metal.")
+    'The interface is not stated'
+    """
+    for mark in (": ", ", "):
+        warning = warning.partition(mark)[0] if len(warning.split()) > _WORDS else warning
+    return " ".join(warning.split()[:_WORDS])

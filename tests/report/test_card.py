@@ -1,0 +1,70 @@
+"""The answer card says mu, how sure it is, and what to do, in few words."""
+
+import re
+
+import pytest
+
+import stiction as st
+from stiction.report.answer import at_working_load
+from stiction.report.card import Card, briefly, card_of
+
+CASE = """
+[contact]
+first = "copper"
+second = "copper"
+nominal_area = "1 mm^2"
+{more}
+[contact.roughness]
+asperity_height_deviation = "0.2 um"
+asperity_radius = "10 um"
+asperity_density = "2e10 1/m^2"
+kind = "ground"
+[solve]
+load = ["0.1 N", "1 N", "10 N"]
+"""
+
+
+@pytest.fixture(scope="module")
+def predicted(tmp_path_factory):
+    path = tmp_path_factory.mktemp("card") / "case.toml"
+    path.write_text(CASE.format(more=""))
+    return st.predict(path)
+
+
+def test_the_card_has_the_numbers_of_the_prediction(predicted):
+    card, here = card_of(predicted), at_working_load(predicted)
+    assert [card.low, card.mu, card.high] == [float(here[f"friction_coefficient{end}"]) for end in ("_low", "", "_high")]
+    assert card.warning == "The interface is not stated"
+    assert "state the interface" in card.html() and "<details>" in card.html() and "<details>" not in card.html(why=False)
+    assert str(st.summary(predicted)).splitlines()[1].split()[:3] == ["mu", "=", f"{float(here['friction_coefficient']):.2g}"]
+    assert card.bar() in st.summary(predicted)._repr_html_()
+
+
+def test_the_card_is_short(predicted):
+    words = re.sub(r"<[^>]*>", " ", card_of(predicted).html(why=False)).split()
+    assert len(words) <= 110
+
+
+@pytest.mark.parametrize(("low", "high", "word"), [(0.9, 1.1, "high"), (0.5, 2.0, "fair"), (0.1, 10.0, "low")])
+def test_confidence_is_by_the_width(low, high, word):
+    card = Card(1.0, low, high, 0.9, "1 N", "", "", "", [])
+    assert card.confidence.split(",")[0] == word
+    centre, start, width = (float(re.search(rf'{name}="([\d.]+)"', card.bar())[1]) for name in ("cx", "<rect x", "width"))
+    assert start < centre < start + width
+
+
+def test_an_interval_that_begins_at_nothing_has_a_bar():
+    assert "nan" not in Card(1e-4, 0.0, 50.0, 0.9, "1 N", "", "", "", []).bar()
+
+
+@pytest.mark.parametrize(
+    "warning",
+    [
+        "12% of the draws are physically impossible and are left out.",
+        "The stated interface is 0.95 times as strong as the weaker body, and junctions grow: 2 % of its strength change mu.",
+        "The map holds 3 of its longest waves on a side, fewer than 6: it may not stand for the surface.",
+        "word " * 30,
+    ],
+)
+def test_a_warning_has_twelve_words_at_most(warning):
+    assert 0 < len(briefly(warning).split()) <= 12
