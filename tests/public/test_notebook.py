@@ -19,7 +19,8 @@ class Cells(HTMLParser):
         assert not self.open
 
     def handle_starttag(self, tag, attrs):
-        assert tag in ("div", "strong", "table", "tbody", "tr", "th", "td", "ul", "li"), tag
+        of_cards = ("p", "span", "svg", "line", "rect", "circle", "text", "dl", "dt", "dd", "details", "summary")
+        assert tag in ("div", "strong", "table", "tbody", "tr", "th", "td", "ul", "li", *of_cards), tag
         self.open.append(tag)
 
     def handle_endtag(self, tag):
@@ -86,5 +87,5 @@ def test_a_prediction_shows_its_answer():
     texts = Cells(st.summary(answer)._repr_html_()).texts
     ends = (float(answer[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
     mu, low, high = (f"{float(f'{end:.2g}'):g}" for end in ends)
-    assert texts[0] == "Prediction" and f"mu = {mu}" in texts[1] and f"{low} to {high}" in "".join(texts)
+    assert texts[0] == "Prediction" and f"μ = {mu}" in texts[1] and f"{low} to {high}" in "".join(texts)
     assert answer.attrs["regime"] in repr(st.summary(answer))

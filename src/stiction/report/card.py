@@ -64,7 +64,7 @@ class Card(NamedTuple):
             for at in range(first, last + 1, step)
         )
         return (
-            f'<svg role="img" aria-label="mu from {self.interval}" viewBox="0 0 {_WIDTH} 38" style="max-width:{_WIDTH * 1.5}px">'
+            f'<svg role="img" aria-label="mu from {self.interval}" viewBox="0 0 {_WIDTH} 38" style="max-width:30em">'
             f'<line x1="12" x2="{_WIDTH - 12}" y1="12" y2="12" stroke="currentColor" stroke-opacity=".3"/>'
             f'<rect x="{x(self.low):.1f}" y="7" width="{x(self.high) - x(self.low):.1f}" height="10" rx="5" fill="{_BLUE}" '
             f'fill-opacity=".45"/><circle cx="{x(self.mu):.1f}" cy="12" r="7" fill="{_BLUE}"/>{ticks}</svg>'
