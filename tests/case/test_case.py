@@ -204,8 +204,8 @@ def test_a_path_that_is_no_file(tmp_path):
 def test_json_schema_states_units_and_bounds():
     schema = json_schema()
     json.dumps(schema)
-    studies = {"sweep", "uncertainty", "fit", "design"}
-    assert set(schema["properties"]) == {"title", "materials", "contact", "indices", "solve", *studies}
+    tables = {"title", "materials", "contact", "indices", "solve", "uncertainty", *study_tables()}
+    assert set(schema["properties"]) == tables
     definitions = schema["$defs"]
     thickness = definitions["Coating"]["properties"]["thickness"]
     assert thickness["anyOf"][0]["type"] == "string" and "[m]; > 0 m" in thickness["description"]

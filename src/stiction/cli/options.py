@@ -21,11 +21,11 @@ class TakesOptionsOfRecords(TyperCommand):
     def parse_args(self, ctx, args):
         own = {name for parameter in self.params for name in (*parameter.opts, *parameter.secondary_opts)} | {"-h", "--help"}
         if any(word.startswith("--") and word.partition("=")[0] not in own for word in args):
-            ctx.meta[_OPTIONS], args = _take(args, own)
+            ctx.meta[OPTIONS], args = _take(args, own)
         return super().parse_args(ctx, args)
 
 
-_OPTIONS = "stiction.options"
+OPTIONS = "stiction.options"
 
 
 def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
@@ -81,12 +81,12 @@ def every_key(incomplete: str) -> list[str]:
     return [one.key for one in records() if one.key.startswith(incomplete)]
 
 
-def chosen_laws(context: typer.Context, case: "Case", **fixed: str) -> "Choice":
+def chosen_laws(context: typer.Context, case: "Case") -> "Choice":
     """Return the laws and options of a case, with those that a command was given in their place."""
     from stiction.solving.choice import LAWS
 
-    laws = {name: context.params.get(name) for name in LAWS} | fixed
-    return case.choice.with_changes(laws, context.meta.get(_OPTIONS, {}))
+    laws = {name: context.params.get(name) for name in LAWS}
+    return case.choice.with_changes(laws, context.meta.get(OPTIONS, {}))
 
 
 def folder(text: str | Path) -> Path:
@@ -117,6 +117,7 @@ Ranges = Annotated[
     typer.Option("--ranges/--no-ranges", help="Numbers of materials vary within their ranges, whatever the case says of that."),
 ]
 Load = Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')]
+Model = Annotated[str | None, typer.Option(help="Model in place of the case's.", autocompletion=keys_of("model"))]
 Asperity = Annotated[str | None, typer.Option(help="Asperity law in place of its own.", autocompletion=keys_of("asperity"))]
 Tangential = Annotated[
     str | None,

@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 from textwrap import wrap
 from typing import TYPE_CHECKING, Annotated, Any
@@ -169,22 +170,21 @@ def writing(text: str = "Writing the results") -> Iterator[None]:
 
 
 @contextmanager
-def telling_how_far(text: str) -> Iterator[Callable[[str], None]]:
-    """What tells how far something is: in a line on the terminal, else in a line at once and then now and then."""
-    with _line(text) as line:
+def telling_how_far() -> Iterator[Callable[[str], None]]:
+    """Yield what tells how far something is: in a line on the terminal, else in a line at once and then now and then."""
+    with _line("") as line:
         if line is not None:
             yield line.say
             return
         from time import monotonic
 
-        said = [-_EVERY]
+        said = [-inf]
 
         def say(how_far: str) -> None:
             if monotonic() - said[0] > _EVERY:
                 said[0] = monotonic()
                 print(how_far, file=sys.stderr, flush=True)
 
-        say(text)
         yield say
 
 
@@ -266,7 +266,8 @@ def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Ca
 def present(view: "View", out: Path | None, json: bool, details: bool = True) -> None:
     """Write what a result shows into a folder, if one is given, and print it, as JSON if that is asked for.
 
-    details: print all parts, and not only those that fit into the lines of an answer.
+    details: print all parts, and not only those that fit into the lines of an answer. Raises KeyboardInterrupt at the end where
+    the result is that of a study which was interrupted.
     """
     names = []
     if out is not None:
@@ -274,12 +275,15 @@ def present(view: "View", out: Path | None, json: bool, details: bool = True) ->
             names = view.write(out)
     if json:
         print_json(view.record())
-        return
-    from stiction.report.view import in_short
+    else:
+        from stiction.report.view import in_short
 
-    show(view.parts() if details else in_short((view.short or view.parts)(), console().width, out is not None))
-    if out is not None:
-        written(out, names)
+        brief = details or view.is_brief
+        show(view.parts() if brief else in_short((view.short or view.parts)(), console().width, out is not None))
+        if out is not None:
+            written(out, names)
+    if view.data is not None and view.data.attrs.get("stopped"):
+        raise KeyboardInterrupt
 
 
 def show(parts: Iterable[Any]) -> None:

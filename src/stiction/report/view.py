@@ -69,6 +69,7 @@ class View:
     data: the dataset, written as `name`.nc; None where there is none. parts: makes what a terminal prints, in order. record:
     makes what JSON has. files: name of a file -> function that writes to a path. pictures: name of a file -> picture. warnings:
     what is wrong with it, in sentences. short: makes the parts of a short answer, the most important first; by default all.
+    is_brief: whether the parts are the short answer already.
     """
 
     name: str
@@ -79,6 +80,7 @@ class View:
     pictures: Mapping[str, Picture] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     short: Callable[[], Iterable[Any]] | None = None
+    is_brief: bool = False
 
     def writers(self) -> dict[str, Callable[[Path], None]]:
         """Return what writes each table, the dataset and each picture to a path, by the name of the file."""

@@ -279,4 +279,4 @@ def comparison_view(
         files["compare_at_load.csv"] = partial(write_csv, at_working_load(data))
         told = "friction at the working load by models that say the same"
         pictures["compare.png"] = picture(told, "model_pictures.models_figure", data, groups, prediction, case.title)
-    return View("compare", None, parts, record, files, pictures)
+    return View("compare", None, parts, record, files, pictures, is_brief=True)

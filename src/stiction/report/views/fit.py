@@ -18,7 +18,6 @@ from stiction.studies.fit.predicted import fitted_case
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.case.read import Case
     from stiction.studies.fit.run import Fitting
 
 
@@ -85,8 +84,13 @@ def prediction_names(data: "xarray.Dataset") -> list[str]:
 _OTHERS = ("parameter", "other_parameter", "row", "model")
 
 
-def fit_view(found: "Fitting", folder: Path | None = None) -> View:
-    """Return what a fit shows. folder: where its files go, from which the fitted case names other files."""
+def fit_view(found: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> View:
+    """Return what a fit shows. found: a fit, or the path of the case, the case, its prediction and whether to show details.
+
+    folder: where its files go, from which the fitted case names other files.
+    """
+    if isinstance(found, tuple):
+        return _prediction_view(found, folder)
     data, title = found.data(), found.plan.title
 
     def parts() -> Iterator[Any]:
@@ -111,10 +115,11 @@ def fit_view(found: "Fitting", folder: Path | None = None) -> View:
     return View("fit", data, parts, lambda: record(data, {}), files, pictures)
 
 
-def fitted_prediction_view(given: Any, case: "Case", data: "xarray.Dataset", details: bool, out: Path | None = None) -> View:
-    """Return what a prediction that knows measured friction shows; given: path of the case file."""
-    view = prediction_view(case, data, str(given), details)
+def _prediction_view(found: tuple[Any, ...], out: Path | None) -> View:
+    """Return what a prediction that knows measured friction shows."""
+    path, case, data, details = found
+    view = prediction_view(case, data, str(path), details)
     if out is not None and "parameter" in data.dims:
-        fitted = {"fitted.toml": lambda path: path.write_text(fitted_case(given, case, data, out), encoding="utf-8")}
+        fitted = {"fitted.toml": lambda file: file.write_text(fitted_case(path, case, data, out), encoding="utf-8")}
         return replace(view, files={**view.files, **fitted})
     return view

@@ -49,7 +49,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
         return _several_view(case, data, details)
     files = {"curve.csv": partial(write_csv, data[_COLUMNS], comments=_comments(case, data[_COLUMNS]))}
     drawn = picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)
-    return View("curve", plain(data), parts, found, files, {"curve.png": drawn})
+    return View("curve", plain(data), parts, found, files, {"curve.png": drawn}, is_brief=True)
 
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
@@ -73,7 +73,7 @@ def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
 
     files = {"curve.csv": partial(write_csv, data, comments=_comments(case, data))}
     drawn = picture("mu against what varies", "several_pictures.several_figure", data, case.title)
-    return View("curve", data, parts, lambda: {"curve": record(data, {})}, files, {"curve.png": drawn})
+    return View("curve", data, parts, lambda: {"curve": record(data, {})}, files, {"curve.png": drawn}, is_brief=True)
 
 
 def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:

@@ -49,7 +49,7 @@ def _cell(value: Any, variable: "xarray.DataArray") -> str:
     return with_unit(variable, value)
 
 
-def film_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:
+def stresses_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:
     """Return what the stresses in the film of a case show. with_section: also those under the asperity, in files."""
 
     def parts() -> Iterator[Any]:

@@ -1,0 +1,40 @@
+"""A dataset of a study that has no view of its own: its tables, sentences and files."""
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from rich.text import Text
+
+from stiction.report.files import record, write_csv
+from stiction.report.table import Table, facts, numbers, some, with_unit
+from stiction.report.view import View
+
+if TYPE_CHECKING:
+    import xarray
+
+_ROWS, _COLUMNS = 12, 6
+
+
+def dataset_view(name: str, data: "xarray.Dataset") -> View:
+    """Return what a dataset shows: single values, and a table and a CSV file for the variables of each dimension."""
+    ordered = [*data.coords, *data.data_vars]
+    columns = {str(along): [one for one in ordered if data[one].dims == (along,)] for along in data.dims}
+
+    def parts() -> Iterator[Any]:
+        if "case" in data.attrs:
+            yield Text(data.attrs["case"], style="bold")
+        yield facts([(str(one), _cell(data[one])) for one in data.data_vars if not data[one].dims])
+        for along, names in columns.items():
+            shown = names[:_COLUMNS]
+            rows = [[_cell(data[one][at]) for one in shown] for at in some(data.sizes[along], _ROWS)]
+            yield Table(numbers(*map(str, shown), wrap=True), rows)
+            if len(names) > _COLUMNS:
+                yield Text(f"{len(names) - _COLUMNS} more columns are in {name}_{along}.csv (--out)", style="dim")
+
+    files = {f"{name}_{along}.csv": partial(write_csv, data[names]) for along, names in columns.items() if names}
+    return View(name, data, parts, lambda: record(data, {}), files)
+
+
+def _cell(value: "xarray.DataArray") -> str:
+    return with_unit(value) if value.dtype.kind in "fiu" else str(value.item())
