@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 
 import stiction as st
 from cases import STEEL_ON_STEEL
+from refusals import refusal
 from stiction.case.read import read_case
 from stiction.cli import app
 from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, find, of_kind
@@ -180,17 +181,17 @@ def test_a_model_that_is_left_out_for_a_number_says_that_number():
 
 
 def test_bad_input():
-    with pytest.raises(st.InputError, match=r"theta: 2 numbers, 1 to 2; allowed: one number"):
+    with refusal("theta", "2 numbers, 1 to 2"):
         compare(st.Indices(theta=st.axis("theta", [1, 2]), lam=1))
-    with pytest.raises(st.InputError, match="Contact"):
+    with refusal("contact", "str", "stiction.Contact", "stiction.Indices"):
         compare("steel")
-    with pytest.raises(st.InputError, match="load"):
+    with refusal("load", "10 m"):
         compare(SHEARED, load="10 m")
 
 
 @pytest.mark.parametrize("separations", ([], 1.0, np.array(1.0), [[1.0, 2.0]], [0.0, math.nan], [2e6], "abc", [1j], [None]))
 def test_separations_that_are_no_row_of_numbers_are_refused(separations):
-    with pytest.raises(st.InputError, match=r"^separations: .*; allowed: a row of numbers, over sigma, from "):
+    with refusal("separations", "-1e+06", "1e+06"):
         compare(st.Indices(theta=40, lam=10), separations=separations)
 
 
@@ -267,7 +268,7 @@ def refused(*arguments):
 @pytest.mark.parametrize("load", ("0 N", "-1 N"))
 def test_a_working_load_presses(case, load, tmp_path):
     assert refused(case, "--load", load, "--out", tmp_path / "out") == f"stiction: --load: '{load}'; allowed: > 0 N\n"
-    with pytest.raises(st.InputError, match=f"load: '{load}'; allowed: > 0 N"):
+    with refusal("load", load, "> 0 N"):
         compare(SHEARED, load=load)
     assert refused(case, "--load", "2 m").startswith("stiction: --load: '2 m'; ")
     assert not (tmp_path / "out").exists()
@@ -275,7 +276,7 @@ def test_a_working_load_presses(case, load, tmp_path):
 
 @pytest.mark.parametrize("load", (0, -1.0, float("nan"), "many"))
 def test_a_normalised_working_load_presses_too(load):
-    with pytest.raises(st.InputError, match=r"^load: "):
+    with refusal("load"):
         compare(st.Indices(theta=100, lam=10), load=load)
 
 

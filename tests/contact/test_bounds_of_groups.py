@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import stiction as st
+from refusals import refusal
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 
@@ -43,7 +44,7 @@ def test_groups_out_of_range_are_refused_with_their_bounds(given):
 def test_a_film_alone_is_within_the_same_bounds(given, field):
     """As a half-space it has theta n_E and lambda (n_H^2/n_E)^2: the product counts, not the ratio."""
     for ask in (lambda: st.Indices(**FILM | given), lambda: st.evaluate(0.0, **FILM | given)):
-        with pytest.raises(InputError, match=rf"^{field}: .*; allowed: what leaves .* of the film alone >= 1e-"):
+        with refusal(field, ">= 1e-12" if field == "n_E" else ">= 1e-60"):
             ask()
 
 

@@ -8,6 +8,7 @@ import xarray
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+from refusals import refusal
 from stiction.contact.contact import Coating, Contact, Indices, work_of_adhesion
 from stiction.contact.materials import Material, material
 from stiction.quantities.errors import InputError
@@ -63,7 +64,7 @@ def test_hardness_to_yield():
     assert contact(hard, "silver").indices().hardness_to_yield == 2.8
     assert contact(hard, harder, hardness_to_yield=3).indices().hardness_to_yield == 3
     wrong = Material(youngs_modulus="210 GPa", poissons_ratio=0.3, hardness="1 GPa", yield_stress="2 GPa")
-    with pytest.raises(InputError, match=r"^hardness_to_yield: 0.5; allowed: >= 1"):
+    with refusal("hardness_to_yield", "0.5", ">= 1"):
         contact(wrong, harder).indices()
 
 
@@ -75,10 +76,10 @@ def test_hardening_is_that_of_the_softer_body():
     assert contact("silver", hard).indices().hardening is None and contact().indices().hardening is None
     assert contact(soft, "gold", coating={"material": hard, "thickness": "200 nm"}).indices().film().hardening is None
     assert contact(soft, soft, coating={"material": hard, "thickness": "200 nm"}).indices().film().hardening == 0.82 / 82
-    with pytest.raises(InputError, match=r"^hardening: 1.5; allowed: >= 0 and < 1"):
+    with refusal("hardening", "1.5", ">= 0", "< 1"):
         stretched = material("silver", tangent_modulus="123 GPa")
         contact(stretched, stretched).indices()
-    with pytest.raises(InputError, match=r"^tangent_modulus: -1.0; allowed: >= 0 Pa"):
+    with refusal("tangent_modulus", "-1.0", ">= 0 Pa"):
         material("silver", tangent_modulus=-1)
 
 
@@ -217,9 +218,9 @@ def test_the_softer_body_may_change_along_a_sweep():
 
 
 def test_arrays_that_disagree_about_a_dimension_are_refused():
-    with pytest.raises(InputError, match=r"^lam: .*'theta'.*; allowed: the values of theta along 'theta'"):
+    with refusal("lam", "theta"):
         Indices(theta=axis("theta", [1, 2]), lam=axis("lam", [1, 3], "theta"))
-    with pytest.raises(InputError, match=r"^second\.hardness: "):
+    with refusal("second.hardness"):
         contact(
             material("iron", hardness=axis("hardness", [1e9, 2e9])),
             material("iron", hardness=axis("hardness", [1e9, 2e9, 3e9])),
@@ -230,16 +231,16 @@ def test_samples_of_one_name_in_another_order_are_refused():
     theta = xarray.DataArray([40.0, 50.0], dims="sample", coords={"sample": [1, 2]})
     lam = xarray.DataArray([10.0, 20.0], dims="sample", coords={"sample": [2, 1]})
     assert Indices(theta=theta, lam=lam.assign_coords(sample=[1, 2])).lam.values.tolist() == [10.0, 20.0]
-    with pytest.raises(InputError, match=r"^lam: .*'sample'.*; allowed: the values of theta along 'sample'"):
+    with refusal("lam", "sample"):
         Indices(theta=theta, lam=lam)
 
 
 def test_work_of_adhesion_from_surface_energies():
     assert work_of_adhesion("silver", "silver", interfacial=0) == 2.5  # twice 1.25
     assert work_of_adhesion("silver", "iron", interfacial="1 J/m^2") == pytest.approx(2.65)
-    with pytest.raises(InputError, match=r"^second\.surface_energy: not given"):
+    with refusal("second.surface_energy"):
         work_of_adhesion("silver", STEEL, interfacial=0)
-    with pytest.raises(InputError, match=r"^work_of_adhesion: -.*>= 0 J/m\^2"):
+    with refusal("work_of_adhesion", ">= 0 J/m^2"):
         work_of_adhesion("silver", "iron", interfacial=9)
 
 
@@ -318,7 +319,7 @@ def test_numbers_out_of_all_proportion_are_refused_not_overflowed():
 def test_indices_fill_in_what_is_left_out():
     bare = Indices(theta=40, lam=10, n_g=1.0)
     assert not bare.has_film and bare.resolved().film_nu is None
-    with pytest.raises(InputError, match="there is no film"):
+    with refusal("tau", "n_E", "n_H"):
         bare.film()
     coated = Indices(theta=40, lam=10, n_E=1.5, n_H=0.5, tau=2)
     whole = coated.resolved()
@@ -330,9 +331,9 @@ def test_indices_fill_in_what_is_left_out():
 
 
 def test_records_cannot_be_changed():
-    with pytest.raises(InputError, match=r"^lam: -1.0"):
+    with refusal("lam", "-1.0", ">= 1e-60"):
         Indices(theta=1, lam=-1)
-    with pytest.raises(Exception, match="frozen"):
+    with refusal("Indices.theta"):
         Indices(theta=1, lam=1).theta = 2
 
 
@@ -356,7 +357,7 @@ def test_quantities_along_one_dimension_go_together():
     found = solve(two, separation=["1 nm"])
     assert found["first.hardness"].values.tolist() == [1e9, 2e9] and found["second.hardness"].values.tolist() == [3e9, 5e9]
     assert found["load"].sizes == {"batch": 2, "mean_separation": 1}
-    with pytest.raises(InputError, match=r"^lam: \"dimension 'batch' of length 2\"; allowed: the values of theta"):
+    with refusal("lam", "batch", "2", "theta"):
         Indices(theta=axis("theta", [10, 40, 90], "batch"), lam=axis("lam", [1, 2], "batch"))
 
 

@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 from scipy.optimize import brentq, minimize_scalar
 
 import stiction as st
+from refusals import refusal
 from stiction.engine.heights import height_distribution
 from stiction.solving.choice import Choice
 from stiction.solving.inversion import Unreachable, separations_at
@@ -146,7 +147,7 @@ def test_the_largest_tension_is_carried_where_it_is(theta):
     found = st.solve(contact, load=[-force, -force * (1.0 - 1e-6)], model="fuller_tabor_1975", branch="unloading")
     assert_allclose(found["mean_separation"][0], where, rtol=1e-7)
     assert where - 0.1 < float(found["mean_separation"][1]) < where
-    with pytest.raises(st.InputError, match="at least"):
+    with refusal("load"):
         st.solve(contact, load=-force * (1.0 + 1e-9), model="fuller_tabor_1975", branch="unloading")
 
 
@@ -170,7 +171,7 @@ def test_the_contact_that_cannot_carry_its_load_is_named():
         separations_at(problem, loads[:, None])
     assert (caught.value.law, caught.value.at) == (wrong, 0) and caught.value.high < 4321.0
     contacts = st.Indices(theta=xarray.DataArray(theta, dims="sort"), lam=10.0)
-    with pytest.raises(st.InputError, match=r"load: '4321'; allowed: at most \d"):
+    with refusal("load", "4321"):
         st.solve(contacts, load=xarray.DataArray(loads, dims="sort"), model="greenwood_williamson_1966")
 
 
@@ -193,7 +194,7 @@ def test_very_many_contacts_are_each_at_their_own_load():
 def test_theories_in_closed_form_know_gaussian_heights_only(model, heights):
     name = heights if isinstance(heights, str) else heights.key
     contact = st.Indices(theta=40.0, lam=10.0, sharpness=0.01, roughness_parameter=0.05)
-    with pytest.raises(st.InputError, match=f"heights: '{name}'; allowed: gaussian: {model} knows no other heights"):
+    with refusal("heights", name, "gaussian", model):
         st.solve(contact, load=0.01, model=model, heights=heights)
     assert float(st.solve(contact, load=0.01, model=model, heights="gaussian")["contact_area"]) > 0.0
 
@@ -222,5 +223,5 @@ def test_sigmas_of_a_contact_are_counted():
         roughness=st.Roughness(**surface),
     )  # fmt: skip
     assert float(st.solve(contact, separation="47.9 mm", model="greenwood_williamson_1966")["load"]) == 0.0
-    with pytest.raises(st.InputError, match="times sigma at most"):
+    with refusal("separation", "1e+06"):
         st.solve(contact, separation="48.1 mm", model="greenwood_williamson_1966")

@@ -12,6 +12,7 @@ from scipy.optimize import brentq
 from scipy.special import gamma
 
 import stiction as st
+from refusals import refusal
 from stiction.contact.indices import Groups
 from stiction.engine import blocks
 from stiction.engine.heights import height_distribution
@@ -108,7 +109,7 @@ def test_heights_with_one_far_out():
 
 
 def test_no_load_is_refused_where_nothing_adheres():
-    with pytest.raises(st.InputError, match="'0'; allowed: more than 0 under this model"):
+    with refusal("load", "0"):
         st.solve(INDICES, load=0.0, model="greenwood_williamson_1966")
 
 
@@ -161,7 +162,7 @@ def test_many_contacts_in_blocks(monkeypatch):
     for name in whole.data_vars:
         if name != "load_residual":
             assert_allclose(parts[name], whole[name], rtol=1e-9, err_msg=name)
-    with pytest.raises(st.InputError, match="at most"):
+    with refusal("load"):
         st.solve(st.Indices(theta=thetas, lam=30.0), load=[1e-3, 1e9])
 
 
@@ -183,7 +184,7 @@ def test_narrow_weibull_heights_at_any_separation(model):
 
 
 def test_a_load_that_a_theory_of_loads_refuses_is_named_in_its_unit():
-    with pytest.raises(st.InputError, match="load: '-1 mN'; allowed: 0 or more: persson_2001"):
+    with refusal("load", "-1 mN", "0", "persson_2001"):
         st.solve(ADHESIVE, load="-1 mN", model="persson_2001")
 
 
@@ -302,7 +303,7 @@ def test_loads_near_the_largest_tension(theta):
     around = st.solve(contact, separation=where + np.array([-1e-3, 0.0, 1e-3]), **model)["load"].values
     curvature = np.diff(around, 2).item() / 1e-6
     assert_allclose(where - h[2:5], np.sqrt(2.0 * share[2:5] * tension / curvature), rtol=0.05, atol=3e-8)
-    with pytest.raises(st.InputError, match="at least"):
+    with refusal("load"):
         st.solve(contact, load=-tension * (1.0 + 1e-9), **model)
 
 
@@ -315,7 +316,7 @@ def test_loads_far_below_and_above_what_is_typical(model):
     assert (np.diff(h) < 0.0).all() and abs(found["load_residual"]).max() < 1e-12
     for x, load in zip(h, loads, strict=True):
         assert_allclose(float(st.solve(contact, separation=x, model=model)["load"]), load, rtol=1e-12)
-    with pytest.raises(st.InputError, match="'1e\\+12'; allowed: at most"):
+    with refusal("load", "1e+12"):
         st.solve(contact, load=[1e-2, 1e12], model=model)
 
 
@@ -400,14 +401,14 @@ def test_theories_in_closed_form_at_loads(module):
 def test_a_theory_in_closed_form_refuses_what_it_carries_nowhere():
     contact = st.Indices(theta=xarray.DataArray([100.0, 200.0, 300.0], dims="contact"), lam=10.0, roughness_parameter=0.05)
     load = xarray.DataArray([0.01, 1e-3, 1e4], dims="contact")
-    with pytest.raises(st.InputError, match="'10000'; allowed: at most 3"):
+    with refusal("load", "10000"):
         st.solve(contact, load=load, model="bush_gibson_thomas_1975")
     for beyond in (1e-100, 1e6, 1e300):  # and of the tables, too
-        refused = pytest.raises(st.InputError, match="at most") if beyond > 1.0 else nullcontext()
+        refused = refusal("load") if beyond > 1.0 else nullcontext()
         with np.errstate(divide="raise", invalid="raise"), refused:
             one = st.solve(st.Indices(theta=100.0, lam=10.0, roughness_parameter=0.05), load=beyond, model="greenwood_2006")
             assert abs(float(one["load_residual"])) < 1e-12
-    with pytest.raises(st.InputError, match="'0'; allowed: more than 0"):
+    with refusal("load", "0"):
         st.solve(contact, load=0.0, model="greenwood_2006")
 
 

@@ -14,6 +14,7 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
 import stiction as st
+from refusals import refusal
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz, jkr
@@ -359,8 +360,8 @@ def test_presliding_of_a_rough_surface():
     expected = 1e10 * 1e-6 * quad(stiffness, 0.0, 12.0, epsabs=0.0, epsrel=1e-11)[0]
     assert float(found["tangential_stiffness"]) == pytest.approx(expected, rel=1e-9)
     assert found["tangential_stiffness"].attrs["units"] == "N/m" and "mindlin_1949" in found.attrs["sources"]
-    with pytest.raises(st.InputError, match="single asperities"):
+    with refusal("presliding"):
         st.solve(contact, load="1 N", model="persson_2001", presliding="mindlin_1949")
     film = st.Coating(material="silver", thickness="200 nm")
-    with pytest.raises(st.InputError, match="film and substrate"):
+    with refusal("presliding"):
         st.solve(contact.model_copy(update={"coating": film}), load="1 N", presliding="mindlin_1949")

@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import quad
 
 import stiction as st
+from refusals import refusal
 
 SIGMA, RADIUS, DENSITY = 1e-8, 1e-6, 1e13
 SURFACE = st.Roughness(asperity_height_deviation=SIGMA, asperity_radius=RADIUS, asperity_density=DENSITY)
@@ -64,5 +65,5 @@ def test_elastic_rings_count_at_least_where_they_touch():
 
 @pytest.mark.parametrize("law", ["equilibrium_meniscus", "hertzian_meniscus"])
 def test_a_law_of_menisci_asks_a_dry_contact_for_its_liquid(law):
-    with pytest.raises(st.InputError, match=f"^liquid: not given; allowed: a liquid: {law}"):
+    with refusal("liquid", law):
         st.solve(DRY, load="1 mN", model="greenwood_williamson_1966", meniscus=law)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import stiction as st
+from refusals import refusal
 from stiction.contact.indices import Groups
 from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
 from stiction.laws.validity import doubts_of
@@ -49,7 +50,7 @@ def test_energy_of_waves_of_one_length():
 
 
 def test_what_stays_partial_is_refused():
-    with pytest.raises(st.InputError, match=r"flattening the roughness takes .* times the work of adhesion"):
+    with refusal("work_of_adhesion", "4.98"):
         st.solve(contact("2 um", "20 um", "2e9 1/m^2"), load=1e-3, model="persson_tosatti_2001")
     steel = st.compare(contact(first="copper", second="copper"), load=1e-2)
     assert "persson_tosatti_2001: " in steel.attrs["left_out"]

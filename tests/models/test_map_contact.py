@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 from typer.testing import CliRunner
 
 import stiction as st
+from refusals import refusal
 from stiction import cli
 from stiction.laws.validity import doubts_of, read_doubts
 from stiction.records.registry import RoughSurface, of_kind
@@ -137,15 +138,15 @@ def test_friction_of_the_pressure_of_every_point(contact, rough):
     assert abs(float(grown["friction_force"]) - expected) <= 3.0 * strength * (one.area_pixels - one.area)
     assert float(grown["friction_force"]) > 1.05 * strength * float(grown["contact_area"])
     for changes, given, message in (
-        ({}, {"shear": "lesser"}, "pressure_coefficient"),
+        ({}, {"shear": "lesser"}, ("pressure_coefficient",)),
         (
             {"interfacial_shear_strength": second.hardness / 3.0, "hardness_to_yield": 1.5},
             {"shear": "junction_growth"},
-            "grow without end|without end",
+            ("interfacial_shear_strength",),
         ),
-        ({"pressure_coefficient": 0.1}, {"shear": "junction_growth"}, "under one strength"),
+        ({"pressure_coefficient": 0.1}, {"shear": "junction_growth"}, ("tangential",)),
     ):
-        with pytest.raises(st.InputError, match=message):
+        with refusal(*message):
             st.solve(contact.replace(**changes), load="2 mN", model=MODEL, **given)
 
 
@@ -185,10 +186,10 @@ def test_two_rough_faces_are_one_of_their_sum(rough):
     one = st.solve(elastic(twice), load="1 mN", model=MODEL)
     assert float(two["area_fraction"]) == pytest.approx(float(one["area_fraction"]), rel=1e-6)
     other = gaussian_surface((64, 64), (2 * SIDE, 2 * SIDE), SelfAffine(0.8, SIDE / 4, SIDE / 8, 4e-8), 3)
-    with pytest.raises(st.InputError, match="as many points as the first, over the same size"):
+    with refusal("roughness.second", "64 x 64"):
         st.solve(elastic({"first": rough, "second": other}), load="1 mN", model=MODEL)
     numbers = {"asperity_height_deviation": 1e-8, "asperity_radius": 1e-6, "asperity_density": 1e12}
-    with pytest.raises(st.InputError, match="a map of every rough body"):
+    with refusal("roughness"):
         st.solve(elastic({"first": rough, "second": numbers}), load="1 mN", model=MODEL)
 
 
@@ -250,13 +251,13 @@ def test_doubts_are_those_of_the_map(rough):
 @pytest.mark.parametrize(
     ("changes", "given", "message"),
     [
-        ({}, {"load": "-1 mN"}, "knows no adhesion"),
-        ({}, {"separation": "10 nm"}, "a load in its place"),
-        ({}, {"load": "1 kN"}, "the hardness times the area"),
-        ({}, {"load": "1 mN", "tangential": "hamilton_1983"}, "a law of the interface: boundary_elements knows patches"),
-        ({}, {"load": "1 mN", "film": "sequential"}, "solves the film of the contact itself"),
-        ({}, {"load": "1 mN", "heights": "gaussian"}, "takes those of the map"),
-        ({"nominal_area": st.axis("nominal_area", [1e-9, 2e-9])}, {"load": "1 mN"}, "one number"),
+        ({}, {"load": "-1 mN"}, ("load",)),
+        ({}, {"separation": "10 nm"}, ("separation",)),
+        ({}, {"load": "1 kN"}, ("loads",)),
+        ({}, {"load": "1 mN", "tangential": "hamilton_1983"}, ("tangential", "hamilton_1983", "boundary_elements")),
+        ({}, {"load": "1 mN", "film": "sequential"}, ("film",)),
+        ({}, {"load": "1 mN", "heights": "gaussian"}, ("heights",)),
+        ({"nominal_area": st.axis("nominal_area", [1e-9, 2e-9])}, {"load": "1 mN"}, ("nominal_area",)),
     ],
     ids=["tension", "separation", "too much", "asperities", "film law", "heights", "several"],
 )  # fmt: skip
@@ -264,7 +265,7 @@ def test_what_cannot_be_is_refused_in_a_line(contact, changes, given, message):
     coated = "film" in given
     made = contact.model_copy(update=changes) if changes else contact
     made = made.replace(coating={"material": "silver", "thickness": "1 um"}) if coated else made
-    with pytest.raises(st.InputError, match=message) as caught:
+    with refusal(*message) as caught:
         st.solve(made, **given, model=MODEL)
     assert "\n" not in str(caught.value)
 
@@ -272,22 +273,22 @@ def test_what_cannot_be_is_refused_in_a_line(contact, changes, given, message):
 def test_maps_that_cannot_be_solved_get_a_line(rough):
     holed = rough.heights.copy()
     holed[3, 4] = np.nan
-    with pytest.raises(st.InputError, match="harmonic or nearest"):
+    with refusal("roughness.fill", "harmonic", "nearest"):
         st.solve(elastic({"first": replace(rough, heights=holed)}), load="1 mN", model=MODEL)
     filled = elastic({"first": replace(rough, heights=holed), "fill": "harmonic"})
     assert float(st.solve(filled, load="1 mN", model=MODEL)["contact_area"]) > 0.0
     numbers = st.Roughness(asperity_height_deviation=1e-8, asperity_radius=1e-6, asperity_density=1e12)
-    with pytest.raises(st.InputError, match="roughness: not given; allowed: a map"):
+    with refusal("roughness", "boundary_elements"):
         st.solve(elastic(numbers), load="1 mN", model=MODEL)
-    with pytest.raises(st.InputError, match="a map"):
+    with refusal("roughness", "boundary_elements"):
         st.solve(st.Indices(theta=10.0, lam=10.0, nu=0.3), load=1e-3, model=MODEL)
 
 
 def test_memory_is_asked_for_before_a_map_is_made_or_solved(contact, monkeypatch):
-    with pytest.raises(st.InputError, match="100000 x 100000 points"):
+    with refusal("heights", "100000 x 100000"):
         st.gaussian_surface((100_000, 100_000), (1e-3, 1e-3), SelfAffine(0.8, 1e-4, 1e-6, 1e-7), 1)
     monkeypatch.setattr("stiction.surfaces.memory.available_memory", lambda: 10**5)
-    with pytest.raises(st.InputError, match="64 x 64 points"):
+    with refusal("heights", "64 x 64"):
         st.solve(contact, load="1 mN", model=MODEL)
 
 
@@ -310,12 +311,12 @@ def test_adhesion_is_solved_if_asked_for(rough):
     assert "range_tabor" in {one.quantity for one in doubts_of(found)}
     alone = replace(rough, periodic=False)
     for contact, changes, message in (
-        (soft, {"yielding": "at_hardness"}, "elastic bodies"),
-        (elastic(alone, work_of_adhesion=0.05), {}, "left_out, or one period"),
-        (elastic(rough), {}, "work_of_adhesion"),
-        (soft, {"shear": "junction_growth"}, "where faces adhere"),
+        (soft, {"yielding": "at_hardness"}, ("yielding",)),
+        (elastic(alone, work_of_adhesion=0.05), {}, ("adhesion", "left_out")),
+        (elastic(rough), {}, ("work_of_adhesion",)),
+        (soft, {"shear": "junction_growth"}, ("shear",)),
     ):
-        with pytest.raises(st.InputError, match=message):
+        with refusal(*message):
             st.solve(contact, load="1 mN", **asked | changes)
 
 
@@ -487,5 +488,5 @@ def test_one_period_stays_one_under_a_filter(rough):
     one, other = (filter_period(each, shortest=SIDE / 6).heights for each in (moved, rough))
     assert_allclose(one, np.roll(other, (5, 9), (0, 1)), atol=1e-20)
     assert passed.periodic and not level(wave).periodic
-    with pytest.raises(st.InputError, match="without missing points"):
+    with refusal("heights", "512 missing points"):
         filter_period(replace(wave, heights=np.where(wave.heights > 0.99, np.nan, wave.heights)), shortest=SIDE / 8)

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import stiction as st
+from refusals import refusal
 from stiction.contact.indices import Groups, Indices
 from stiction.laws.rough_surface import persson_2001, persson_widened
-from stiction.quantities.errors import InputError
 from stiction.solvers.boundary_elements.map_area import map_area
 from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.surfaces.generate import gaussian_surface, with_slope
@@ -101,7 +101,7 @@ def test_numbers_say_that_they_are(worn):
     roughness = st.Roughness(asperity_height_deviation="20 nm", asperity_radius="2 um", asperity_density="2e12 1/m^2")
     data = st.solve(contact(roughness), load="10 uN", model="persson_widened")
     assert data.attrs["area_by"] == persson_widened.WAYS["moments"]
-    with pytest.raises(InputError, match="a load in its place"):
+    with refusal("separation", "1 nm", "persson_widened"):
         st.solve(contact(worn), separation="1 nm", model="persson_widened")
 
 

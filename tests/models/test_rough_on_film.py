@@ -12,11 +12,11 @@ from scipy.integrate import quad
 from scipy.special import erf
 
 import stiction as st
+from refusals import refusal
 from stiction.contact.indices import Groups
 from stiction.laws.rough_surface import persson_2001
 from stiction.laws.rough_surface.rough_on_film import area_at_load, area_on_map, thickness_over_wave, waves_of_moments
 from stiction.laws.validity import doubts_of
-from stiction.quantities.errors import InputError
 from stiction.surfaces.theory.moments import bandwidth, density_of_bandwidth, slope_over_sharpness
 from tables import column, groups, read
 
@@ -201,12 +201,17 @@ def test_doubts():
     assert "stiff_film_over_wave" not in quantities(n_E=4.0) and "stiff_film_over_wave" not in quantities(film_aspect=1.0)
     assert "n_E" in quantities(n_E=20.0)
     for given, load, more, said in (
-        (st.Indices(hardness_group=20.0, roughness_parameter=0.06), 0.1, {}, "has none"),
-        (st.Indices(hardness_group=20.0, **film), 0.1, {"film": "layered"}, "has its own"),
-        (st.Indices(hardness_group=20.0, **film), -0.1, {}, "knows no adhesion"),
-        (st.Indices(hardness_group=20.0, **film | {"roughness_parameter": 0.01}), 0.1, {}, "bandwidth 3/2"),
+        (st.Indices(hardness_group=20.0, roughness_parameter=0.06), 0.1, {}, ("model",)),
+        (st.Indices(hardness_group=20.0, **film), 0.1, {"film": "layered"}, ("film",)),
+        (st.Indices(hardness_group=20.0, **film), -0.1, {}, ("load",)),
+        (
+            st.Indices(hardness_group=20.0, **film | {"roughness_parameter": 0.01}),
+            0.1,
+            {},
+            ("roughness_parameter", "0.01", ">= 0.01581"),
+        ),
     ):
-        with pytest.raises(InputError, match=said):
+        with refusal(*said):
             st.solve(given, load=load, model=LAW, **more)
 
 

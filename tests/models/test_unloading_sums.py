@@ -12,6 +12,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import stiction as st
+from refusals import refusal
 from stiction.quantities.errors import InputError
 from stiction.records.registry import AsperityLaw, of_kind
 
@@ -313,35 +314,38 @@ def test_other_heights():
 
 
 REFUSED = {
-    "yields and adheres": ({"asperity": "roy_chowdhury_ghosh_1994"}, "does not say how it unloads"),
-    "friction of asperities": ({"asperity": "kogut_etsion_2002", "tangential": "kogut_etsion_2003"}, "a law of the interface"),
-    "own regimes": ({"model": "soft_coating_2015"}, "a plain sum over an asperity law"),
-    "closed form": ({"model": "bush_gibson_thomas_1975"}, "has no history"),
-    "branch": ({"asperity": "jkr", "branch": "loading"}, "what was pressed unloads"),
-    "film law": ({"film": "soft_coating_2015"}, "no such option"),
-    "nearer": ({"separation": [0.5, 0.2], "distance": None}, "0.3 or more: the surfaces were pressed to there"),
-    "negative": ({"distance": -0.1}, "0 or more"),
-    "no distance": ({"distance": None}, "exactly one of the two"),
-    "two turns": ({"pressed_with": 0.1}, "exactly one of the two"),
-    "no number": ({"distance": math.inf}, "finite numbers"),
-    "too far": ({"distance": 1e7}, "1e+06 times sigma at most"),
-    "too near": ({"pressed_to": -1e7}, "1e+06 times sigma at most"),
-    "load nowhere carried": ({"pressed_to": None, "pressed_with": -0.1}, "more than 0 under"),
-    "no load": ({"pressed_to": None, "pressed_with": 0.0}, "more than 0 under"),
+    "yields and adheres": ({"asperity": "roy_chowdhury_ghosh_1994"}, ("asperity", "roy_chowdhury_ghosh_1994")),
+    "friction of asperities": (
+        {"asperity": "kogut_etsion_2002", "tangential": "kogut_etsion_2003"},
+        ("tangential", "kogut_etsion_2003"),
+    ),
+    "own regimes": ({"model": "soft_coating_2015"}, ("model", "soft_coating_2015")),
+    "closed form": ({"model": "bush_gibson_thomas_1975"}, ("model", "bush_gibson_thomas_1975")),
+    "branch": ({"asperity": "jkr", "branch": "loading"}, ("branch", "loading")),
+    "film law": ({"film": "soft_coating_2015"}, ("film", "soft_coating_2015")),
+    "nearer": ({"separation": [0.5, 0.2], "distance": None}, ("separation", "0.2", "0.3")),
+    "negative": ({"distance": -0.1}, ("distance", "-0.1", "0")),
+    "no distance": ({"distance": None}, ("separation or distance",)),
+    "two turns": ({"pressed_with": 0.1}, ("pressed_to or pressed_with",)),
+    "no number": ({"distance": math.inf}, ("distance", "inf")),
+    "too far": ({"distance": 1e7}, ("distance", "1e+06")),
+    "too near": ({"pressed_to": -1e7}, ("pressed_to", "1e+06")),
+    "load nowhere carried": ({"pressed_to": None, "pressed_with": -0.1}, ("load", "-0.1", "0")),
+    "no load": ({"pressed_to": None, "pressed_with": 0.0}, ("load", "0")),
 }
 
 
 @pytest.mark.parametrize("case", REFUSED)
 def test_refusals(case):
-    given, reason = REFUSED[case]
-    with pytest.raises(InputError, match=reason.replace("+", r"\+")):
-        st.unload(INDICES, **{"pressed_to": 0.3, "distance": 0.1} | given)
+    changes, expected = REFUSED[case]
+    with refusal(*expected):
+        st.unload(INDICES, **{"pressed_to": 0.3, "distance": 0.1} | changes)
 
 
 def test_refused_with_a_film():
     film = st.Coating(material={"preset": "silver", "hardness": "0.4 GPa"}, thickness="200 nm", bodies="first")
     for coated in (st.Indices(theta=40.0, lam=3.0, n_E=1.0, n_H=0.5, tau=2.0), contact(coating=film)):
-        with pytest.raises(InputError, match="no film law says how it unloads"):
+        with refusal("contact"):
             st.unload(coated, pressed_to=0.0, distance=0.0)
 
 

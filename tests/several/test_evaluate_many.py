@@ -1,11 +1,10 @@
 """The batch evaluator of all studies: contacts together are as alone, and a refused one is told apart from its neighbours."""
 
 import numpy as np
-import pytest
 from xarray import DataArray
 
 import stiction as st
-from stiction.quantities.errors import InputError
+from refusals import refusal
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import bisected
 from stiction.studies import evaluate_many as module
@@ -52,7 +51,7 @@ def test_nothing_to_cut_is_one_contact():
     ((region, _, results),) = evaluate_many(TABLES, {THETA: 20.0}, {"separation": 1.0}, MODEL, KEEP, along=("n",))
     assert region == {} and np.isfinite(results.variables["friction_coefficient"][1])
     assert [*evaluate_many(TABLES, {THETA: -1.0}, None, MODEL, KEEP, along=("n",))] == [({}, None, None)]
-    with pytest.raises(InputError, match="theta"):
+    with refusal("indices.theta"):
         evaluate_together(TABLES, {THETA: -1.0}, None, MODEL)
 
 

@@ -9,6 +9,7 @@ from comparing import near
 from scipy import integrate
 
 import stiction as st
+from refusals import refusal
 from stiction import InputError
 from stiction.report.method_pictures import resolution_figure
 from stiction.solving.choice import Choice
@@ -216,7 +217,7 @@ def test_what_will_not_do_is_one_clear_line(surface, given, field):
 
 
 def test_a_profile_has_no_methods_of_maps():
-    with pytest.raises(InputError, match="three_point, n_point, mccool"):
+    with refusal("methods", "persistence", "three_point", "n_point", "mccool"):
         resolution_study(HeightMap(np.arange(100.0)[None, :] % 7, (1e-6, 1e-6)), [0.0], ["persistence"])
 
 

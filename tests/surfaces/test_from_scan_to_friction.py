@@ -11,6 +11,7 @@ from comparing import near
 from typer.testing import CliRunner
 
 import stiction as st
+from refusals import refusal
 from stiction.case.read import json_schema, read_content
 from stiction.cli import app
 from stiction.studies.sweep.plan import make_plan
@@ -152,13 +153,13 @@ NUMBERS = {"asperity_height_deviation": "20 nm", "asperity_radius": "5 um", "asp
     ),
 )
 def test_a_surface_is_gaussian_and_has_none_of_its_own(surface, field):
-    with pytest.raises(st.InputError, match=field):
+    with refusal(field):
         st.Roughness(**NUMBERS, surface=surface)
 
 
 def test_a_body_beside_a_scan_has_one_set_of_numbers(folder):
     numbers = "{ " + ", ".join(f'{name} = "{value}"' for name, value in NUMBERS.items())
-    with pytest.raises(st.InputError, match=r"second\.surface"):
+    with refusal("contact.roughness.second.surface"):
         st.read_case(case(folder, f"{ONE}\nsecond = {numbers}, surface = {numbers} }} }}"))
 
 

@@ -8,8 +8,8 @@ import xarray
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 
+from refusals import refusal
 from stiction.contact.contact import Contact
-from stiction.quantities.errors import InputError
 from stiction.report.method_pictures import method_spread_figure, resolution_figure
 from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
 from stiction.solving.choice import Choice
@@ -425,5 +425,5 @@ def test_one_load_is_a_bar():
 
 
 def test_a_result_without_band_is_refused(with_range_over_methods):
-    with pytest.raises(InputError, match="friction_coefficient_by_method"):
+    with refusal("friction_coefficient_by_method"):
         method_spread_figure(with_range_over_methods.drop_vars("friction_coefficient_by_method"))

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.special import erf
 
+from refusals import refusal
 from stiction.quantities.errors import InputError
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import crop, fill_missing, filter_band, filter_period, level, remove_form
@@ -75,11 +76,11 @@ def test_form_of_points_on_one_line():
 
 def test_form_that_cannot_be_removed():
     for order in (0, 5, 2.5, True, "2"):
-        with pytest.raises(InputError, match=r"^order"):
+        with refusal("order", "1, 2, 3"):
             remove_form(HeightMap(rough(), (1.0, 1.0)), order)
     few = np.full((20, 20), np.nan)
     few[0, :5] = 1e-6
-    with pytest.raises(InputError, match="5 points with heights"):
+    with refusal("scan", "5", "6"):
         remove_form(HeightMap(few, (1.0, 1.0)), 2)
 
 
@@ -128,9 +129,9 @@ def test_nothing_to_fill_and_nothing_to_fill_from():
     assert np.array_equal(fill_missing(surface).heights, surface.heights)
     level_hole = HeightMap(holed(np.full((60, 90), 4.0)), (1.0, 1.0))
     assert np.array_equal(fill_missing(level_hole).heights, np.full((60, 90), 4.0))
-    with pytest.raises(InputError, match="all 81 points missing"):
+    with refusal("scan", "81"):
         fill_missing(HeightMap(np.full((9, 9), np.nan), (1.0, 1.0)))
-    with pytest.raises(InputError, match="harmonic or nearest"):
+    with refusal("fill", "zeros", "harmonic", "nearest"):
         fill_missing(surface, "zeros")
 
 
@@ -144,7 +145,7 @@ def test_crop():
     assert part.pitch == pytest.approx(surface.pitch)
     assert part.history[-1] == "cropped: y 10 µm to 25 µm, x 0 m to 50 µm"
     for x in (("50 um", "50 um"), ("50 um", "10 um"), ("0.1 um", "0.2 um"), (0.0, "101 um"), (0.0,), "all", (0, "1 s")):
-        with pytest.raises(InputError, match=r"^crop x"):
+        with refusal("crop x", "0 m"):
             crop(surface, x=x)
 
 
@@ -238,7 +239,7 @@ def test_weights_left_out_and_renormalised():
     ],
 )  # fmt: skip
 def test_bands_that_cannot_be(shortest, longest, field):
-    with pytest.raises(InputError, match=f"^{field}: "):
+    with refusal(field):
         filter_band(HeightMap(rough(), (60e-6, 90e-6)), shortest, longest)
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from refusals import refusal
 from stiction.quantities.errors import InputError
 from stiction.surfaces import readers as formats
 from stiction.surfaces.heightmap import HeightMap, metres
@@ -113,7 +114,7 @@ def test_channels():
     assert np.array_equal(height.heights, read_scan(SCANS / "di-3.di", channel=3).heights)
     assert not np.array_equal(height.heights, first.heights)
     for wrong in ("Phase", "height of the sea", 17):  # a phase is no height
-        with pytest.raises(InputError, match=r"^channel: .*'ZSensor', 3 'Height'"):
+        with refusal("channel", "0 'ZSensor'", "3 'Height'"):
             read_scan(SCANS / "di-3.di", channel=wrong)
 
 
@@ -142,7 +143,7 @@ def test_without_the_library(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "SurfaceTopography.IO", None)
     monkeypatch.setitem(sys.modules, "SurfaceTopography.Exceptions", None)
     (tmp_path / "scan.sur").write_bytes(b"DIGITAL SURF")
-    with pytest.raises(InputError, match=r"pip install 'stiction\[scans\]'$"):
+    with refusal("scan", "stiction[scans]"):
         read_scan(tmp_path / "scan.sur")
 
 
@@ -248,7 +249,7 @@ def test_blanks_with_decimal_commas_and_a_first_row_that_is_missing(tmp_path):
 def test_an_npz_file_with_something_else_than_an_array_is_refused(tmp_path):
     with zipfile.ZipFile(tmp_path / "a.npz", "w") as archive:
         archive.writestr("heights.npy", b"no array at all")
-    with pytest.raises(InputError, match=r"an undamaged \.npz file"):
+    with refusal("scan", ".npz"):
         read_scan(tmp_path / "a.npz", **SMALL)
 
 
@@ -260,7 +261,7 @@ def test_npz(tmp_path):
     np.testing.assert_allclose(surface.heights, HEIGHTS * 1e-9, rtol=1e-12)
     assert "npz, array 'top' of top, phase" in surface.history[0]
     for wrong in (None, "bottom"):
-        with pytest.raises(InputError, match=r"^channel: .*top, phase"):
+        with refusal("channel", "top, phase"):
             read_scan(tmp_path / "b.npz", channel=wrong, **SMALL)
 
 
@@ -349,7 +350,7 @@ def test_a_format_is_one_file(tmp_path, monkeypatch):
         np.savetxt(tmp_path / "b.csv", HEIGHTS)
         assert read_scan(tmp_path / "b.csv", size="12 um", unit="nm").heights.shape == HEIGHTS.shape
         (tmp_path / "c.digits").write_text("no heights in here")
-        with pytest.raises(InputError, match=r"^scan: "):
+        with refusal("scan"):
             read_scan(tmp_path / "c.digits")
     finally:
         readers.cache_clear()
@@ -364,38 +365,38 @@ SMALL = {"size": "10 um", "unit": "nm"}
 @pytest.mark.parametrize(
     ("heights", "options", "message"),
     [
-        (wavy(), {}, r"^unit: not given; .*e\.g\. \"nm\""),
-        (wavy(), {"unit": "nm"}, r"^size: not given"),
-        (wavy(), {"size": "10 um", "unit": "kg"}, r"^unit: 'kg'; allowed: a length unit"),
-        (wavy(), {"size": "10 um", "unit": "um", "height_unit": "furl ongs"}, r"^height_unit: 'furl ongs'"),
-        (wavy(), {"size": "0 um", "unit": "nm"}, r"^size: '0 um'"),
-        (wavy(), {"size": "-3", "unit": "nm"}, r"^size: '-3 nm'"),
-        (wavy(), {"size": "large", "unit": "nm"}, r"^size: 'large'"),
-        (wavy(), {"size": float("nan"), "unit": "nm"}, r"^size: nan"),
-        (wavy(), {"size": (1e-6, 1e-6, 1e-6), "unit": "nm"}, r"^size: .*two \(y, x\)"),
-        (wavy(), SMALL | {"height_scale": 0.0}, r"^height_scale: 0"),
-        (wavy(), SMALL | {"height_scale": "2"}, r"^height_scale: '2'"),
-        (wavy(), SMALL | {"channel": "Height"}, r"^channel: 'Height'; allowed: none"),
-        (wavy(), {"size": "10 nm", "unit": "mm"}, r"peak to valley .*check unit"),
-        (1e-9 * wavy(), {"size": "1 m", "unit": "nm"}, r"peak to valley .*check unit"),
-        (1e308 * wavy(), SMALL | {"unit": "km"}, r"infinite heights"),
-        (1e308 * wavy(), SMALL | {"unit": "m"}, r"peak to valley inf"),
-        (np.full((9, 9), 3.7), SMALL, r"constant heights"),
-        (np.full((9, 9), np.nan), SMALL, r"all 81 points missing"),
-        (np.where(wavy() > 0.9, np.inf, wavy()), SMALL, r"infinite heights"),
-        (wavy(7, 40), SMALL, r"7 x 40 points'; allowed: at least 8 points"),
-        (wavy(9, 3), SMALL, r"9 x 3 points'.*\.csv and \.xyz$"),
-        (np.sin(np.arange(5)), SMALL, r"1 x 5 points"),
-        (wavy() * 1j, SMALL, r"complex128 .*real numbers"),
-        (np.array([["a", "b"]]), SMALL, r"real numbers"),
-        (np.array([[1, "b"]], dtype=object), SMALL, r"undamaged \.npy"),
-        (np.zeros((2, 9, 9)), SMALL, r"shape \(2, 9, 9\)"),
-        (np.zeros((0, 9)), SMALL, r"0 x 9 points"),
+        (wavy(), {}, ("unit", "nm")),
+        (wavy(), {"unit": "nm"}, ("size",)),
+        (wavy(), {"size": "10 um", "unit": "kg"}, ("unit", "kg")),
+        (wavy(), {"size": "10 um", "unit": "um", "height_unit": "furl ongs"}, ("height_unit", "furl ongs")),
+        (wavy(), {"size": "0 um", "unit": "nm"}, ("size", "0 um")),
+        (wavy(), {"size": "-3", "unit": "nm"}, ("size", "-3 nm")),
+        (wavy(), {"size": "large", "unit": "nm"}, ("size", "large")),
+        (wavy(), {"size": float("nan"), "unit": "nm"}, ("size",)),
+        (wavy(), {"size": (1e-6, 1e-6, 1e-6), "unit": "nm"}, ("size",)),
+        (wavy(), SMALL | {"height_scale": 0.0}, ("height_scale", "0")),
+        (wavy(), SMALL | {"height_scale": "2"}, ("height_scale", "2")),
+        (wavy(), SMALL | {"channel": "Height"}, ("channel", "Height")),
+        (wavy(), {"size": "10 nm", "unit": "mm"}, ("scan",)),
+        (1e-9 * wavy(), {"size": "1 m", "unit": "nm"}, ("scan",)),
+        (1e308 * wavy(), SMALL | {"unit": "km"}, ("scan",)),
+        (1e308 * wavy(), SMALL | {"unit": "m"}, ("scan",)),
+        (np.full((9, 9), 3.7), SMALL, ("scan",)),
+        (np.full((9, 9), np.nan), SMALL, ("scan", "81")),
+        (np.where(wavy() > 0.9, np.inf, wavy()), SMALL, ("scan",)),
+        (wavy(7, 40), SMALL, ("scan", "7 x 40", "8")),
+        (wavy(9, 3), SMALL, ("scan", "9 x 3", ".csv", ".xyz")),
+        (np.sin(np.arange(5)), SMALL, ("scan", "1 x 5")),
+        (wavy() * 1j, SMALL, ("scan", "complex128")),
+        (np.array([["a", "b"]]), SMALL, ("scan",)),
+        (np.array([[1, "b"]], dtype=object), SMALL, ("scan", ".npy")),
+        (np.zeros((2, 9, 9)), SMALL, ("scan", "(2, 9, 9)")),
+        (np.zeros((0, 9)), SMALL, ("scan", "0 x 9")),
     ],
 )
 def test_bad_arrays_and_options_are_one_line(tmp_path, heights, options, message):
     np.save(tmp_path / "a.npy", heights)
-    with pytest.raises(InputError, match=message) as caught:
+    with refusal(*message) as caught:
         read_scan(tmp_path / "a.npy", **options)
     assert "\n" not in str(caught.value)
 
@@ -403,39 +404,39 @@ def test_bad_arrays_and_options_are_one_line(tmp_path, heights, options, message
 @pytest.mark.parametrize(
     ("name", "content", "message"),
     [
-        ("a.npy", b"", "not empty"),
-        ("a.csv", b"", "not empty"),
-        ("a.csv", b"\n# nothing\n \n", "a file with numbers"),
-        ("a.npy", b"\x93NUMPY\x01\x00v\x00{'descr'", r"undamaged \.npy"),
-        ("a.npy", b"PK\x03\x04 not a zip archive", r"undamaged \.npy"),
-        ("a.npy", b"some text", r"undamaged \.npy"),
-        ("a.npy", b"\x93NUMPY\x01\x00\x14\x00{'descr': '<f8', ((((" + bytes(80), r"undamaged \.npy"),
-        ("a.npz", b"some text", r"undamaged \.npz"),
-        ("a.npz", b"PK\x03\x04 not a zip archive", r"undamaged \.npz"),
-        ("a.npz", b"PK\x05\x06" + bytes(18), "it has none"),
-        ("a.csv", b" \n\t\r\n" * 9, "not empty"),
-        ("a.csv", b",0,1,2\n0,5,6,7\n1,8,9,7\n", "numbers of its rows and columns"),
-        ("a.csv", b",z\n" + b"".join(b"%d,%d\n" % (i, i % 3) for i in range(9)), "numbers of its rows'"),
-        ("a.csv", b"1,5;2.5\n3;4\n", "decimal commas or decimal points"),
-        ("a.csv", b"1,5 2,5\n3,1 4,1\n", "at least 8 points"),
-        ("a.csv", b"1,2,3,4\n4,5,6,7\n", "2 x 4 points"),
-        ("a.csv", b"5", "1 x 1 points"),
-        ("a.csv", b"z,x\n" + b"".join(b"%d,%d\n" % (i % 3, i) for i in range(12)), "positions x that increase along"),
-        ("a.csv", b"1,2,3\n4,five,6\n", r"rows of numbers.*five"),
-        ("a.csv", b"1,2,3\n4,5\n", r"equally many.*columns changed"),
-        ("a.xyz", b"1 2 3 4\n5 6 7 8\n", "4 columns"),
-        ("a.xyz", b"0 0 1\n0 0 2\n1 0 3\n", "one height per point"),
-        ("a.xyz", b"0 0 1\n1 1 2\n2.5 2 1\n3 3 3\n4 4 1\n5 5 2\n", "regular grid"),
-        ("a.xyz", b"nan 0 1\n1 1 2\n", "positions x y of all points"),
-        ("a.xyz", b"0 1\n1 2\n", "at least 8 points"),
-        ("a.xyz", b"3 1\n" * 9, "positions x that increase"),
-        ("a.xyz", b"0 1\n9 0\n1 2\n7 2\n3 2\n2 2\n5 2\n6 2\n50 2\n", "positions x that increase along"),
-        ("a.xyz", "".join(f"{i} {i * i} 1\n" for i in range(40)).encode(), "regular grid"),
+        ("a.npy", b"", ("scan",)),
+        ("a.csv", b"", ("scan",)),
+        ("a.csv", b"\n# nothing\n \n", ("scan",)),
+        ("a.npy", b"\x93NUMPY\x01\x00v\x00{'descr'", ("scan", ".npy")),
+        ("a.npy", b"PK\x03\x04 not a zip archive", ("scan", ".npy")),
+        ("a.npy", b"some text", ("scan", ".npy")),
+        ("a.npy", b"\x93NUMPY\x01\x00\x14\x00{'descr': '<f8', ((((" + bytes(80), ("scan", ".npy")),
+        ("a.npz", b"some text", ("scan", ".npz")),
+        ("a.npz", b"PK\x03\x04 not a zip archive", ("scan", ".npz")),
+        ("a.npz", b"PK\x05\x06" + bytes(18), ("channel",)),
+        ("a.csv", b" \n\t\r\n" * 9, ("scan",)),
+        ("a.csv", b",0,1,2\n0,5,6,7\n1,8,9,7\n", ("scan",)),
+        ("a.csv", b",z\n" + b"".join(b"%d,%d\n" % (i, i % 3) for i in range(9)), ("scan",)),
+        ("a.csv", b"1,5;2.5\n3;4\n", ("scan",)),
+        ("a.csv", b"1,5 2,5\n3,1 4,1\n", ("scan", "8")),
+        ("a.csv", b"1,2,3,4\n4,5,6,7\n", ("scan", "2 x 4")),
+        ("a.csv", b"5", ("scan", "1 x 1")),
+        ("a.csv", b"z,x\n" + b"".join(b"%d,%d\n" % (i % 3, i) for i in range(12)), ("scan",)),
+        ("a.csv", b"1,2,3\n4,five,6\n", ("scan",)),
+        ("a.csv", b"1,2,3\n4,5\n", ("scan",)),
+        ("a.xyz", b"1 2 3 4\n5 6 7 8\n", ("scan", "4")),
+        ("a.xyz", b"0 0 1\n0 0 2\n1 0 3\n", ("scan",)),
+        ("a.xyz", b"0 0 1\n1 1 2\n2.5 2 1\n3 3 3\n4 4 1\n5 5 2\n", ("scan",)),
+        ("a.xyz", b"nan 0 1\n1 1 2\n", ("scan",)),
+        ("a.xyz", b"0 1\n1 2\n", ("scan", "8")),
+        ("a.xyz", b"3 1\n" * 9, ("scan",)),
+        ("a.xyz", b"0 1\n9 0\n1 2\n7 2\n3 2\n2 2\n5 2\n6 2\n50 2\n", ("scan",)),
+        ("a.xyz", "".join(f"{i} {i * i} 1\n" for i in range(40)).encode(), ("scan",)),
     ],
 )
 def test_bad_files_are_one_line(tmp_path, name, content, message):
     (tmp_path / name).write_bytes(content)
-    with pytest.raises(InputError, match=message) as caught:
+    with refusal(*message) as caught:
         read_scan(tmp_path / name, **SMALL)
     assert "\n" not in str(caught.value)
 
@@ -445,7 +446,7 @@ def test_bad_files_are_one_line(tmp_path, name, content, message):
 def test_files_of_no_known_format_are_one_line(tmp_path, name, content, capfd):
     pytest.importorskip("SurfaceTopography")
     (tmp_path / name).write_bytes(content)
-    with pytest.raises(InputError, match=r"^scan: ") as caught:
+    with refusal("scan") as caught:
         read_scan(tmp_path / name, **SMALL)
     assert "\n" not in str(caught.value)
     assert capfd.readouterr() == ("", "")
@@ -484,7 +485,7 @@ def test_a_damaged_line_does_not_cost_the_lines_above(tmp_path):
     lines = (SCANS / "dektak-1.csv").read_bytes().splitlines(keepends=True)
     lines[60] = lines[60].replace(b".", b"~")
     (tmp_path / "a.csv").write_bytes(b"".join(lines))
-    with pytest.raises(InputError, match=r"^scan: .*of 9600 lines of numbers"):
+    with refusal("scan", "9600"):
         read_scan(tmp_path / "a.csv")
 
 
@@ -496,7 +497,7 @@ def test_the_ending_of_the_name_is_no_matter_but_for_arrays(tmp_path, name, endi
     other = tmp_path / f"scan{ending}"
     other.write_bytes((SCANS / name).read_bytes())
     if ending == ".npy":
-        with pytest.raises(InputError, match=r"undamaged \.npy"):
+        with refusal("scan", ".npy"):
             read_scan(other)
     else:
         assert np.array_equal(read_scan(other).heights, read_scan(SCANS / name).heights, equal_nan=True)
@@ -510,7 +511,7 @@ def test_header_that_claims_more_than_the_file_holds(tmp_path):
     claimed = claimed.replace(b"Number of rows: 256", b"Number of rows: 1000000")
     assert claimed.count(b"1000000") == 2
     (tmp_path / "a.stp").write_bytes(claimed)
-    with pytest.raises(InputError, match=r"^scan: .*claims 1000000000000 points"):
+    with refusal("scan", "1000000000000"):
         read_scan(tmp_path / "a.stp")
 
 
@@ -524,13 +525,13 @@ def test_array_header_that_claims_more_than_the_file_holds(tmp_path, name):
     else:
         with zipfile.ZipFile(tmp_path / name, "w") as archive:
             archive.writestr("heights.npy", array.getvalue())
-    with pytest.raises(InputError, match=r"^scan: .*undamaged"):
+    with refusal("scan"):
         read_scan(tmp_path / name, **SMALL)
 
 
 def test_absent_files_and_folders(tmp_path):
     for path in (tmp_path / "none.npy", tmp_path):
-        with pytest.raises(InputError, match=r"^scan: .*existing file"):
+        with refusal("scan"):
             read_scan(path)
 
 
@@ -565,5 +566,5 @@ def test_height_map():
 def test_metres():
     assert metres("10 um", "size") == 1e-5 and metres(2, "size") == 2.0
     for wrong in ("10", "10 s", -1.0, [1.0, 2.0], None, np.inf):
-        with pytest.raises(InputError, match=r"^width: "):
+        with refusal("width"):
             metres(wrong, "width")

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import stiction as st
+from refusals import refusal
 
 ROWS, COLUMNS = 9, 11
 X, Y = np.meshgrid(0.5 * np.arange(COLUMNS), 0.5 * np.arange(ROWS))
@@ -40,5 +41,5 @@ def test_remarks_that_say_nothing(tmp_path, without_library, mark):
 
 @pytest.mark.parametrize("remark", ["# Width: 10 µm", "# Operator: somebody", "# Lateral units: µm", "# Value units: stone"])
 def test_remarks_that_say_more_are_left_to_the_library(tmp_path, without_library, remark):
-    with pytest.raises(st.InputError, match="instrument files after"):
+    with refusal("scan", "stiction[scans]"):
         read(tmp_path, f"{remark}\n{POINTS}", unit="um")

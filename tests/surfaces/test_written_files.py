@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from written_files import CHANNELS, COLUMNS, COUNTS, MISSING, PITCH, ROWS, STEP, UNITS, WRITTEN, WRITTEN_AREAS, WRITTEN_PROFILES
 
+from refusals import refusal
 from stiction.quantities.errors import InputError
 from stiction.surfaces.prepare import level
 from stiction.surfaces.read import read_scan
@@ -70,7 +71,7 @@ def test_levelled_height_deviation(written, name):
 def test_the_ending_of_the_name_is_no_matter_but_for_arrays(written, name, ending):
     path = written(name, under=f"scan{ending}")
     if ending == ".npy":
-        with pytest.raises(InputError, match=r"undamaged \.npy"):
+        with refusal("scan", ".npy"):
             read_scan(path)
     else:
         assert np.array_equal(read_scan(path).heights, read_scan(written(name)).heights, equal_nan=True)
@@ -112,7 +113,7 @@ def test_header_that_claims_more_than_the_file_holds(written):
         header = content[:2048].replace(b"xpixels = 64", b"xpixels = 1000000").replace(b"ypixels = 48", b"ypixels = 1000000")
         return header.rstrip(b"\n").ljust(2048, b"\n") + content[2048:]
 
-    with pytest.raises(InputError, match=r"^scan: .*claims 1000000000000 points"):
+    with refusal("scan", "1000000000000"):
         read_scan(written("written.bcr", claimed))
 
 
@@ -124,7 +125,7 @@ def test_channels(written):
     np.testing.assert_allclose(other.heights, CHANNELS["ZSensor"][1] * HEIGHTS, rtol=1e-12)
     assert np.array_equal(other.heights, read_scan(path, channel=2).heights)
     for wrong in ("Phase", "height of the sea", 17):  # a phase is no height
-        with pytest.raises(InputError, match=r"^channel: .*0 'Height', 2 'ZSensor'"):
+        with refusal("channel", "0 'Height'", "2 'ZSensor'"):
             read_scan(path, channel=wrong)
 
 
@@ -169,7 +170,7 @@ def test_a_damaged_line_does_not_cost_the_lines_above(written):
         lines[30] = lines[30].replace(b".", b"~")
         return b"".join(lines)
 
-    with pytest.raises(InputError, match=rf"^scan: .*of {COLUMNS} lines of numbers"):
+    with refusal("scan", COLUMNS):
         read_scan(written("stylus.csv", damaged))
 
 

@@ -7,6 +7,7 @@ import pytest
 import xarray
 
 import stiction as st
+from refusals import refusal
 from stiction.quantities.units import to_si
 
 UNITS = pint.UnitRegistry()  # the user's own, not that of this package
@@ -54,15 +55,15 @@ def test_arrays_and_lists_of_quantities():
     ],
 )
 def test_a_quantity_of_another_dimension_is_refused(given, name):
-    with pytest.raises(st.InputError, match=rf"^{name}: .*another dimension"):
+    with refusal(name):
         to_si(given, name)
-    with pytest.raises(st.InputError, match=r"^asperity_radius: .*another dimension"):
+    with refusal("asperity_radius"):
         st.Roughness(**ROUGHNESS | {"asperity_radius": UNITS.Quantity(1, "N")})
 
 
 def test_what_is_normalised_takes_no_unit():
     groups = st.Indices(theta=40, lam=10)
-    with pytest.raises(st.InputError, match=r"^load: .*without a unit"):
+    with refusal("load", "1 newton"):
         st.solve(groups, load=UNITS.Quantity(1, "N"))
     for given in ({"h": UNITS.Quantity(1, "N"), "theta": 40}, {"h": 1.0, "theta": UNITS.Quantity(1, "N")}):
         with pytest.raises(st.InputError):
@@ -99,5 +100,5 @@ def test_a_column_is_a_number_of_a_contact():
     assert found["friction_coefficient"].dims == ("batch",) and found["batch"].values.tolist() == ["old", "new"]
     alone = st.solve(contact(work_of_adhesion=0.2, nominal_area=2e-6), load="1 N")
     assert float(found["friction_coefficient"][1]) == pytest.approx(float(alone["friction_coefficient"]), rel=1e-13)
-    with pytest.raises(st.InputError, match=r"^work_of_adhesion: -0.2"):
+    with refusal("work_of_adhesion", "-0.2"):
         contact(work_of_adhesion=pd.Series([0.1, -0.2]))

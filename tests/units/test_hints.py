@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import stiction as st
+from refusals import refusal
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import axis, to_si
 
@@ -31,15 +32,15 @@ def test_rockwell_numbers_are_those_of_the_printed_table(rockwell, vickers):
 @pytest.mark.parametrize(
     "text, allowed",
     [
-        ("70 HRC", "20 to 68 HRC"),
-        ("10 HRC", "20 to 68 HRC"),
-        ("300 HK", "Vickers, Brinell or Rockwell C"),
-        ("90 HRB", "Vickers, Brinell or Rockwell C"),
+        ("70 HRC", "68 HRC"),
+        ("10 HRC", "68 HRC"),
+        ("300 HK", "60 HRC"),
+        ("90 HRB", "60 HRC"),
         ("-5 HV", ">= 1000 Pa"),
     ],
 )
 def test_other_numbers_of_hardness_tests_are_refused(text, allowed):
-    with pytest.raises(InputError, match=rf"^hardness: '{text}'; allowed: .*{allowed}"):
+    with refusal("hardness", text, allowed):
         to_si(text, "hardness")
 
 
@@ -76,24 +77,24 @@ def test_nothing_is_made_up():
 @pytest.mark.parametrize(
     "text, hint",
     [
-        ("0,25 m", 'decimal point: "0.25 m"'),
-        ("-1,5e3 m", 'decimal point: "-1.5e3 m"'),
-        (",5 m", 'decimal point: ".5 m"'),
-        ("0,3", 'decimal point: "0.3"'),
-        ("1,000,000 m", "no commas"),
+        ("0,25 m", "0.25 m"),
+        ("-1,5e3 m", "-1.5e3 m"),
+        (",5 m", ".5 m"),
+        ("0,3", "0.3"),
+        ("1,000,000 m", "1,000,000 m"),
     ],
 )
 def test_a_decimal_comma_is_named(text, hint):
-    with pytest.raises(InputError, match=hint.replace(".", r"\.")):
+    with refusal("thickness", hint):
         to_si(text, "thickness")
 
 
 def test_of_several_the_wrong_one_is_named_as_it_was_written():
-    with pytest.raises(InputError, match=r"^thickness: '-5 nm'; allowed: > 0 m"):
+    with refusal("thickness", "-5 nm", "> 0 m"):
         axis("thickness", ["100 nm", "-5 nm", "200 nm"])
     lengths = axis("thickness", [1.0, 2.0])
     lengths.attrs["units"] = "nm"
-    with pytest.raises(InputError, match=r"^thickness: '-2 nm'; allowed: > 0 m"):
+    with refusal("thickness", "-2 nm", "> 0 m"):
         to_si(lengths.copy(data=np.array([1.0, -2.0])), "thickness")
-    with pytest.raises(InputError, match=r"^first.youngs_modulus: 210.0; allowed: >= 1000 Pa; did you mean"):
+    with refusal("first.youngs_modulus", "210.0", ">= 1000 Pa", "210 GPa"):
         st.Contact(first={"preset": "iron", "youngs_modulus": 210.0})

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from refusals import refusal
 from stiction.quantities import units
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
@@ -94,7 +95,7 @@ def test_bad_text_is_refused_in_one_line_naming_field_value_and_unit(text):
     ],
 )
 def test_bad_values_are_refused(value):
-    with pytest.raises(InputError, match=r"^nu: .*; allowed: "):
+    with refusal("nu"):
         to_si(value, "nu")
 
 
@@ -122,9 +123,9 @@ def test_axis_is_its_own_coordinate_with_units():
     }
     assert axis("hardness", [1e9], "film hardness").dims == ("film hardness",)
     assert axis("nu", 0.3).attrs["units"] == "1"
-    with pytest.raises(InputError, match=r"^axis: 'thicknes'"):
+    with refusal("axis", "thicknes", "thickness"):
         axis("thicknes", [1.0])
-    with pytest.raises(InputError, match=r"^thickness: -1.0"):
+    with refusal("thickness", "-1.0"):
         axis("thickness", [1.0, -1.0])
 
 
@@ -135,7 +136,7 @@ def test_labelled_arrays_keep_their_dimension_and_obey_their_units():
     assert converted.dims == ("thickness",) and np.allclose(converted, [1e-9, 2e-9], rtol=1e-15)
     assert converted.attrs == {}
     array.attrs["units"] = "kg"
-    with pytest.raises(InputError, match="another dimension"):
+    with refusal("thickness", "kg", "> 0 m"):
         to_si(array, "thickness")
 
 
