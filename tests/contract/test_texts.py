@@ -1,0 +1,135 @@
+"""Compare what users read in errors and warnings with tests/texts.txt, which is reviewed as text.
+
+After a change on purpose: `python tests/contract/test_texts.py` writes the file anew; read its difference before you commit it.
+"""
+
+import math
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import stiction as st
+from stiction.case.read import parse_case
+from stiction.laws.validity import Doubt
+from stiction.quantities.errors import InputError
+from stiction.quantities.units import to_si
+from stiction.records.registry import records
+from stiction.solvers.boundary_elements.compliance import Film
+from stiction.solvers.boundary_elements.solve import solve_map
+from stiction.surfaces.fill import fill_missing
+from stiction.surfaces.finding import asperities
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.prepare import crop, filter_band, remove_form
+
+TEXTS = Path(__file__).parents[1] / "texts.txt"
+SURFACE = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1e9 /m^2")
+STEEL = st.material("hardened_steel_52100")
+DRY = {"first": STEEL, "second": STEEL, "roughness": SURFACE, "nominal_area": "1 mm^2", "interfacial_shear_strength": "20 MPa"}
+CONTACT = st.Contact(**DRY)
+FILM = st.Coating(material="silver", thickness="200 nm")
+COATED = st.Contact(**DRY, coating=FILM)
+GROUPS = st.Indices(theta=40.0, lam=3.0, sharpness=0.01, roughness_parameter=0.05, shear_strength=0.03)
+WAVES = HeightMap(1e-8 * np.sin(np.arange(32.0))[:, None] * np.cos(np.arange(32.0)), (1e-6, 1e-6))
+PLAIN = {"model": "greenwood_williamson_1966"}
+UNLOADED = {"model": "greenwood_williamson_1966", "pressed_to": 0.0}
+
+
+def case(**tables):
+    return parse_case({"indices": {"theta": 40.0, "lam": 3.0}, "solve": {"load": [0.1]}, **tables})
+
+
+ERRORS = {  # by the room that refuses
+    "a length with the unit of a force": lambda: to_si("1 N", "thickness"),
+    "a unit nobody knows": lambda: to_si("1 parsnip", "thickness"),
+    "a number without its unit": lambda: case(indices={}, contact={"work_of_adhesion": 0.05}),
+    "a decimal comma": lambda: to_si("0,25 um", "thickness"),
+    "a hardness beyond its scale": lambda: to_si("70 HRC", "hardness"),
+    "a negative thickness": lambda: st.Coating(material="silver", thickness="-5 nm"),
+    "210 for 210 GPa": lambda: st.Material(youngs_modulus=210.0, poissons_ratio=0.3, hardness="7 GPa"),
+    "not a number": lambda: to_si(math.nan, "poissons_ratio"),
+    "a wave longer than the scan": lambda: filter_band(WAVES, longest="2 um"),
+    "a crop without points": lambda: crop(WAVES, x=("0.5 um", "0.1 um")),
+    "no order of a polynomial": lambda: remove_form(WAVES, 7),
+    "no way of filling": lambda: fill_missing(WAVES, "glue"),
+    "a scan without a file": lambda: st.read_scan("absent.csv"),
+    "no option of a method": lambda: asperities(WAVES, "mccool", threshold=1.0),
+    "no method": lambda: asperities(WAVES, "counting"),
+    "a map of one line": lambda: asperities(HeightMap(np.sin(np.arange(40.0))[None], (1e-8, 4e-7)), "eight_neighbour"),
+    "a size without a length": lambda: HeightMap(WAVES.heights, "10 um"),
+    "no preset": lambda: st.material("silvr"),
+    "no state of an interface": lambda: st.Contact(**DRY | {"interfacial_shear_strength": None}, interface="oxidized metal"),
+    "a state beside its number": lambda: st.Contact(**DRY, interface="oxidised metal"),
+    "a state the bodies do not allow": lambda: st.Contact(**DRY | {"interfacial_shear_strength": None}, interface="elastomer"),
+    "no field": lambda: SURFACE.replace(rms=3),
+    "no kind of surface": lambda: SURFACE.replace(kind="grounded"),
+    "a film without its thickness": lambda: st.Coating(material="silver"),
+    "two dimensions of one name": lambda: st.Indices(theta=st.axis("theta", [1.0, 2.0]), lam=st.axis("theta", [1.0, 2.0, 3.0])),
+    "flat faces solved": lambda: solve_map(np.zeros((32, 32)), (1e-6, 1e-6), modulus=1e9, loads=[1e-3], periodic=True),
+    "a solved film that cannot be": lambda: Film(0.0, 1e9, 0.3, 1e11, 0.3),
+    "a load of no number": lambda: solve_map(WAVES.heights, (1e-6, 1e-6), modulus=1e9, loads=[math.nan], periodic=True),
+    "no law": lambda: st.solve(CONTACT, load="1 mN", model="nobody_1900"),
+    "laws that do not go together": lambda: st.solve(
+        CONTACT, load="1 mN", model="greenwood_williamson_1966", asperity="jkr", tangential="chang_etsion_bogy_1988"
+    ),
+    "no such option": lambda: st.solve(CONTACT, load="1 mN", reading="twice", **PLAIN),
+    "a tension without adhesion": lambda: st.solve(CONTACT, load="-1 mN", **PLAIN),
+    "more than can be carried": lambda: st.solve(CONTACT, load="1 MN", **PLAIN),
+    "separation and load": lambda: st.solve(CONTACT, load="1 mN", separation="1 nm", **PLAIN),
+    "heights of no name": lambda: st.solve(CONTACT, load="1 mN", heights="normal", **PLAIN),
+    "a separation too far": lambda: st.solve(CONTACT, separation="1 m", **PLAIN),
+    "a theory at a separation": lambda: st.solve(CONTACT, separation="1 nm", model="persson_2001"),
+    "a group that is missing": lambda: st.solve(st.Indices(lam=3.0), load=0.1),
+    "a map for boundary elements": lambda: st.solve(CONTACT, load="1 mN", model="boundary_elements"),
+    "unloaded with a film": lambda: st.unload(COATED, distance="1 nm", **UNLOADED),
+    "unloaded both ways": lambda: st.unload(CONTACT, pressed_with="1 mN", distance="1 nm", **UNLOADED),
+    "slid with a film": lambda: st.slide(COATED, load="1 mN", displacement="1 nm", film="sequential", **PLAIN),
+    "slid as a theory": lambda: st.slide(CONTACT, load="1 mN", displacement="1 nm", model="persson_2001"),
+    "menisci without a liquid": lambda: st.solve(CONTACT, load="1 mN", meniscus="equilibrium_meniscus", **PLAIN),
+    "a key of no table": lambda: case(swep={}),
+    "a case without a contact": lambda: parse_case({"solve": {"load": ["1 N"]}}),
+    "a case without a load": lambda: parse_case({"indices": {"theta": 40.0, "lam": 3.0}}),
+    "models compared over several contacts": lambda: st.compare(
+        st.Contact(**DRY, work_of_adhesion=st.axis("work_of_adhesion", ["0.1 J/m^2", "1 J/m^2"])), load="1 mN"
+    ),
+    "compared at no load": lambda: st.compare(CONTACT, load="0 N"),
+    "a prediction at no load": lambda: st.predict(CONTACT, load="0 N"),
+    "more than the nominal area carries": lambda: st.predict(CONTACT, load="1 MN"),
+    "nothing to fit": lambda: st.fit(case(solve={"model": "fuller_tabor_1975"}), "absent.csv"),
+    "no file of values": lambda: st.fit("absent.toml", "absent.csv"),
+}  # fmt: skip
+
+
+def refused(call) -> str:
+    """Return the line that refuses the call."""
+    try:
+        call()
+    except InputError as error:
+        return re.sub(r"\(all: .*?\)", "(all: ...)", str(error))
+    raise AssertionError("nothing was refused")
+
+
+def warnings_of_laws() -> list[str]:
+    """Return a line for each range of validity that a record states, as a result outside of it would show it."""
+    lines = set()
+    for record in records():
+        for rule in record.validity:
+            value = 2.0 * rule.high if math.isfinite(rule.high) else 0.5 * rule.low
+            lines.add(str(Doubt(rule.why, rule.quantity, value, value, rule.low, rule.high, 1, 1, rule.kind)))
+    return sorted(lines)
+
+
+def texts() -> str:
+    """Return the whole file."""
+    refusals = [f"{name}\n    {refused(call)}" for name, call in ERRORS.items()]
+    return "\n".join(["# Errors: what was done, and the line that refuses it", *refusals, "", "# Warnings: results beyond what",
+                      "# the authors of a law claim", *warnings_of_laws(), ""])  # fmt: skip
+
+
+def test_texts_are_those_that_were_reviewed():
+    assert texts().splitlines() == TEXTS.read_text(encoding="utf-8").splitlines()
+
+
+if __name__ == "__main__":
+    sys.stdout.write(texts()) if "--show" in sys.argv else TEXTS.write_text(texts(), encoding="utf-8")
