@@ -150,7 +150,7 @@ def test_surface(tmp_path):
     brief = next(line.split() for line in called(*command, *options[:-1]).splitlines() if line.startswith("Asperities"))
     assert "skewness 0, " in called(*command, *options[:-1])  # by symmetry, not what rounding leaves of it
     at = brief.index("R")
-    assert [float(brief[at + 1]), float(brief[at + 4])] == pytest.approx([min(radii), max(radii)], rel=0.051)
+    assert [float(brief[at + 2]), float(brief[at + 5])] == pytest.approx([min(radii), max(radii)], rel=0.051)
     assert [float(slope[at]) for at in (2, 5, 8)] == pytest.approx([*slopes, math.hypot(*slopes)], rel=SHOWN)
     for record in (found, json.loads((out / "surface.json").read_text(encoding="utf-8"))):
         read = [record["statistics"][name] for name in ("Sq", "slope_x", "slope_y", "slope")]

@@ -42,7 +42,7 @@ def test_draws_are_called_what_they_are():
         "uncertainty": "64 points, seed 0",
         "doubts_of_points": '{"y is not 1": 0.333, "area_fraction is not 0 to 0.1: too near": 0.2}',
     }
-    said = "\n".join(one.plain for one in uncertain_notes(xarray.Dataset(attrs=attributes)))
+    said = "\n".join(one for one in uncertain_notes(xarray.Dataset(attrs=attributes)))
     assert "random draws of what is uncertain: 64, seed 0" in said
     assert "in 33.3% of the random draws, each a possible set of the uncertain inputs: y is not 1" in said
     assert "inputs: real contact area over the nominal one is not 0 to 0.1: too near" in said

@@ -200,7 +200,7 @@ def test_the_command_writes_its_files_and_json(tmp_path):
     words = ["sensitivity", str(path), "--models", "none", "--out", str(tmp_path / "out")]
     result = CliRunner().invoke(cli.app, words)
     assert result.exit_code == 0, (result.output, result.exception)
-    assert "interfacial_shear_strength" in result.stdout and "1 % more of" in result.stdout
+    assert "interfacial_shear_strength" in result.stdout and "input raised by 1 %" in result.stdout
     names = {"sensitivity.csv", "elasticities.csv", "sensitivity.nc", "sensitivity.png"}
     assert {one.name for one in (tmp_path / "out").iterdir()} == names
     found = json.loads(CliRunner().invoke(cli.app, [*words[:4], "--json"]).stdout)

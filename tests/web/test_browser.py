@@ -160,7 +160,7 @@ def test_every_model_beside_the_others_and_its_page(page):
     _tab(page, "Compare")
     page.get_by_role("cell", name=f"mu = {_predicted()[0]}", exact=True).wait_for()
     assert page.get_by_role("cell", name=re.compile("^90% interval")).is_visible()
-    assert page.get_by_text("models that say the same").first.is_visible()
+    assert page.get_by_text("model, and others that agree").first.is_visible()
     assert not page.get_by_text(re.compile("^left out: ")).first.is_visible()
     page.get_by_text("Every model", exact=True).click()
     page.get_by_role("button", name="soft_coating_2015 + sequential").last.press("Enter")  # by keyboard
@@ -455,7 +455,7 @@ def test_a_comparison_of_earlier_numbers_says_so_until_it_is_made_again(of_model
     page = of_model
     before = _mu_of_the_case(page)
     _tab(page, "Compare")
-    page.get_by_role("columnheader", name="models that say the same").first.wait_for()
+    page.get_by_role("columnheader", name="model, and others that agree").first.wait_for()
     page.get_by_text("Every model", exact=True).click()
     page.locator("tr", has_text="soft_coating_2015 + sequential").last.wait_for()
     assert not page.get_by_text(OLD).is_visible() and _mu_of_the_row(page) == float(f"{before:.2g}")

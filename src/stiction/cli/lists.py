@@ -22,14 +22,13 @@ def models(
     keys: list[str] | None = argument("[KEY]...", "Say all of these; else a line of each.", None, autocompletion=every_key),
     json: Json = False,
 ) -> None:
-    """Every model and law: key, kind, provenance grade, source, range of validity; what is missing where there is none.
-    With KEY also its assumptions, equations and check numbers."""
-    from stiction.report.tables import grades, model_in_full, models_tables
+    """Every model and law by kind: key, grade, what it is. With KEY also its source, validity, assumptions and equations."""
+    from stiction.report.tables import grades, model_in_full, models_list
     from stiction.solving.overview import models as all_models
 
     rows = all_models(keys or None)
     in_full = (part for row in rows for part in (model_in_full(row), ""))
-    _show(rows, json, in_full if keys else (models_tables(rows), grades()))
+    _show(rows, json, in_full if keys else (*models_list(rows), grades()))
 
 
 @app.command()

@@ -105,23 +105,20 @@ def _checked(out: Path | None) -> Path | None:
     return out
 
 
+_RARE = "Rarely used"
+LAW: dict[str, Any] = {"metavar": "KEY", "rich_help_panel": "Laws in place of those of the case (stiction models)"}
 Out = Annotated[
     Path | None,
-    typer.Option(
-        "--out", parser=folder, callback=_checked, metavar="FOLDER", help="Folder for the results; other files in it stay."
-    ),
+    typer.Option("--out", parser=folder, callback=_checked, metavar="FOLDER", help="Folder to write results to."),
 ]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON object only.")]
 Ranges = Annotated[
     bool | None,
-    typer.Option("--ranges/--no-ranges", help="Numbers of materials vary within their ranges, whatever the case says of that."),
+    typer.Option("--ranges/--no-ranges", help="Vary material numbers within their ranges.", rich_help_panel=_RARE),
 ]
-Load = Annotated[str | None, typer.Option(help='Only at this load, in place of the points of the case, e.g. "1 N".')]
-Model = Annotated[str | None, typer.Option(help="Model in place of the case's.", autocompletion=keys_of("model"))]
-Asperity = Annotated[str | None, typer.Option(help="Asperity law in place of its own.", autocompletion=keys_of("asperity"))]
-Tangential = Annotated[
-    str | None,
-    typer.Option(help="Tangential law in place of its own; none: contact only.", autocompletion=keys_of("tangential")),
-]
-AllRows = Annotated[bool, typer.Option("--all-rows", help="Print every point, where the table shows about twelve.")]
+Load = Annotated[str | None, typer.Option(metavar="LOAD", help='In place of the points of the case: "1 N".')]
+Model = Annotated[str | None, option("A model of stiction compare.", ..., metavar="KEY", autocompletion=keys_of("model"))]
+Asperity = Annotated[str | None, option("Asperities.", ..., autocompletion=keys_of("asperity"), **LAW)]
+Tangential = Annotated[str | None, option("Tangential; none: contact only.", ..., autocompletion=keys_of("tangential"), **LAW)]
+AllRows = Annotated[bool, typer.Option("--all-rows", help="Print every point, not about twelve.", rich_help_panel=_RARE)]
 Details = Annotated[bool, typer.Option("--details", help="Print all that the answer rests on.")]

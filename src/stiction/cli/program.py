@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 _BAD_INPUT = 2
 _TABLE = re.compile(r"\[(?=[a-z])")
+_LINE_ENDS = re.compile(r"(?<!\n)\n *(?=\S)")  # inside a paragraph, which the terminal wraps
 
 
 class _Commands(TyperGroup):
@@ -37,7 +38,7 @@ class _Commands(TyperGroup):
         parts: list[Any] = [part for command in self.commands.values() for part in (command, *command.params)]
         for one in parts:
             if getattr(one, "help", None):  # "[fit]" is a table of a case, where the help would take it for a style
-                one.help = _TABLE.sub(r"\\[", one.help)
+                one.help = _LINE_ENDS.sub(" ", _TABLE.sub(r"\\[", one.help))
 
     def make_context(self, info_name, args, parent=None, **extra):
         if not args:  # which prints the help
@@ -287,13 +288,16 @@ def present(view: "View", out: Path | None, json: bool, details: bool = True) ->
 
 
 def show(parts: Iterable[Any]) -> None:
-    """Print paragraphs and tables. What is to be copied, text that does not wrap, stays on one line."""
+    """Print paragraphs and tables. Text that does not wrap stays on one line; a terminal cuts off the end of a long one if
+    the text allows that, and a pipe has all of it."""
     from rich.text import Text
 
     terminal = console()
     for part in parts:
         text = Text(part) if isinstance(part, str) else part
-        terminal.print(text, soft_wrap=isinstance(text, Text) and bool(text.no_wrap))
+        line = isinstance(text, Text) and bool(text.no_wrap)
+        cut = text.overflow if line and terminal.is_terminal else None
+        terminal.print(text, soft_wrap=line and not cut, no_wrap=line, overflow=cut)
 
 
 def written(folder: Path, names) -> None:

@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import typer
 
 from stiction.cli.options import (
+    LAW,
     AllRows,
     Asperity,
     Details,
@@ -23,56 +23,39 @@ from stiction.cli.options import (
 )
 from stiction.cli.program import app, present, read, solving
 from stiction.quantities.errors import InputError
-from stiction.quantities.table import QUANTITIES
 
-if TYPE_CHECKING:
-    pass
-
-# Inputs of the Python interface that no case file has.
-_NOT_IN_CASES = ("interfacial_energy", "equilibrium_distance")
+_SLIDING = "From rest to sliding"
 
 
-def case_numbers() -> str:
-    """Unit and bounds of every number of a case file, a paragraph for each, for --help."""
-    rows = [row for row in QUANTITIES.values() if row.example and row.name not in _NOT_IN_CASES]
-    lines = [f"{row.name}: {row.meaning}; {row.wanted}" for row in rows]
-    return "\n\n".join(["Numbers of a case file, text with its unit where it has one:", *lines])
-
-
-@app.command(cls=TakesOptionsOfRecords, epilog=case_numbers())
+@app.command(cls=TakesOptionsOfRecords)
 def run(
     context: typer.Context,
     case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
     out: Out = None,
-    model: str | None = option("Any model that stiction compare shows, or: recommended.", autocompletion=keys_of("model")),
+    load: Load = None,
+    model: str | None = option("A model of stiction compare, or: recommended.", metavar="KEY", autocompletion=keys_of("model")),
+    details: Details = False,
+    json: Json = False,
+    all_rows: AllRows = False,
+    ranges: Ranges = None,
     asperity: Asperity = None,
     tangential: Tangential = None,
-    film: str | None = option("Film law in place of its own.", autocompletion=keys_of("film")),
-    presliding: str | None = option("mindlin_1949: also the tangential stiffness before sliding."),
-    meniscus: str | None = option("Law of menisci of a liquid; none: without.", autocompletion=keys_of("meniscus")),
-    ageing: str | None = option("Law of strengthening at rest; none: without.", autocompletion=keys_of("ageing")),
-    contamination: str | None = option("Law of junctions that differ; none: without.", autocompletion=keys_of("contamination")),
-    sliding: bool = option(
-        "Tangential force against displacement up to sliding, at five of the points at most.", False, "--sliding"
-    ),
-    kept: float = option("With --sliding: share of its strength that an asperity keeps once it slides, 0 to 1.", 1.0),
-    load: Load = None,
-    all_rows: AllRows = False,
-    details: Details = False,
-    ranges: Ranges = None,
-    json: Json = False,
+    film: str | None = option("Film.", autocompletion=keys_of("film"), **LAW),
+    presliding: str | None = option("mindlin_1949: stiffness before sliding.", **LAW),
+    meniscus: str | None = option("Menisci; none: without.", autocompletion=keys_of("meniscus"), **LAW),
+    ageing: str | None = option("Strengthening at rest; none: without.", autocompletion=keys_of("ageing"), **LAW),
+    contamination: str | None = option("Junctions that differ; none: without.", autocompletion=keys_of("contamination"), **LAW),
+    sliding: bool = option("Force against displacement.", False, "--sliding", rich_help_panel=_SLIDING),
+    kept: float = option("Share of its strength that an asperity keeps.", 1.0, rich_help_panel=_SLIDING),
 ) -> None:
     """Answer a case: its friction coefficient with an interval, and what the interval comes from.
 
-    Where neither the command nor the case names a model or a law, all that is known is drawn together (st.predict). With a
-    model, that model is solved: friction coefficient, contact area and load along a curve, of which the table shows about
-    twelve points, --all-rows every one. With --out: curve.csv (with comments after #), curve.nc (netCDF4) and curve.png. What
-    is given here overrides the case file; the options of a model or a law may be given too, such as --reading published:
-    stiction models KEY names them.
-    Any number of the contact may be several, a list or {start, stop, count, spacing}: then the picture and the table show mu
-    against it. Where numbers are uncertain, "0.5 +/- 0.1 GPa", {low, high}, {median, factor} or {samples}, or numbers of
-    materials vary within their --ranges, mu has a band, with the error of its sampling, drawn in uncertainty.png. Where the
-    case names scans, the spread of mu over the methods of finding asperities is its error band, drawn in band.png.
+    Without a named model or law, the applicable ones are combined. With --model, that model is solved along a curve.
+    --out writes curve.csv, curve.nc (netCDF4) and pictures. Options of a model or law, such as --reading published, are listed
+    by stiction models KEY; what is given here overrides the case file.
+
+    In the case file a number may be an array (a list, or {start, stop, count, spacing}) or uncertain ("0.5 +/- 0.1 GPa",
+    {low, high}, {median, factor}, {samples}). stiction schema lists every number with its unit and bounds.
     """
     if kept != 1.0 and not sliding:
         raise InputError("--kept", kept, "nothing without --sliding")

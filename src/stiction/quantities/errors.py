@@ -63,11 +63,16 @@ def field_below(place: str) -> AbstractContextManager[None]:
     return field_as(lambda field: f"{place}.{field}".rstrip("."))
 
 
+_MANY = 20  # known words, above which an error does not list them
+
+
 def nearest(word, known: Iterable[str]) -> str:
-    """The known words, the likely ones first if there are any: the text of a suggestion."""
+    """Return the known words, the likely ones first if there are any; of more than a dozen only some."""
     known = list(known)
     plain = {one.casefold(): one for one in known}
     close = [plain[one] for one in difflib.get_close_matches(str(word).casefold(), plain, n=3, cutoff=0.5)]
+    if len(known) > _MANY:
+        return " or ".join(close) if close else f"{', '.join(known[:3])} and {len(known) - 3} more"
     every = ", ".join(known)
     return f"{' or '.join(close)} (all: {every})" if close else every
 

@@ -10,6 +10,7 @@ from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
+DIGITS = 3  # of a number of a preset, as it is shown
 _FORM = 'a table of low and high ends, e.g. hardness = ["0.3 GPa", "0.5 GPa"]'
 
 
@@ -45,7 +46,7 @@ Ranges = Annotated[
 
 def range_in_words(low: float, high: float, name: str) -> str:
     """The ends of the named quantity: "82 to 83 GPa", and "0.5 MPa to 2 GPa" where they differ in their prefix."""
-    first, last = show(low, name), show(high, name)
+    first, last = show(low, name, DIGITS), show(high, name, DIGITS)
     number, _, unit = first.partition(" ")
     return f"{number if unit == last.partition(' ')[2] else first} to {last}"
 

@@ -1,6 +1,6 @@
 """The answer in words and as JSON: one text for terminal, page, report and notebook; and the model that gave it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -119,7 +119,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("measured", _of_measured(data)),
         ("state", attrs["regime"]),
         ("uncertainty from", _shares(attrs["shares"])),
-        ("model", ", ".join(attrs["models"]) + (", combined" if len(attrs["models"]) > 1 else "") + beside_area(attrs)),
+        ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
         ("bare metal", _bare(attrs["bare_metal"])),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),
@@ -160,8 +160,20 @@ def _of_measured(data: "xarray.Dataset") -> str:
     return "; ".join(filter(None, [f"{values}: {', '.join(texts)}", data.attrs["verdict"].replace("_", " ")]))
 
 
+def models_in_words(names: Iterable[str]) -> str:
+    """Return the laws of the area that a prediction combines.
+
+    >>> models_in_words(["persson_2001", "hertz + bowden_tabor_1943"])
+    '2 combined: persson_2001; hertz with bowden_tabor_1943'
+    """
+    texts = [name.replace(" + ", " with ") for name in names]
+    return f"{len(texts)} combined: {'; '.join(texts)}" if len(texts) > 1 else "".join(texts)
+
+
 def _bare(interval: list[float]) -> str:
-    return f"mu = {number(interval[0])} to {number(interval[1])} where the metals touch, not included" if interval else ""
+    if not interval:
+        return ""
+    return f"mu = {number(interval[0])} to {number(interval[1])} where metal touches metal; the interval above leaves it out"
 
 
 def part_name(name: str) -> str:

@@ -10,7 +10,7 @@ from rich.text import Text
 from stiction.contact.interfaces import interfaces
 from stiction.contact.materials import Material, material, material_names, symbols_of
 from stiction.quantities.data_files import GRADES
-from stiction.quantities.ranges import range_in_words
+from stiction.quantities.ranges import DIGITS, range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.table import Column, Table
@@ -44,7 +44,7 @@ def with_range(preset: Material, name: str) -> str:
     if value is None:
         return ""
     ends = f" ({range_in_words(*preset.range[name], name)})" if name in preset.range else ""
-    return show(value, name) + ends
+    return show(value, name, DIGITS) + ends
 
 
 def materials_table(names: Iterable[str]) -> Table:

@@ -266,7 +266,12 @@ def scan_parts(findings: Findings) -> list[tuple[str, Any, Table, list[str]]]:
     for body, found in findings.analyses.items():
         table = on_page(asperity_table(found), f"Asperities of the {body} body by every method")
         parts.append(
-            (f"{body.capitalize()} body", surface_summary(found).rows, table, [one.plain for one in surface_notes(found)])
+            (
+                f"{body.capitalize()} body",
+                surface_summary(found).rows,
+                table,
+                [line for part in surface_notes(found) for _, line in part.rows],
+            )
         )
     return parts
 

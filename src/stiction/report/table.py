@@ -127,9 +127,10 @@ def with_powers(text: str) -> str:
     return text.replace("m^2", "m²").replace("m^3", "m³")
 
 
-def dim(lines: Iterable[str]) -> list[Text]:
-    """Return notes of lesser weight, a line each."""
-    return [Text(line, style="dim") for line in lines]
+def notes(lines: Iterable[str], look: str = "dim") -> list[Table]:
+    """Return a table of notes, each with a hanging indent; none where there is no note."""
+    rows = [("-", line) for line in lines]
+    return [Table([Column(""), Column("", wrap=True)], rows, gap=1, looks=[look] * len(rows))] if rows else []
 
 
 def shown(value: float, name: str, digits: int = 4) -> str:
@@ -151,6 +152,11 @@ def prefix(quantity: str, largest: float) -> tuple[float, str]:
     return float(text) / size, with_powers(unit)
 
 
+_LOOKS = {"mu": "bold green", "warning": "yellow", "outside": "yellow"}  # of rows, by the first word of the name
+
+
 def facts(pairs: Iterable[tuple[str, Any]]) -> Table:
-    """Return rows of a bold name and a text; those without text are left out."""
-    return Table([Column(""), Column("", wrap=True)], [pair for pair in pairs if pair[1]])
+    """Return rows of a bold name and a text, the answer and warnings highlighted; those without text are left out."""
+    rows = [pair for pair in pairs if pair[1]]
+    looks = [_LOOKS.get(name.partition(" ")[0], "") for name, _ in rows]
+    return Table([Column(""), Column("", wrap=True)], rows, looks=looks)

@@ -16,7 +16,7 @@ from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
 from stiction.report.answer import grade_line, model_line, model_record, number
 from stiction.report.plain_formulas import as_text
-from stiction.report.table import Column, Table, facts, numbers, prefix, short, shown, some, with_unit
+from stiction.report.table import Table, facts, notes, numbers, prefix, short, shown, some, with_unit
 from stiction.solving.accuracy.film_errors import in_words
 from stiction.solving.unused import unused_of
 
@@ -205,21 +205,22 @@ def _measured(rows: list[dict[str, Any]]) -> list[str]:
     return [f"measured: {in_words(row)}" for row in [row for row in rows if "error" in row] or rows[:1]]
 
 
-def outside_validity(data: "xarray.Dataset") -> Iterator[Text]:
+def outside_validity(data: "xarray.Dataset") -> Iterator[Any]:
     """Yield what is used beyond the claims of its authors, highlighted."""
-    if lines := [f"  {doubt}" for doubt in doubts_of(data)]:
-        yield Text("\n".join(["outside the range of validity", *lines]), style="bold yellow")
+    if doubts := doubts_of(data):
+        yield Text("outside the range of validity", style="bold yellow")
+        yield from notes(map(str, doubts), "yellow")
 
 
-def models_tables(rows: Iterable[Mapping[str, Any]]) -> Group:
-    """The registry, a table for each kind: key, grade, what it is, and for what it is valid."""
-    by_kind: dict[str, list[list[str]]] = {}
+def models_list(rows: Iterable[Mapping[str, Any]]) -> Iterator[Text]:
+    """Yield the registry by kind, a line for each record: key, grade and what it is, cut to the width of a terminal."""
+    kind = ""
     for row in rows:
-        said = "\n".join([row["title"], *(f"- {line}" for line in row["validity"])])
-        by_kind.setdefault(row["kind"], []).append([f"{row['key']:31}", row["grade"], said])
-    columns = [Column("key"), Column("grade"), Column("what it is, and for what it is valid", wrap=True)]
-    tables = (Table(columns, entries, ruled=True, gap=1) for entries in by_kind.values())
-    return Group(*(part for kind in zip(by_kind, tables, strict=True) for part in kind))
+        if kind != row["kind"]:
+            kind = row["kind"]
+            yield Text(kind, style="bold cyan")
+        key = (f"  {row['key']:32}", "bold")
+        yield Text.assemble(key, f" {row['grade']}  {row['title']}", no_wrap=True, overflow="ellipsis")
 
 
 # The ends of lines inside a paragraph of Markdown: the terminal breaks lines itself.

@@ -1,4 +1,4 @@
-"""The tab Compare: the prediction, models that say the same in one row, and on demand every model."""
+"""The tab Compare: the prediction, models that agree in one row, and on demand every model."""
 
 from typing import Any
 

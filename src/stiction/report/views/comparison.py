@@ -1,10 +1,10 @@
-"""A comparison of models: tables, one JSON object, and files; models that say the same are one row."""
+"""A comparison of models: tables, one JSON object, and files; models that agree are one row."""
 
 import json
 import math
 import shlex
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +16,7 @@ from stiction.laws.validity import read_doubts
 from stiction.quantities.units import show
 from stiction.report.answer import answer_lines, answer_record, number
 from stiction.report.files import write_csv, write_netcdf
-from stiction.report.table import Column, Table, dim, facts, numbers
+from stiction.report.table import Column, Table, facts, notes, numbers
 from stiction.report.view import MOST_LINES, View, lines_of, picture
 from stiction.studies.comparison.compare import FAMILIES, RESULTS
 from stiction.studies.prediction.unused import refusal_of
@@ -102,7 +102,7 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
 _MU = "friction_coefficient_at_load"
 _ALIKE = 1.1  # ratio of mu within which models say the same
 ALL = "--all lists every model"
-GROUP_HEADS = ("models that say the same", "mu", "area off by", "status")
+GROUP_HEADS = ("model, and others that agree", "mu", "area error", "in the model's range?")
 
 
 @dataclass(frozen=True)
@@ -189,7 +189,8 @@ def group_row(group: Group) -> tuple[str, str, str, str]:
     """Return the texts of GROUP_HEADS for a group."""
     mu = " to ".join(dict.fromkeys((number(group.low), number(group.high))))
     ends = dict.fromkeys(f"{end:+.0%}" for end in (min(group.errors), max(group.errors))) if group.errors else ["-"]
-    return group.title, mu, " to ".join(ends), group.status
+    status = group.status.replace("does not fit", "no", 1)
+    return group.title, mu, " to ".join(ends), f"yes{status[4:]}" if group.fits else status
 
 
 def groups_table(groups: list[Group], room: int | None = None, silent: int = 0, more: str = ALL) -> Iterator[Table | Text]:
@@ -206,23 +207,23 @@ def groups_table(groups: list[Group], room: int | None = None, silent: int = 0, 
     while room is not None and shown and lines_of(_table(shown)) > room - max(1, lines_of(left_out())):
         shown = shown[:-1]
     if shown:
-        yield replace(_table(shown), whole=room is None)
+        yield _table(shown)
     if text := left_out():
         yield text
 
 
 def _table(groups: list[Group]) -> Table:
     names, mu, error, status = GROUP_HEADS
-    columns = [Column(names, wrap=True, most=34), *numbers(mu, error), Column(status, wrap=True)]
-    return Table(columns, [group_row(group) for group in groups])
+    columns = [Column(names), *numbers(mu, error), Column(status, wrap=True)]
+    return Table(columns, [group_row(group) for group in groups], whole=True)
 
 
 def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) -> str:
     """Return how many models the rows leave out, "" for none."""
     counts = [
-        (sum(len(one.names) for one in groups if one.possible and one not in shown), "not shown"),
+        (sum(len(one.names) for one in groups if one.possible and one not in shown), "more models not shown"),
         (sum(len(one.names) for one in groups if not one.possible and one not in shown), "cannot be right here"),
-        (silent, "give an area alone: state the interface"),
+        (silent, "give an area but no friction: state the interface"),
     ]
     return "; ".join(f"{count} {text}" for count, text in counts if count)
 
@@ -259,8 +260,8 @@ def comparison_view(
         room = None if every else MOST_LINES - sum(map(lines_of, above))
         yield from groups_table(groups, room, silent_models(case, data) if groups else 0, more)
         if every:
-            yield from (Text(line) for line in data.attrs["criteria"].splitlines())
-            yield from dim(f"left out: {line}" for line in data.attrs["left_out"].splitlines())
+            yield from notes(data.attrs["criteria"].splitlines(), "")
+            yield from notes(f"left out: {line}" for line in data.attrs["left_out"].splitlines())
             if measured is not None:
                 from stiction.report.views.surface import roughness_notes, roughness_table
 
@@ -277,6 +278,6 @@ def comparison_view(
     pictures = {}
     if "working_load" in data.attrs:
         files["compare_at_load.csv"] = partial(write_csv, at_working_load(data))
-        told = "friction at the working load by models that say the same"
+        told = "friction at the working load by groups of models that agree"
         pictures["compare.png"] = picture(told, "model_pictures.models_figure", data, groups, prediction, case.title)
     return View("compare", None, parts, record, files, pictures, is_brief=True)

@@ -13,7 +13,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import model_record
 from stiction.report.files import comments_of, record, write_csv
 from stiction.report.several_tables import of_point, points_dimension, several_table, shown_quantity, varied
-from stiction.report.table import Table, dim, numbers, short, some
+from stiction.report.table import Table, notes, numbers, short, some
 from stiction.report.tables import curve_table, in_brief, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.view import Picture, View, picture
 from stiction.solving.method_spread import METHOD
@@ -48,20 +48,20 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
 def band_lines(data: "xarray.Dataset") -> Iterator[Any]:
     """Yield the table of quantiles, whole on a terminal of any width, and what is uncertain."""
     yield band_table(data)
-    yield from uncertain_notes(data)
+    yield from notes(uncertain_notes(data))
 
 
-def uncertain_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """What is uncertain, how it was drawn, and how often nothing is known."""
+def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
+    """Yield what is uncertain, how it was drawn, and how often nothing is known."""
     used = data.attrs
     for line in used["uncertain_inputs"].splitlines():
-        yield Text(f"uncertain: {line}", style="dim")
+        yield f"uncertain: {line}"
     if "uncertainty" in used:
-        yield Text(draws_in_words(used), style="dim")
+        yield draws_in_words(used)
     if used.get("impossible_draws"):
-        yield Text(f"impossible, and excluded from the band: {used['impossible_draws']:.2g} of the draws", style="dim")
+        yield f"impossible, and excluded from the band: {used['impossible_draws']:.2g} of the draws"
     for text, share in json.loads(used.get("doubts_of_points", "{}")).items():
-        yield Text(in_draws(share, with_meaning(text)), style="dim")
+        yield in_draws(share, with_meaning(text))
 
 
 def draws_in_words(used: Mapping[str, Any]) -> str:
@@ -120,7 +120,7 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
         from stiction.report.views.surface import roughness_notes, roughness_table
 
         yield from (roughness_table(case.measured, data), *roughness_notes(case.measured), "")
-    yield from dim(run_notes(data))
+    yield from notes(run_notes(data))
     yield from outside_validity(data)
 
 

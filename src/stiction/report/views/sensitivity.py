@@ -83,7 +83,9 @@ def elasticities_table(data: "xarray.Dataset") -> Table:
     one, names = at_working_load(data), results_of(data, "elasticity")
     order: Any = ranked(one, names[0], "elasticity", "number") if names else []
     rows = [[str(one["number"].values[at]), *(_signed(float(one[f"{name}_elasticity"][at])) for name in names)] for at in order]
-    return Table([Column("1 % more of"), *numbers(*(f"{_HEADS[name]}, %" for name in names))], rows, ranked=True)
+    return Table(
+        [Column("input raised by 1 %"), *numbers(*(f"{_HEADS[name]} changes by [%]" for name in names))], rows, ranked=True
+    )
 
 
 def _signed(value: float) -> str:

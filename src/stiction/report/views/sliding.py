@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from stiction.report.files import comments_of, record, write_csv
-from stiction.report.table import Table, dim
+from stiction.report.table import Table, notes
 from stiction.report.tables import curve_table, in_brief, outside_validity, run_notes, run_summary
 from stiction.report.view import View, picture
 
@@ -43,7 +43,7 @@ def sliding_view(case: "Case", data: "xarray.Dataset") -> View:
 
     def parts() -> Iterator[Any]:
         yield from (run_summary(case, data), "", sliding_table(data), "")
-        yield from dim(sliding_notes(data))
+        yield from notes(sliding_notes(data))
         yield from outside_validity(data)
 
     def short() -> Iterator[Any]:

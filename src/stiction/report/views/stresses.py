@@ -7,7 +7,7 @@ import numpy as np
 from rich.text import Text
 
 from stiction.report.files import comments_of, record, write_csv, write_netcdf
-from stiction.report.table import Table, dim, numbers, some, with_unit
+from stiction.report.table import Table, notes, numbers, some, with_unit
 from stiction.report.tables import in_brief, outside_validity, run_summary
 from stiction.report.view import View, picture
 from stiction.studies.stresses.film_section import film_section
@@ -54,13 +54,13 @@ def stresses_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, 
 
     def parts() -> Iterator[Any]:
         yield from (run_summary(case, data), "", film_table(data, all_rows), "")
-        yield from dim(MEANINGS)
+        yield from notes(MEANINGS)
         if data.attrs.get("remarks"):
             yield Text(data.attrs["remarks"], style="yellow")
         yield from outside_validity(data)
 
     def short() -> Iterator[Any]:
-        yield from (*in_brief(case, data), film_table(data), *(Text(one, style="dim") for one in MEANINGS))
+        yield from (*in_brief(case, data), film_table(data), *notes(MEANINGS))
 
     files: dict[str, Any] = {"film.csv": lambda path: write_csv(data, path, comments_of(data))}
     pictures = {}

@@ -12,7 +12,7 @@ from rich.text import Text
 from stiction.case.text import inline
 from stiction.quantities.units import show
 from stiction.report.files import as_json, write_csv, write_netcdf, write_rows
-from stiction.report.table import Column, Table, dim, facts, numbers, short, shown
+from stiction.report.table import Column, Table, facts, notes, numbers, short, shown
 from stiction.report.view import Picture, View, picture
 from stiction.studies.scans.analysis import Analysis, spectrum_rows, summary
 from stiction.studies.scans.map_contact import summary_of_contact
@@ -91,7 +91,7 @@ def _in_short(analysis: Analysis) -> str:
         return "none found: see --details"
     radii = [one.radius for one in each.values()]
     ends = [shown(end, "asperity_radius", 2) for end in (min(radii), max(radii))]
-    return f"by {analysis.standing}; R {ends[0]} to {ends[1]} by {len(each)} ways of finding them"
+    return f"by {analysis.standing}; R = {ends[0]} to {ends[1]} over {len(each)} methods"
 
 
 def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
@@ -149,7 +149,7 @@ def asperity_table(analysis: Analysis) -> Table:
     return _table(rows, "found", "heights", "skewness")
 
 
-def surface_notes(analysis: Analysis) -> list[Text]:
+def surface_notes(analysis: Analysis) -> list[Table]:
     """What each method rests on, and why one found nothing."""
     lines = []
     if analysis.spikes:
@@ -160,7 +160,7 @@ def surface_notes(analysis: Analysis) -> list[Text]:
     lines += [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
     lines += [f"{method}: {one.note}; {analysis.heights[method].reason}" for method, one in analysis.asperities.items()]
     lines += [f"{method} found nothing: {why}" for method, why in analysis.failures.items()]
-    return dim(lines)
+    return notes(lines)
 
 
 def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) -> Table:
@@ -177,7 +177,7 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
     return replace(table, looks=["bold" if method == measured.method else "" for method in measured.by_method])
 
 
-def roughness_notes(measured: "Measured") -> list[Text]:
+def roughness_notes(measured: "Measured") -> list[Table]:
     """What found nothing, what was done to the scans, and what the band is."""
     count = measured.counts[measured.method]
     found = f" ({count} asperities)" if count else ""
@@ -185,10 +185,10 @@ def roughness_notes(measured: "Measured") -> list[Text]:
     lines = [f"taken: {measured.method}{found}{band}"]
     lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
     lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
-    return dim(lines)
+    return notes(lines)
 
 
-def map_notes(data: "xarray.Dataset") -> list[Text]:
+def map_notes(data: "xarray.Dataset") -> list[Table]:
     """What was done to the maps whose contact was solved, how well they are resolved, and both areas at the last load."""
     last = data.isel({name: -1 for name in data["load"].dims})
     every = int(last["point_spacing"])
@@ -201,7 +201,7 @@ def map_notes(data: "xarray.Dataset") -> list[Text]:
         f"{shown(float(last['contact_area_pixels']), 'contact_area', 3)} counted in points; "
         f"{float(last['load_share_plastic']):.1%} of the load on points that bear the hardness",
     ]
-    return dim(lines)
+    return notes(lines)
 
 
 def contact_table(contact: "ContactOfMap") -> Table:

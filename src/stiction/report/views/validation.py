@@ -9,7 +9,7 @@ import numpy as np
 from rich.text import Text
 
 from stiction.report.files import rows_of, write_rows
-from stiction.report.table import Column, Table, dim, numbers, short
+from stiction.report.table import Column, Table, notes, numbers, short
 from stiction.report.view import View
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def validation_view(found: "Mapping[str, xarray.Dataset]") -> View:
     def parts() -> Iterator[Any]:
         for data in found.values():
             yield from (*origin_lines(data), validation_table(data))
-            yield from dim(f"left out: {line}" for line in data.attrs["left_out"].splitlines())
+            yield from notes(f"left out: {line}" for line in data.attrs["left_out"].splitlines())
 
     def record() -> dict[str, Any]:
         return {name: validation_record(data) for name, data in found.items()}
