@@ -1,4 +1,4 @@
-"""Friction at the working load: the prediction, and models that say the same, a row each."""
+"""Friction at the working load: the prediction, and models that agree, a row each."""
 
 from typing import TYPE_CHECKING
 

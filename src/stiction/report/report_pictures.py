@@ -153,14 +153,14 @@ def all_of_one(findings: Findings) -> list[str]:
 
 
 def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
-    """Models that say the same at the working load, below the prediction."""
+    """Models that agree at the working load, below the prediction."""
     told, data = findings.told, findings.prediction
     if told is None:
         return
     from stiction.report.views.comparison import groups_of
 
     here = None if data is None else at_working_load(data)
-    words = "Friction at the working load by models that say the same, with intervals. The table below has the numbers."
+    words = "Friction at the working load by models that agree, with intervals. The table below has the numbers."
     yield _picture(lambda: models_figure(told, groups_of(told), here), "models", words, wide=True)
 
 

@@ -100,14 +100,14 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 _MU = "friction_coefficient_at_load"
-_ALIKE = 1.1  # ratio of mu within which models say the same
+_ALIKE = 1.1  # ratio of mu within which models agree
 ALL = "--all lists every model"
 GROUP_HEADS = ("model, and others that agree", "mu", "area error", "in the model's range?")
 
 
 @dataclass(frozen=True)
 class Group:
-    """Models that say the same.
+    """Models that agree.
 
     family: what their friction rests on. names: in the order of mu. low, high: of mu. errors: mean errors of the area on solved
     surfaces, of the models of which it is known. least, most: mu without its error there, at the ends of 90 %; as low and high
@@ -125,7 +125,7 @@ class Group:
 
     @property
     def title(self) -> str:
-        """Return the first model, and how many say the same."""
+        """Return the first model, and how many agree."""
         return self.names[0] + (f" +{len(self.names) - 1}" if len(self.names) > 1 else "")
 
     @property

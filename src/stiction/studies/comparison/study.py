@@ -1,4 +1,4 @@
-"""The answer for one contact, and what every applicable model says of it, those that say the same in one row.
+"""The answer for one contact, and what every applicable model says of it, a row for those that agree.
 
 A model fits, or does not and why. The area is off by its mean error on solved surfaces near this contact. A contact that
 states an interfacial_shear_strength gets a friction coefficient from models of contact only, too. With --out: compare.csv
