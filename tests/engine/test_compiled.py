@@ -182,13 +182,11 @@ def test_a_damaged_file_is_made_anew(plug_in, damage):
 def test_a_file_that_could_not_be_finished_is_not_left(tmp_path, monkeypatch):
     """As on a full disk."""
 
-    def full(path, made):
-        with path.open("wb") as file:
-            file.write(made[:10])
+    def full(part, path):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))
-    monkeypatch.setattr(Path, "write_bytes", full)
+    monkeypatch.setattr(Path, "replace", full)
     notice.cache_clear()
 
     @kernel

@@ -1,9 +1,10 @@
-"""What is known of a number that is uncertain: a distribution of scipy.stats, or values that were measured.
+"""What is known of a number that is uncertain: a named distribution, one of scipy.stats, or values that were measured.
 
 The errors that are written are standard ones: `0.5 +/- 0.1` has a standard deviation of 0.1 (a standard uncertainty after
 JCGM 100:2008, 2.3.1), and a median with a factor has the logarithm of the factor as the standard deviation of its logarithm.
 """
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -35,21 +36,46 @@ class _Values:
         return np.searchsorted(np.sort(self.values), value, side="right") / self.values.size
 
 
-def _scipy(name: str) -> Callable[..., Any]:
-    def made(*parameters: float) -> Any:
-        import scipy.stats  # takes a second
+@dataclass(frozen=True)
+class _Normal:
+    """A normal distribution of a number, or of its logarithm."""
 
-        return getattr(scipy.stats, name)(*parameters)
+    mean: float
+    deviation: float
+    log: bool = False
 
-    return made
+    def ppf(self, share: Any) -> np.ndarray:
+        from scipy.special import ndtri
+
+        values = self.mean + self.deviation * ndtri(share)
+        return np.exp(values) if self.log else values
+
+    def cdf(self, value: float) -> float:
+        from scipy.special import ndtr
+
+        if self.log:
+            value = math.log(value) if value > 0.0 else -math.inf
+        return float(ndtr((value - self.mean) / self.deviation))
+
+
+@dataclass(frozen=True)
+class _Even:
+    """Any number between two ends is as likely, or any logarithm."""
+
+    low: float
+    high: float
+    log: bool = False
+
+    def ppf(self, share: Any) -> np.ndarray:
+        return self.low * (self.high / self.low) ** share if self.log else self.low + (self.high - self.low) * share
 
 
 # Kind of a distribution -> its law, of its parameters.
 _LAWS: dict[str, Callable[..., Any]] = {
-    "normal": _scipy("norm"),
-    "log-normal": lambda median, factor: _scipy("lognorm")(np.log(factor), 0.0, median),
-    "uniform": lambda low, high: _scipy("uniform")(low, high - low),
-    "log-uniform": _scipy("loguniform"),
+    "normal": _Normal,
+    "log-normal": lambda median, factor: _Normal(math.log(median), math.log(factor), log=True),
+    "uniform": _Even,
+    "log-uniform": lambda low, high: _Even(low, high, log=True),
     "values": lambda *values: _Values(np.array(values)),
 }
 

@@ -5,11 +5,10 @@ which differ in every process; it notices edits only in the kernel's own file; a
 different inputs at the same time can mix up each other's files, because one index is shared by all of them.
 """
 
-import contextlib
 import hashlib
+import os
 import pickle
 import sys
-import uuid
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -20,8 +19,9 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 from numba.np.unsafe.ndarray import to_fixed_tuple as to_fixed_tuple
 
-from stiction.quantities.cache import cache_folder, cannot_keep
+from stiction.quantities.cache import cache_folder, keep_file
 
+_MOST = 500_000_000  # bytes of all kernels: those of every model take a third of it
 # Bytes at the end of a file of the cache, by which it is known to be whole.
 _CHECKSUM = hashlib.sha256().digest_size
 
@@ -50,8 +50,10 @@ class _KernelCache(NullCache):
             self._digest = self._digest_of(self._compiled)
             self._compiled.py_func.__qualname__ += f"_{self._digest[:16]}"
         target_context.refresh()
+        file = self._file(sig, target_context.codegen())
         try:
-            content = self._file(sig, target_context.codegen()).read_bytes()
+            content = file.read_bytes()
+            os.utime(file)  # what is used is deleted last
         except OSError:
             return None
         made, checksum = content[:-_CHECKSUM], content[-_CHECKSUM:]
@@ -66,16 +68,8 @@ class _KernelCache(NullCache):
         if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted):
             return
         file = self._file(sig, data.codegen)
-        part = file.with_suffix(f".{uuid.uuid4().hex}")
         made = dumps(data._reduce())
-        try:
-            file.parent.mkdir(parents=True, exist_ok=True)
-            part.write_bytes(made + hashlib.sha256(made).digest())
-            part.replace(file)
-        except OSError as error:  # which costs time, and nothing else
-            with contextlib.suppress(OSError):
-                part.unlink(missing_ok=True)
-            cannot_keep(error)
+        keep_file(file, lambda opened: opened.write(made + hashlib.sha256(made).digest()), _MOST)
 
     def _file(self, sig: Any, codegen: Any) -> Path:
         made_by = numba.__version__, sys.version_info[:2], codegen.magic_tuple()

@@ -1,7 +1,11 @@
-"""Where the program keeps what is slow to make: compiled kernels, and the units as they were read."""
+"""The cache of the program: files that are slow to make and can be made again."""
 
 import os
+import uuid
+from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
+from typing import BinaryIO
 
 import platformdirs
 
@@ -9,11 +13,38 @@ from stiction.quantities.notices import notice
 
 
 def cache_folder(part: str) -> Path:
-    """The folder of a part of the cache; STICTION_CACHE_DIR moves it."""
+    """Return the folder of a part of the cache; STICTION_CACHE_DIR moves it."""
     root = os.environ.get("STICTION_CACHE_DIR") or platformdirs.user_cache_dir("stiction", appauthor=False)
     return Path(root) / part
 
 
-def cannot_keep(error: OSError) -> None:
-    """Say, once, that the cache takes nothing: results are the same, only slower to come."""
-    notice(f"{cache_folder('')} takes no more files ({error.strerror}): what is compiled is not kept for the next time")
+def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> None:
+    """Write a file of the cache, whole or not at all, and delete the oldest files of its kind beyond `most` bytes.
+
+    A full disk or a folder without permission is a notice: it costs time and nothing else.
+    """
+    part = path.with_suffix(f".{uuid.uuid4().hex}")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with part.open("wb") as file:
+            write(file)
+        part.replace(path)
+        _delete_oldest(path, most)
+    except OSError as error:
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
+        reason = f"{cache_folder('')} takes no more files ({error.strerror})"
+        notice(f"{reason}: what is compiled is not kept for the next time")
+
+
+def _delete_oldest(path: Path, most: int) -> None:
+    """Delete the files that were used longest ago; another process may delete the same ones."""
+    known = []
+    for file in path.parent.glob(f"*{path.suffix}"):
+        with suppress(FileNotFoundError):
+            known.append((file.stat().st_mtime, file.stat().st_size, file))
+    total = 0
+    for _, size, file in sorted(known, reverse=True):
+        total += size
+        if total > most:
+            file.unlink(missing_ok=True)

@@ -5,6 +5,7 @@ rows are in quantities.csv; the symbols are those of docs/theory.md.
 """
 
 import csv
+from collections.abc import Iterator
 from pathlib import Path
 
 from stiction.quantities.quantity import Quantity
@@ -16,10 +17,10 @@ def _quantity(bounds: str, **texts: str) -> Quantity:
     return Quantity(**texts, lower=lower, upper=upper, lower_included=bounds[0] == "[", upper_included=bounds[-1] == "]")
 
 
-def _read() -> dict[str, Quantity]:
-    lines = Path(__file__).with_name("quantities.csv").read_text(encoding="utf-8").splitlines()
-    rows = csv.DictReader(line for line in lines if not line.startswith("#"))
-    return {row["name"]: _quantity(**row) for row in rows}
+def rows_of_table(name: str) -> Iterator[dict[str, str]]:
+    """Yield the rows of a table of this folder; lines that begin with # are comments."""
+    lines = Path(__file__).with_name(name).read_text(encoding="utf-8").splitlines()
+    return csv.DictReader(line for line in lines if not line.startswith("#"))
 
 
-QUANTITIES: dict[str, Quantity] = _read()
+QUANTITIES: dict[str, Quantity] = {row["name"]: _quantity(**row) for row in rows_of_table("quantities.csv")}

@@ -1,6 +1,6 @@
 """The only place where units are read: SI floats inside the program, text with units ("48 nm") at its edge.
 
-pint knows the units; it is slow to import, so it is imported when the first unit is read.
+units.csv has the common units. pint reads all others; it is slow to import, so it is imported when the first of these is read.
 """
 
 import re
@@ -20,7 +20,7 @@ from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.quantities.hardness import from_hardness_test
 from stiction.quantities.hints import meant, too_soft, with_a_point
 from stiction.quantities.quantity import Quantity, in_degrees
-from stiction.quantities.table import QUANTITIES
+from stiction.quantities.table import QUANTITIES, rows_of_table
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 # pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
@@ -176,11 +176,19 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
 
 @cache
 def _exact_factor(unit: str, si_unit: str) -> Fraction:
+    if (factor := _common_factors().get((unit, si_unit))) is not None:
+        return factor
     registry = _registry()
     parsed = registry.parse_units("1" + unit if unit.startswith("/") else unit)
     if registry.Quantity(Fraction(0), parsed).to(si_unit or "dimensionless").magnitude != 0:
         raise ValueError("a scale with a zero of its own")
     return Fraction(registry.Quantity(Fraction(1), parsed).to(si_unit or "dimensionless").magnitude)
+
+
+@cache
+def _common_factors() -> dict[tuple[str, str], Fraction]:
+    """Return the exact factor of each common unit to its SI unit."""
+    return {(row["unit"], row["si_unit"]): Fraction(row["factor"]) for row in rows_of_table("units.csv")}
 
 
 @cache

@@ -13,11 +13,11 @@ from dataclasses import asdict, fields
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
-from stiction.quantities.cache import cache_folder, cannot_keep
+from stiction.quantities.cache import cache_folder, keep_file
 from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_map
 from stiction.solvers.boundary_elements.solve import MapContact, MapContacts, checked, solve_map
 
@@ -107,24 +107,9 @@ def _keep(path: Path, contact: MapContact) -> None:
         return
     touched = pressure > 0.0
     numbers = {one.name: getattr(contact, one.name) for one in fields(contact) if one.name not in _OF_FILE}
-    partial = path.with_suffix(f".{os.getpid()}.part")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with partial.open("wb") as file:
-            np.savez(
-                file, numbers=json.dumps(numbers), doubts=json.dumps([asdict(one) for one in contact.doubts]),
-                where=np.packbits(touched), pressure=pressure[touched],
-            )  # fmt: skip
-        partial.replace(path)
-        _make_room(path.parent)
-    except OSError as error:
-        cannot_keep(error)
+    of_doubts, where = json.dumps([asdict(one) for one in contact.doubts]), np.packbits(touched)
 
+    def write(file: BinaryIO) -> None:
+        np.savez(file, numbers=json.dumps(numbers), doubts=of_doubts, where=where, pressure=pressure[touched])
 
-def _make_room(folder: Path) -> None:
-    known = sorted(((one.stat().st_mtime, one.stat().st_size, one) for one in folder.glob("*.npz")), reverse=True)
-    total = 0
-    for _, size, path in known:
-        total += size
-        if total > _MOST:
-            path.unlink(missing_ok=True)
+    keep_file(path, write, _MOST)

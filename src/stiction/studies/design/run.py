@@ -9,6 +9,7 @@ import numpy as np
 
 from stiction.case.read import read_content
 from stiction.quantities.inputs import require_callable
+from stiction.quantities.sampling import sobol_points
 from stiction.studies.design.designed import dataset_of, designed_case
 from stiction.studies.design.plan import DesignPlan, make_design_plan
 from stiction.studies.design.space import TOLERANCE, Answers, Space
@@ -142,12 +143,10 @@ def _ask(found: Designing, shares: np.ndarray, tell: Tell) -> Answers:
 
 def _drawn(found: Designing) -> np.ndarray:
     """Sobol points, enough for every way to choose from lists; each of these alone, where nothing else is chosen."""
-    from scipy.stats import qmc
-
     plan, most = found.plan, _FEW_DRAWN * len(found.plan.wishes) ** 2 if found.space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]
     if not counts:
-        return qmc.Sobol(len(plan.free), rng=plan.seed).random(most)
+        return sobol_points(len(plan.free), most, plan.seed)
     centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(
         -1, len(counts)
     )
@@ -155,7 +154,7 @@ def _drawn(found: Designing) -> np.ndarray:
     if not plan.free:
         return centres
     each = 2 ** max(2, int(np.ceil(np.log2(max(4.0, most / ways)))))
-    points = qmc.Sobol(len(plan.free), rng=plan.seed).random(each)
+    points = sobol_points(len(plan.free), each, plan.seed)
     some = centres[:: max(1, ways // 512)]
     return np.column_stack([np.repeat(some, each, axis=0), np.tile(points, (len(some), 1))])
 

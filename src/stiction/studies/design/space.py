@@ -13,6 +13,7 @@ from stiction.case.uncertain import Uncertain, with_ranges
 from stiction.laws.validity import Doubt
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
+from stiction.quantities.sampling import sobol_points
 from stiction.quantities.units import reason_of, show
 from stiction.records.claims import Validity
 from stiction.solving.candidates import choice_of
@@ -232,8 +233,6 @@ class Space:
     def _sampled(self, content: Mapping, chosen: list[Address]) -> dict[Address, np.ndarray]:
         """Values of what is uncertain and not chosen (samples,), the same for every design of the same materials. Of a material
         that is chosen its own ranges count."""
-        from scipy.stats import qmc
-
         if self.is_predicted:  # which draws for itself
             return {}
         kept = self._uncertain(chosen)
@@ -242,7 +241,7 @@ class Space:
         together = list(dict.fromkeys(one.dimension for one in kept))
         if not kept:
             return {}
-        shares = qmc.Sobol(len(together), rng=self.plan.seed).random(_SAMPLES)
+        shares = sobol_points(len(together), _SAMPLES, self.plan.seed)
         return {one.path: one.at(shares[:, together.index(one.dimension)]) for one in kept}
 
     def _judged(self, subject: Any, solved: Pointwise, designs: int, loads: int) -> Answers:

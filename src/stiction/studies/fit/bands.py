@@ -10,6 +10,7 @@ import numpy as np
 from stiction.case.several import Address
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
+from stiction.quantities.sampling import sobol_points
 from stiction.solving.pointwise import Pointwise
 from stiction.studies.evaluate_many import evaluate_together
 from stiction.studies.fit.answer import Fitted
@@ -38,10 +39,8 @@ class Bands:
 def draws_of(one: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     """Sets of shares (m, k) with the probability that the data give them between the ends, and how many of them are worth one
     each: importance sampling from a wide normal about the best fit, and evenly, by Sobol points."""
-    from scipy.stats import qmc
-
     k = len(one.parameters)
-    points = qmc.Sobol(k + 1, rng=seed).random(_TRIED)
+    points = sobol_points(k + 1, _TRIED, seed)
     root = np.linalg.cholesky(one.best.bounded) * 1.5
     narrow = points[:, -1] < 0.75
     inner = one.best.shares + _student(np.clip(points[:, :k], 1e-9, 1.0 - 1e-9)) @ root.T

@@ -6,6 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
+from stiction.quantities.sampling import sobol_points
+
 CONFIDENCE = 0.95
 # Standardised residual where a model refuses a set of numbers, or has no value.
 FAR = 1e4
@@ -112,9 +114,7 @@ def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
 
 
 def _drawn(k: int, seed: int) -> np.ndarray:
-    from scipy.stats import qmc
-
-    return qmc.Sobol(k, rng=seed).random(2 ** min(5 + k, 9))
+    return sobol_points(k, 2 ** min(5 + k, 9), seed)
 
 
 def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:

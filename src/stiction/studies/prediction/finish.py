@@ -8,6 +8,7 @@ from stiction.case.distribution import of_samples
 from stiction.case.read import Case
 from stiction.case.uncertain import Uncertain, expanded
 from stiction.contact.contact import Contact
+from stiction.quantities.sampling import sobol_points
 
 __all__ = ["with_finish"]
 
@@ -21,10 +22,8 @@ def with_finish(case: Case) -> Case:
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:
         return case
-    from scipy.stats import qmc
-
     open_numbers = len(contact.roughness.unknowns)
-    points = qmc.Sobol(open_numbers, rng=np.random.default_rng(_SEED)).random(_ROWS)
+    points = sobol_points(open_numbers, _ROWS, _SEED)
     drawn = contact.roughness.drawn(np.clip(points.T, 1e-6, 1.0 - 1e-6))
     order = np.argsort(drawn[1], kind="stable")  # by radius, so that a level has a meaning
     paths = [("contact", "roughness", name) for name in _NUMBERS]

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from stiction.quantities.sampling import sobol_points
+
 __all__ = ["COLUMNS", "PARTS", "Levels", "draw_levels"]
 
 # Names of the parts, and the columns of levels that each of them has beside the uncertain numbers of the case.
@@ -57,10 +59,8 @@ def draw_levels(inputs: int, count: int, seed: int) -> Levels:
     -----
     The sequence is scrambled as Owen (1997) does, so that its points are uniform, and the same seed gives the same draws.
     """
-    from scipy.stats import qmc
-
     names = [name for columns in COLUMNS.values() for name in columns]
-    points = qmc.Sobol(inputs + len(names), rng=np.random.default_rng(seed)).random(count)
+    points = sobol_points(inputs + len(names), count, seed)
     points = np.clip(points, 1e-9, 1.0 - 1e-9)  # quantiles at 0 and 1 are infinite
     # Inputs last: what has no uncertain number keeps its levels when it gets one.
     return Levels(points[:, len(names) :], dict(zip(names, points[:, : len(names)].T, strict=True)))

@@ -11,6 +11,7 @@ from stiction.case.read import Case
 from stiction.case.uncertain import SAMPLE, expanded
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
+from stiction.quantities.sampling import sobol_points
 from stiction.records.registry import RoughSurface, find
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import excludes
@@ -68,10 +69,7 @@ class Draws:
 
 def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray:
     """Points (parts, count / parts, columns) in the unit cube: of Sobol's sequence, each part scrambled on its own (Owen)."""
-    from scipy.stats import qmc
-
-    rngs = [np.random.default_rng(one) for one in np.random.SeedSequence(seed).spawn(parts)]
-    return np.array([qmc.Sobol(columns, rng=rng).random(count // parts) for rng in rngs])
+    return np.array([sobol_points(columns, count // parts, one) for one in np.random.SeedSequence(seed).spawn(parts)])
 
 
 def _steps(variants: Sequence[Variant], rows: np.ndarray, points: int) -> list[tuple[int, np.ndarray]]:

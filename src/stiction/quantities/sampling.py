@@ -1,0 +1,48 @@
+"""Points that fill the unit cube evenly.
+
+scipy.stats makes them and takes half a second to import; they are kept on disk, so that only the first study of a kind waits.
+"""
+
+import zipfile
+
+import numpy as np
+
+from stiction.quantities.cache import cache_folder, keep_file
+
+_MOST = 20_000_000  # bytes of all points that are kept
+
+
+def sobol_points(columns: int, count: int, seed: int | np.random.SeedSequence) -> np.ndarray:
+    """Return points of a scrambled Sobol sequence in the unit cube.
+
+    Parameters
+    ----------
+    columns : int
+        Number of dimensions.
+    count : int
+        Number of points; a power of two keeps the points balanced.
+    seed : int or numpy.random.SeedSequence
+        Seed of the scrambling: the same seed gives the same points.
+
+    Returns
+    -------
+    numpy.ndarray, shape (count, columns)
+
+    Notes
+    -----
+    Scrambled as by Owen (1998), J. Complexity 14, 466.
+    """
+    key = f"{seed.entropy}_{'_'.join(map(str, seed.spawn_key))}" if isinstance(seed, np.random.SeedSequence) else seed
+    path = cache_folder("points") / f"sobol-{columns}-{count}-{key}.npz"
+    try:
+        with np.load(path, allow_pickle=False) as file:  # an archive carries a checksum of its content
+            points = file["points"]
+        if points.shape == (count, columns):
+            return points
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+        pass  # not kept yet, or damaged
+    from scipy.stats import qmc  # slow to import
+
+    points = qmc.Sobol(columns, rng=np.random.default_rng(seed)).random(count)
+    keep_file(path, lambda file: np.savez(file, points=points), _MOST)
+    return points
