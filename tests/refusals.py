@@ -5,7 +5,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import pytest
+import xarray
 
+from stiction.laws.validity import doubts_of
 from stiction.quantities.errors import InputError
 
 
@@ -19,3 +21,8 @@ def refusal(field: str, *parts: object) -> Iterator[pytest.ExceptionInfo[InputEr
     assert error.field == field, text
     for part in map(str, parts):
         assert re.search(rf"(?<![\w.]){re.escape(part)}(?!\w)", text), f"{part!r} is missing: {text}"
+
+
+def outside(data: xarray.Dataset) -> set[str]:
+    """Return the quantities whose range of validity a result leaves."""
+    return {doubt.quantity for doubt in doubts_of(data)}

@@ -75,7 +75,7 @@ def test_doubts():
     found = st.film_stresses(coated(weak, 300e-9, "100 MPa"), load="1 N", **LAWS | {"asperity": "hertz"})
     said = {doubt.quantity for doubt in doubts_of(found)}
     assert {"stress_over_yield", "interface_shear"} <= said
-    assert float(found["interface_shear"]) > 1.0 and "is sheared off" in found.attrs["outside_validity"]
+    assert float(found["interface_shear"]) > 1.0
     strong = STEEL | {"hardness": 700e9}
     quiet = st.film_stresses(
         st.Contact(first=strong, second=RIGID, nominal_area="1 mm^2", roughness=ROUGH, interfacial_shear_strength="1 MPa",

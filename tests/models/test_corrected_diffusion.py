@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from scipy.special import erf
 
 import stiction as st
-from refusals import refusal
+from refusals import outside, refusal
 from stiction.contact.indices import Groups
 from stiction.laws.rough_surface import (
     pastewka_robbins_2014_area,
@@ -147,4 +147,4 @@ def test_attraction_of_long_range_is_doubted():
             tabor_parameter=(R * w * w / (E * E * reach**3)) ** (1 / 3),
         )
         found = st.solve(indices, load=1e-4, model="pastewka_robbins_2014_area")
-        assert ("beyond the rims" in found.attrs["outside_validity"]) is doubted
+        assert ("range_over_gap" in outside(found)) is doubted
