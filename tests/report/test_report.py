@@ -299,3 +299,31 @@ def test_that_a_case_is_read_is_shown_while_it_is(tmp_path):
     with pytest.raises(InputError):
         write_report({"contact": {"first": "hardened_steel_52100"}}, tmp_path / "report.html", progress=progress)
     assert said == ["Reading the case"]
+
+
+def test_the_first_page_is_the_card_with_six_inputs_and_one_line_of_validity(tmp_path):
+    """What is printed before the first page break: card, picture, inputs, validity; a named model has its number as large."""
+    case = small(tmp_path, OXIDISED.replace('["1 N"]', '["0.1 N", "1 N", "10 N"]'))
+    write_report(case, tmp_path / "report.html")
+    first, second, appendix = (tmp_path / "report.html").read_text(encoding="utf-8").split('<div class="page"></div>')
+    assert 'class="card"' in first and first.count("<svg") == 2 and first.count('scope="row"') == 6
+    assert "Measure next" in first and first.count("Validity.</strong>") == 1
+    assert "Why" in second and "Models compared" in second and "Inputs" in appendix and "Sources" in appendix
+    named = small(tmp_path, OXIDISED + 'model = "greenwood_williamson_1966"\n', "named.toml")
+    record = write_report(named, tmp_path / "named.html")
+    page = (tmp_path / "named.html").read_text(encoding="utf-8")
+    sizes = re.findall(r'<span style="font-size:2em[^>]*>(.*?)</span>', page)
+    assert len(sizes) == 2 and "greenwood_williamson_1966" in sizes[0] and record["friction_coefficient_rounded"] in sizes[0]
+    assert sizes[1] == f"μ = {st.predict(named, load='1 N').friction_coefficient.item():.2g}"
+
+
+def test_a_pdf_where_a_browser_is(tmp_path, monkeypatch):
+    case = small(tmp_path, OXIDISED)
+    if html_report._browser():
+        write_report(case, tmp_path / "report.pdf")
+        assert (tmp_path / "report.pdf").read_bytes().startswith(b"%PDF-")
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["case.toml", "report.pdf"]
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr(html_report, "installed", lambda name: False)
+    result = CliRunner().invoke(app, ["report", str(case), "--out", str(tmp_path / "none.pdf")])
+    assert result.exit_code == 2 and result.stderr.count("\n") == 1 and "Chromium" in result.stderr

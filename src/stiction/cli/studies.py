@@ -82,7 +82,7 @@ for _folder, _study in studies():
 @app.command()
 def report(
     case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
-    out: Path = option("The page; one that is there is replaced.", ..., "--out", metavar="FILE.html"),
+    out: Path = option("The page; one that is there is replaced.", ..., "--out", metavar="FILE.html|.pdf"),
     load: str | None = option('Working load, e.g. "1 N"; default: the middle one of the case.'),
     ranges: Ranges = None,
     json: Json = False,

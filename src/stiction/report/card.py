@@ -72,13 +72,14 @@ class Card(NamedTuple):
 
     def html(self, why: bool = True) -> str:
         """Return the card as a part of a page; why: with all of the answer, folded."""
+        more = ", recommended" if self.named else ""
         big = 'style="font-size:2em;font-weight:650;line-height:1.2"'
         named = f"<p><span {big}>{escape(self.named)}</span></p>" if self.named else ""
         rows = "".join(f"<dt><strong>{head}</strong></dt><dd>{escape(text)}</dd>" for head, text in self.lines)
         folded = f"<details><summary>why</summary>{html.table('', self.rows)}</details>" if why else ""
         return (
             f'<div class="card">{named}<p><span {big}>μ = {number(self.mu)}</span> '
-            f"{self.interval} ({self.level:.0%} interval) at {escape(self.load)}</p>{self.bar()}<dl>{rows}</dl>{folded}</div>"
+            f"{self.interval} ({self.level:.0%} interval) at {escape(self.load)}{more}</p>{self.bar()}<dl>{rows}</dl>{folded}</div>"
         )
 
 

@@ -4,6 +4,8 @@ import base64
 import datetime
 import json
 import os
+import shutil
+import subprocess
 import tempfile
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -14,7 +16,7 @@ from typing import Any
 from stiction.case.read import Case, as_case
 from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
-from stiction.quantities.extras import require
+from stiction.quantities.extras import installed, require
 from stiction.quantities.paths import require_place
 from stiction.quantities.progress import Progress, silent
 from stiction.report import report_sections as say
@@ -30,7 +32,9 @@ from stiction.studies.findings import Findings, find_out, text_of_file
 
 # Columns whose cells are symbols and meanings of the table of quantities.
 _FORMULAS = ("symbol", "quantity", "group")
-_SUFFIXES = (".html", ".htm")
+_SUFFIXES = (".html", ".htm", ".pdf")
+# Programs that print a page as PDF.
+_BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge", "microsoft-edge")
 
 
 def write_report(
@@ -39,10 +43,11 @@ def write_report(
     """A report of a case as one file of HTML: question, answer with its doubt, inputs with their sources, pictures, all models
     compared, uncertainty, validity, measured surfaces, citations, versions, and the case to run it again.
 
-    case: path of a case file, its tables as a dict, or a Case. path: of the file to be written, .html; one that is there is
-    replaced, when the new one is finished. load: the working load [N], or text with its unit; by default the middle one of the
-    case. ranges: whether numbers of materials vary within their ranges, in place of what the case says. progress: from a text,
-    what wraps a list of steps. Returns the answer as numbers and words, a dict. Raises InputError.
+    case: path of a case file, its tables as a dict, or a Case. path: of the file to be written: .html, or .pdf where a browser
+    or weasyprint prints it; one that is there is replaced, when the new one is finished. load: the working load [N], or text
+    with its unit; by default the middle one of the case. ranges: whether numbers of materials vary within their ranges,
+    whatever the case says. progress: from a text, what wraps a list of steps. Returns the answer as numbers and words, a dict. Raises
+    InputError.
     """
     require("report", "matplotlib")
     check_place(Path(path), case)
@@ -84,6 +89,7 @@ def as_html(findings: Findings, name: str, again: str, progress: Progress = sile
         date=datetime.datetime.now(datetime.UTC).date().isoformat(),
         question=question(findings),
         headline=headline(findings),
+        card=say.card(findings, name),
         answer=answer_in_words(findings),
         say=say,
         inputs=[*groups_of_inputs(findings), *groups_of_groups(findings)],
@@ -110,6 +116,7 @@ def _as_link(text: str) -> str:
 def _pictures(findings: Findings, progress: Progress) -> Iterable[tuple[str, list]]:
     """The pictures, section by section."""
     from stiction.report.report_pictures import (
+        pictures_of_answer,
         pictures_of_comparison,
         pictures_of_curve,
         pictures_of_scan,
@@ -117,6 +124,7 @@ def _pictures(findings: Findings, progress: Progress) -> Iterable[tuple[str, lis
     )
 
     sections: dict[str, Callable[[], Iterable]] = {
+        "answer": lambda: pictures_of_answer(findings),
         "curve": lambda: pictures_of_curve(findings),
         "comparison": lambda: pictures_of_comparison(findings),
         "uncertainty": lambda: pictures_of_uncertainty(findings),
@@ -162,14 +170,37 @@ def _answer(findings: Findings) -> dict[str, Any] | None:
 
 def check_place(path: Path, case: Any = None) -> None:
     """Raise InputError for a place where no report can be, before anything is computed for it."""
-    allowed = "a file that ends in .html, new or existing"
+    allowed = "a file that ends in .html or .pdf, new or existing"
     if path.suffix.lower() not in _SUFFIXES:
         raise InputError("--out", str(path), allowed)
+    if path.suffix.lower() == ".pdf" and not _browser() and not installed("weasyprint"):
+        raise InputError(
+            "--out", str(path), "a file that ends in .html: no Chromium, Chrome, Edge or weasyprint prints a PDF here"
+        )
     require_place(path, allowed)
     if path.is_dir():
         raise InputError("--out", str(path), f"{allowed}; this is a folder")
     if isinstance(case, str | os.PathLike) and path.exists() and Path(case).exists() and path.samefile(case):
         raise InputError("--out", str(path), f"{allowed}; this is the case itself")
+
+
+def _browser() -> str:
+    """Return the path of a browser that prints PDFs, "" where there is none."""
+    return next(filter(None, map(shutil.which, _BROWSERS)), "")
+
+
+def _printed_page(made: Path) -> Path:
+    """Return the path of a page of HTML printed as PDF, beside it."""
+    page, printed_to = made.rename(made.with_suffix(".html")), made.with_suffix(".pdf")
+    if browser := _browser():
+        words = [browser, "--headless", "--disable-gpu", "--no-pdf-header-footer", f"--user-data-dir={made.parent / 'profile'}"]
+        words += ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []  # which root has to say
+        subprocess.run([*words, f"--print-to-pdf={printed_to}", page.as_uri()], check=True, capture_output=True, timeout=120)
+    else:
+        import weasyprint
+
+        weasyprint.HTML(str(page)).write_pdf(str(printed_to))
+    return printed_to
 
 
 def write_html(path: Path, text: str) -> None:
@@ -181,6 +212,8 @@ def write_html(path: Path, text: str) -> None:
         with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}-") as beside:
             made = Path(beside) / "made"  # with the usual permissions, which a temporary file has not
             made.write_text(text, encoding="utf-8", newline="\n")
-            made.replace(path)
+            (_printed_page(made) if path.suffix.lower() == ".pdf" else made).replace(path)
+    except subprocess.SubprocessError:
+        raise InputError("--out", str(path), "a file that ends in .html: the browser printed no PDF") from None
     except OSError as error:
         raise InputError("--out", str(path), f"a file that can be written ({error.strerror or error})") from None

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.report.answer import at_working_load, headline
+from stiction.report.answer import at_working_load, headline, part_name
 from stiction.report.pictures import BLUE, MU_LABEL, RED, canvas, finish, friction_panel, sparse
 
 if TYPE_CHECKING:
@@ -24,11 +24,48 @@ def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     return figure
 
 
+def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
+    """Return mu along the load, of a named model beside the prediction, and the three main parts of the interval.
+
+    data: the result of a named model, or the prediction itself.
+    """
+    figure, (along, rests) = canvas(9.6, 3.4, 1, 2, width_ratios=(1.5, 1.0))
+    if data is not prediction and _MU in data:
+        friction_panel(along, data)
+        _working(along, prediction)
+    else:
+        (_band if prediction["load"].size > 1 else _histogram)(along, prediction)
+    if along.get_legend():
+        along.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, frameon=False, fontsize=8)
+    rests_panel(rests, prediction)
+    return figure
+
+
+def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
+    """Draw error bars: the interval, and the share of it that each of the three largest parts of the variance has."""
+    here = at_working_load(data)
+    low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
+    shares = sorted(data.attrs["shares"].items(), key=lambda one: -one[1])[:3]
+    names = ["all of it", *(f"{part_name(name)}\n{share:.0%}" for name, share in shares)]
+    for at, share in enumerate([1.0, *(share for _, share in shares)]):
+        ends = [[mu - mu * (low / mu) ** share**0.5], [mu * (high / mu) ** share**0.5 - mu]]
+        axes.errorbar([mu], [at], xerr=ends, color=BLUE if at else RED, marker="o", capsize=5, linewidth=2.5)
+    axes.set(ylim=(len(names) - 0.5, -0.5), xscale="log")
+    axes.set_yticks(range(len(names)), names, fontsize=8)
+    finish(axes, xlabel=MU_LABEL, title="What the interval comes from")
+    sparse(axes)
+
+
 def _band(axes: Axes, data: "xarray.Dataset") -> None:
     friction_panel(axes, data.sortby("load"))
+    _working(axes, data)
+
+
+def _working(axes: Axes, data: "xarray.Dataset") -> None:
+    """Draw the prediction at its working load."""
     here = at_working_load(data)
     ends = [[float(here[_MU] - here[f"{_MU}_low"])], [float(here[f"{_MU}_high"] - here[_MU])]]
-    axes.errorbar([float(here["load"])], [float(here[_MU])], ends, color=RED, marker="o", capsize=4, label=headline(data))
+    axes.errorbar([float(here["load"])], [float(here[_MU])], ends, color=RED, marker="o", capsize=4, label="working load")
     finish(axes)
 
 

@@ -64,10 +64,10 @@ def question(findings: Findings) -> str:
 
 def _where(findings: Findings) -> str:
     load = findings.load
-    return "at its loads" if load is None else f"pressed together with {_load_in_words(findings)}"
+    return "at its loads" if load is None else f"pressed together with {load_in_words(findings)}"
 
 
-def _load_in_words(findings: Findings) -> str:
+def load_in_words(findings: Findings) -> str:
     load = findings.load
     assert load is not None  # who asks has looked
     return value_in_words(findings.data["load"], load)
@@ -112,12 +112,12 @@ def answer_in_words(findings: Findings) -> str:
         return f"{_along(findings)} {by}."
     if _MU not in here:
         area = value_in_words(here["contact_area"], float(here["contact_area"]))
-        text = f"Under {_load_in_words(findings)} the bodies touch on {area} by the model {model}{_trusted(findings)}"
+        text = f"Under {load_in_words(findings)} the bodies touch on {area} by the model {model}{_trusted(findings)}"
         return f"{text}; it is of contact only, and says nothing of friction."
     value = headline(findings).removeprefix("μ ≈ ")
     if value == headline(findings):
-        return f"Pressed together with {_load_in_words(findings)}, {value}{_trusted(findings)}."
-    start = f"Pressed together with {_load_in_words(findings)}, the contact has a static friction coefficient of about {value}"
+        return f"Pressed together with {load_in_words(findings)}, {value}{_trusted(findings)}."
+    start = f"Pressed together with {load_in_words(findings)}, the contact has a static friction coefficient of about {value}"
     ends = interval_of(here)
     band = f"; by what is uncertain of its inputs it is {_alike(ends[0], ends[1])}" if ends else ""
     return f"{start} by the model {model}{_trusted(findings)}{band}."

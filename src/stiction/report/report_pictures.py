@@ -16,7 +16,7 @@ from stiction.report.answer import at_working_load
 from stiction.report.method_pictures import method_spread_figure
 from stiction.report.model_pictures import models_figure
 from stiction.report.pictures import panel_of_curve, panels, uncertainty_figure
-from stiction.report.prediction_pictures import prediction_figure
+from stiction.report.prediction_pictures import first_page_figure
 from stiction.report.report_answer import value_in_words
 from stiction.report.several_pictures import several_figure
 from stiction.report.several_tables import shown_quantity
@@ -111,8 +111,7 @@ def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
     # Doubts stand in words on the page, and not below every picture.
     data = findings.data.assign_attrs(doubts="[]", outside_validity="")
     if findings.prediction is not None:
-        yield _picture(lambda: prediction_figure(data), "prediction", "The friction coefficient with its interval.", wide=True)
-        return
+        return  # it is on the first page
     if findings.case.is_several:
         name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
         yield _picture(lambda: several_figure(data), "several", f"{name.capitalize()} over what varies.", wide=True)
@@ -152,9 +151,17 @@ def all_of_one(findings: Findings) -> list[str]:
     return lines
 
 
+def pictures_of_answer(findings: Findings) -> Iterator[Picture]:
+    """Yield mu along the load beside what its interval comes from, if there is a prediction."""
+    data, prediction = findings.data, findings.recommended
+    if prediction is not None:
+        caption = "mu against load, and the parts of its interval at the working load, each alone."
+        yield _picture(lambda: first_page_figure(data, prediction), "answer", caption, wide=True)
+
+
 def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
     """Models that agree at the working load, below the prediction."""
-    told, data = findings.told, findings.prediction
+    told, data = findings.told, findings.recommended
     if told is None:
         return
     from stiction.report.views.comparison import groups_of

@@ -8,6 +8,7 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from markupsafe import Markup
 
 from stiction.contact.contact import Contact
 from stiction.contact.materials import Material
@@ -17,8 +18,9 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_DOUBT
 from stiction.records.sources import bibliography
 from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, model_line
+from stiction.report.card import card_of
 from stiction.report.html_words import letters, on_page
-from stiction.report.report_answer import doubts_here, plain_name, value_in_words
+from stiction.report.report_answer import doubts_here, headline, load_in_words, plain_name, value_in_words
 from stiction.report.table import Column, Table, numbers, with_powers
 from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
@@ -45,6 +47,7 @@ _NOT_NUMBERS = {
 }
 
 
+_LONG = re.compile(r"\d+\.\d{3,}")  # a number with more digits than a reader needs
 _MOMENTS = "surface."  # of a roughness: the asperities that theories of the whole surface take
 _COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column, ("how well it is known", "source"))]
 
@@ -143,6 +146,57 @@ def answer_table(findings: Findings) -> Table:
     """Return the rows of the prediction."""
     assert findings.prediction is not None  # the template has looked
     return Table([Column(""), Column("")], answer_lines(findings.prediction), "What the number rests on")
+
+
+def card(findings: Findings, name: str) -> Markup:
+    """Return the card of the prediction, of a named model with its own number above; empty where there is none. name: of the
+    case file."""
+    if findings.recommended is None:
+        return Markup("")
+    named = "" if findings.prediction is not None else f"{headline(findings)} by {findings.data.attrs['model']}"
+    found = card_of(findings.recommended, named)
+    found = found._replace(next_step=found.next_step.replace("CASE.toml", name))
+    return Markup(found.html(why=False))  # which escapes what came in
+
+
+def main_inputs(findings: Findings) -> Table | None:
+    """Return the six inputs that a reader asks for first; none of dimensionless groups."""
+    subject = findings.case.subject
+    if not isinstance(subject, Contact):
+        return None
+    said = dict(subject.listed())
+
+    def in_short(start: str, *names: str) -> str:
+        known = ((QUANTITIES[name], said.get(f"{start}{name}")) for name in names)
+        return ", ".join(f"{row.symbol} = {text}" for row, text in known if text)
+
+    def body(start: str, name: str) -> str:
+        return ", ".join(filter(None, [plain_name(name), in_short(f"{start}.", "youngs_modulus", "hardness")]))
+
+    strength = "interfacial_shear_strength"
+    rows = [("first body", body("first", subject.first.name)), ("second body", body("second", subject.second.name))]
+    if (film := subject.coating) is not None:
+        rows.append(("film", f"{body('coating.material', film.material.name)}, {in_short('coating.', 'thickness')}"))
+    else:
+        rows.append(("nominal area", said["nominal_area"]))
+    sizes = in_short("roughness.", "asperity_height_deviation", "asperity_radius", "asperity_density")
+    rows.append(("roughness", ", ".join(filter(None, [sizes, said.get("roughness.kind")]))))
+    rows.append(("interface", getattr(subject.interface, "name", "") or in_short("", strength) or "not stated"))
+    rows.append(("load", load_in_words(findings) if findings.load is not None else "the points of the case"))
+    cells = [(name, letters(with_powers(_LONG.sub(lambda found: f"{float(found[0]):.3g}", text)))) for name, text in rows]
+    return Table([Column("input"), Column("value")], cells, "Six main inputs; all of them are in the appendix", stacked=True)
+
+
+def validity_line(findings: Findings) -> str:
+    """Return in a line how far the answer may be trusted."""
+    if findings.prediction is not None:
+        checked = findings.prediction.attrs["checked_against"]
+        return f"Checked against {checked}." if checked else "Not checked against anything measured."
+    doubts = doubts_of(findings.data)
+    if not doubts:
+        return "All along the curve the model is within the range that its authors claim."
+    more = f", and in {len(doubts) - 1} more respects" if len(doubts) > 1 else ""
+    return letters(f"Outside its range of validity: {doubts[0].in_brief}{more} (see Validity).")
 
 
 def here_table(findings: Findings) -> Table | None:

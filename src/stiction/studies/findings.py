@@ -15,7 +15,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
 from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
-from stiction.studies.prediction.predict import is_predicted, predict
+from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
 
 if TYPE_CHECKING:
     import xarray
@@ -30,7 +30,8 @@ class Findings:
     case. text: its file as it was written, "" where there was none. data: its prediction, or the results of the model that is
     named. load: the working load [N], or normalised; here: the results of a named model at it; told: all models at it; None
     where nothing presses. not_compared: why models are not compared, "" if they are. analyses: body -> what is said of its
-    scan. questions: about numbers that were hardly meant.
+    scan. questions: about numbers that were hardly meant. recommended: the prediction of one contact, also where a
+    model is named; None where numbers are several or normalised.
     """
 
     case: Case
@@ -42,10 +43,11 @@ class Findings:
     not_compared: str = ""
     analyses: "Mapping[str, Analysis]" = field(default_factory=dict)
     questions: tuple[str, ...] = ()
+    recommended: "xarray.Dataset | None" = None
 
     @property
     def prediction(self) -> "xarray.Dataset | None":
-        """The prediction of one contact; None where a model is named, or numbers are several."""
+        """Return the prediction where it is the answer; None where a model is named, or numbers are several."""
         return self.data if "shares" in self.data.attrs else None
 
     @property
@@ -69,9 +71,10 @@ def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress
         data = solve_case(case, progress=progress)
         if at is not None:
             here = solve_case(replace(case, separation=None, load=np.array([at])), progress=progress).squeeze("load")
+    predicted = data if "shares" in data.attrs else None if case.is_several else prediction_of(case, at)
     told = None if at is None else compare_case(case, at, progress)
     asked = tuple(str(one) for one in questions(case.subject))
-    return Findings(case, text, data, at, here, told, why, _analyses(case, progress), asked)
+    return Findings(case, text, data, at, here, told, why, _analyses(case, progress), asked, predicted)
 
 
 def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":
