@@ -79,7 +79,8 @@ class Card(NamedTuple):
         folded = f"<details><summary>why</summary>{html.table('', self.rows)}</details>" if why else ""
         return (
             f'<div class="card">{named}<p><span {big}>μ = {number(self.mu)}</span> '
-            f"{self.interval} ({self.level:.0%} interval) at {escape(self.load)}{more}</p>{self.bar()}<dl>{rows}</dl>{folded}</div>"
+            f"{self.interval} ({self.level:.0%} interval) at {escape(self.load)}{more}</p>"
+            f"{self.bar()}<dl>{rows}</dl>{folded}</div>"
         )
 
 

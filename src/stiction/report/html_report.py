@@ -46,8 +46,8 @@ def write_report(
     case: path of a case file, its tables as a dict, or a Case. path: of the file to be written: .html, or .pdf where a browser
     or weasyprint prints it; one that is there is replaced, when the new one is finished. load: the working load [N], or text
     with its unit; by default the middle one of the case. ranges: whether numbers of materials vary within their ranges,
-    whatever the case says. progress: from a text, what wraps a list of steps. Returns the answer as numbers and words, a dict. Raises
-    InputError.
+    whatever the case says. progress: from a text, what wraps a list of steps. Returns the answer as numbers and words, a dict.
+    Raises InputError.
     """
     require("report", "matplotlib")
     check_place(Path(path), case)
